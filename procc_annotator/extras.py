@@ -13,7 +13,7 @@ EXTRAS = {
 }
 
 
-def how_to_have(extra: str) -> str:
+def install_hint(extra: str) -> str:
     """The line that adds an extra to this very installation, as words for a message.
 
     Args:

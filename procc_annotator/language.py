@@ -13,7 +13,7 @@ from contextvars import ContextVar
 from typing import Protocol
 
 
-class LookUp(Protocol):
+class Translator(Protocol):
     """How a text is found in another language."""
 
     def __call__(self, text: str, about: str, count: int) -> str:
@@ -24,11 +24,11 @@ def _as_it_is(text: str, about: str, count: int) -> str:
     return text
 
 
-_look_up: LookUp = _as_it_is
+_look_up: Translator = _as_it_is
 _in_english: ContextVar[bool] = ContextVar("in_english", default=False)
 
 
-def speak(look_up: LookUp | None) -> None:
+def set_translator(look_up: Translator | None) -> None:
     """Say texts as they are looked up from now on; None: in English."""
     global _look_up
     _look_up = look_up or _as_it_is
@@ -49,7 +49,7 @@ def tr(text: str, /, about: str = "", **values: object) -> str:
         about: tells two meanings of the same English words apart ("left": a side, or remaining).
         values: what stands in the places; without any, braces are braces.
     """
-    if isinstance(text, Said):
+    if isinstance(text, TranslatableText):
         return text.spoken()
     return _filled(_found(text, about, -1), values)
 
@@ -74,7 +74,7 @@ def word(text: str, about: str = "") -> str:
     return text
 
 
-class Said(str):
+class TranslatableText(str):
     """English words for files and commands, that know what they are made of: ``tr`` says them, and
     what stands in their places, in the language of the window."""
 
@@ -87,11 +87,11 @@ class Said(str):
             return tr(text, about, **values)
         return tr_count(count, one, text, **values)
 
-    def __reduce__(self) -> tuple[Callable[..., Said], tuple[object, ...]]:
-        return _said, (str(self), *self._made_of)
+    def __reduce__(self) -> tuple[Callable[..., TranslatableText], tuple[object, ...]]:
+        return _translatable, (str(self), *self._made_of)
 
 
-def said(text: str, /, about: str = "", **values: object) -> Said:
+def translatable(text: str, /, about: str = "", **values: object) -> TranslatableText:
     """Words made where nobody knows who reads them, or that are shown and go into a file, too (the
     name of a step of undo, say): as ``tr``, but English until ``tr`` says them.
 
@@ -99,32 +99,32 @@ def said(text: str, /, about: str = "", **values: object) -> Said:
         text, about: as of ``tr``; or a title, which is said if the tables have it.
         values: may be made by this, too.
     """
-    return _said(text.format(**values) if values else text, text, about, "", -1, values)
+    return _translatable(text.format(**values) if values else text, text, about, "", -1, values)
 
 
-def said_count(count: int, one: str, several: str, /, **values: object) -> Said:
+def translatable_count(count: int, one: str, several: str, /, **values: object) -> TranslatableText:
     """The same for ``tr_count``."""
     english = (one if count == 1 else several).format(n=count, **values)
-    return _said(english, several, "", one, count, values)
+    return _translatable(english, several, "", one, count, values)
 
 
-def said_joined(between: str, words: Sequence[str]) -> Said:
+def translatable_joined(between: str, words: Sequence[str]) -> TranslatableText:
     """Phrases that stand on their own, one after the other."""
     places = {f"w{i}": phrase for i, phrase in enumerate(words)}
-    return said(between.join(f"{{{name}}}" for name in places), **places)
+    return translatable(between.join(f"{{{name}}}" for name in places), **places)
 
 
-def said_all(names: Sequence[str]) -> Said:
+def translatable_all(names: Sequence[str]) -> TranslatableText:
     """Names as a sentence names them: "one", "one and two", "one, two and three"; at least one."""
     if len(names) == 1:
-        return said_joined("", names)
-    return said("{names} and {last}", names=said_joined(", ", names[:-1]), last=names[-1])
+        return translatable_joined("", names)
+    return translatable("{names} and {last}", names=translatable_joined(", ", names[:-1]), last=names[-1])
 
 
-def _said(
+def _translatable(
     english: str, text: str, about: str, one: str, count: int, values: Mapping[str, object]
-) -> Said:
-    words = Said(english)
+) -> TranslatableText:
+    words = TranslatableText(english)
     words._made_of = text, about, one, count, values
     return words
 
@@ -142,7 +142,7 @@ def in_english() -> Iterator[None]:
 def _filled(text: str, values: Mapping[str, object]) -> str:
     if not values:
         return text
-    spoken_values = {k: v.spoken() if isinstance(v, Said) else v for k, v in values.items()}
+    spoken_values = {k: v.spoken() if isinstance(v, TranslatableText) else v for k, v in values.items()}
     return text.format(**spoken_values)
 
 

@@ -5,29 +5,29 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 
-_NAMED = 5
+_SHOWN_NAMES = 5
 # So many remarks that differ in their numbers only are told one by one.
-_TOLD_ALIKE = 5
-_FIRST_ALIKE = 3
+_MAX_SIMILAR = 5
+_SHOWN_SIMILAR = 3
 _NUMBER = re.compile(r"\d+")
 
 
-def count_of(count: int, thing: str, several: str = "", *, thousands: str = "") -> str:
+def count_words(count: int, thing: str, several: str = "", *, thousands: str = "") -> str:
     """``1 frame``, ``2 frames``, or what is to be said of ``several``; thousands: set apart by."""
     return f"{count:{thousands}} {thing if count == 1 else several or f'{thing}s'}"
 
 
-def first_of(names: Sequence[str]) -> str:
+def first_names(names: Sequence[str]) -> str:
     """The first few of many names: ``a, b, c, d, e, ...``."""
-    return ", ".join(names[:_NAMED]) + (", ..." if len(names) > _NAMED else "")
+    return ", ".join(names[:_SHOWN_NAMES]) + (", ..." if len(names) > _SHOWN_NAMES else "")
 
 
-def listed(names: Sequence[str], thing: str, several: str = "") -> str:
+def list_names(names: Sequence[str], thing: str, several: str = "") -> str:
     """How many there are and the first few of them: ``2 frames (a, b)``."""
-    return f"{count_of(len(names), thing, several)} ({first_of(names)})"
+    return f"{count_words(len(names), thing, several)} ({first_names(names)})"
 
 
-def few_of(remarks: Mapping[str, int]) -> dict[str, int]:
+def condensed(remarks: Mapping[str, int]) -> dict[str, int]:
     """Remarks and for how many each is, where many differ in their numbers only (sizes of
     pictures) the most frequent of those, and how many more there are and for how many."""
     alike: dict[str, list[str]] = {}
@@ -35,11 +35,11 @@ def few_of(remarks: Mapping[str, int]) -> dict[str, int]:
         alike.setdefault(_NUMBER.sub("0", remark), []).append(remark)
     told: dict[str, int] = {}
     for some in alike.values():
-        if len(some) <= _TOLD_ALIKE:
+        if len(some) <= _MAX_SIMILAR:
             told |= {remark: remarks[remark] for remark in some}
             continue
         by_count = sorted(some, key=lambda remark: -remarks[remark])
-        first, rest = by_count[:_FIRST_ALIKE], by_count[_FIRST_ALIKE:]
+        first, rest = by_count[:_SHOWN_SIMILAR], by_count[_SHOWN_SIMILAR:]
         told |= {remark: remarks[remark] for remark in first}
         told[f"and {len(rest)} more like {first[-1]!r}"] = sum(remarks[remark] for remark in rest)
     return told

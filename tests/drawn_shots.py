@@ -21,10 +21,10 @@ import numpy as np
 
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.appearance import BLACK, BLUE, NOTHING, ORANGE, RED, WHITE, YELLOW
-from procc_annotator.field.geometry import Arc, Circle, Line, at_angles, parts_of
+from procc_annotator.field.geometry import Arc, Circle, Line, points_at_angles, parts_of
 from procc_annotator.field.load import load_field, with_lines
-from procc_annotator.field.model import MIDDLE, Field
-from procc_annotator.fit.solving.surroundings import surroundings_of
+from procc_annotator.field.model import MIDDLE_LINE, Field
+from procc_annotator.fit.solving.surroundings import camera_placement_prior
 from procc_annotator.image.decode import PixelArray
 from tests.bench.sports.views import SIZE as VIEW_SIZE
 from tests.bench.sports.views import Views
@@ -92,14 +92,14 @@ def stage_of(name: str | Path) -> Stage:
     if name in sports.SPORTS:
         sport = sports.SPORTS[str(name)]
         # Soccer's lines are drawn with their middle where the rules measure, as they are annotated.
-        field = sport.field if name == "soccer" else with_lines(sport.field, MIDDLE)
+        field = sport.field if name == "soccer" else with_lines(sport.field, MIDDLE_LINE)
         return Stage(field, sport.arena, sport.things, sport.noise)
     return plain_stage(load_field(name))
 
 
 def plain_stage(field: Field) -> Stage:
     """A field on plain ground: its paint, its bars, two teams; nothing around."""
-    large = surroundings_of(field).half_length > _LARGE_FIELD_M
+    large = camera_placement_prior(field).half_length > _LARGE_FIELD_M
     ground = grounds.grass if large else grounds.sheet((110, 96, 60))
     visible = [e for e in field.elements if e.appearance.kind != NOTHING and not e.optional]
     colours = {e.name: _colour(e.appearance.colour) for e in visible}
@@ -119,7 +119,7 @@ def plain_stage(field: Field) -> Stage:
         ]
         return [*found, *_teams(field, camera, seed)]
 
-    return Stage(with_lines(field, MIDDLE), arena, things)
+    return Stage(with_lines(field, MIDDLE_LINE), arena, things)
 
 
 def _colour(name: str) -> tuple[int, int, int]:
@@ -132,7 +132,7 @@ def _bar(part: Any, width_m: float, colour: tuple[int, int, int]) -> Any:
     else:
         assert isinstance(part, Arc | Circle)
         first, last = (part.start_rad, part.end_rad) if isinstance(part, Arc) else (0.0, math.tau)
-        places = at_angles(part, np.linspace(first, last, 40))
+        places = points_at_angles(part, np.linspace(first, last, 40))
     middle = places.mean(axis=0)
 
     def draw(picture: PixelArray, camera: PinholeCamera) -> None:
@@ -143,7 +143,7 @@ def _bar(part: Any, width_m: float, colour: tuple[int, int, int]) -> Any:
 
 def _teams(field: Field, camera: PinholeCamera, seed: int) -> list[Any]:
     random = np.random.default_rng(seed + 5)
-    around = surroundings_of(field)
+    around = camera_placement_prior(field)
     half = (around.half_length, around.half_width)
     kits = (people.Kit((40, 40, 190), (230, 230, 230)), people.Kit((205, 205, 210), (120, 50, 30)))
     towards = people.looked_at(camera, half)

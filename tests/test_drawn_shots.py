@@ -8,7 +8,7 @@ import cv2
 import numpy as np
 import pytest
 
-from procc_annotator.field.sample import sample_every
+from procc_annotator.field.sample import sample_evenly
 from tests import drawn_shots
 from tests.drawn_shots import Look, Stage, draw, random_camera, soccer_shot, stage_of
 
@@ -19,7 +19,7 @@ NOBODY = Look(people=False, noise=0.0)
 def _lighter_by(stage: Stage, picture: np.ndarray, camera: object) -> float:
     """How much lighter the ground is under lines on it than 8 px beside them, median."""
     on_ground = tuple(e for e in stage.field.elements if e.on_ground and e.line_width > 0)
-    points = sample_every(replace(stage.field, elements=on_ground), 0.5).points_world
+    points = sample_evenly(replace(stage.field, elements=on_ground), 0.5).points_world
     px, seen = camera.project(points)  # type: ignore[attr-defined]
     seen &= ((px > 12) & (px < np.array(SIZE) - 13)).all(axis=1)
     grey = cv2.cvtColor(picture, cv2.COLOR_BGRA2GRAY).astype(float)

@@ -106,6 +106,6 @@ def test_the_reference_names_every_key() -> None:
     named = set(re.findall(r"`\[*([a-z_]+)\]*`", REFERENCE))
     kinds = shapes.GEOMETRY_KEYS
     keys = {key for needed, more in kinds.values() for key in (*needed, *more)} | set(kinds)
-    keys |= reading._ALLOWED | paint_reading.PAINT_KEYS | set(reading._ELEMENT_TEXTS) | {"optional"}
+    keys |= reading._ALLOWED_KEYS | paint_reading.MARKING_KEYS | set(reading._ELEMENT_TEXTS) | {"optional"}
     keys |= set(reading._DIMENSION_NUMBERS) | {"distance", "height", "ceiling", "kind"}
     assert keys <= named, f"not documented: {sorted(keys - named)}"

@@ -16,7 +16,7 @@ import pytest
 from procc_annotator.field.geometry import Line
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Element
-from procc_annotator.field.sample import sample_every
+from procc_annotator.field.sample import sample_evenly
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import score
 from procc_annotator.metric.setup import EvaluationSetup
@@ -216,7 +216,7 @@ def test_every_frame_is_painted_where_its_true_camera_says(
 ) -> None:
     """Across each ground line the paint's middle lies on the projection, distortion included."""
     sport = maker.SPORTS[name]
-    samples = sample_every(sport.field, 0.25)
+    samples = sample_evenly(sport.field, 0.25)
     across = np.arange(-9, 9.01, 0.25)
     one_side, other_side = across < -4, across > 4
     for view in sport.views:
@@ -274,7 +274,7 @@ def test_the_rim_hangs_in_the_air_where_the_true_camera_puts_it(
             np.float32
         )
         orange = picture[..., 2] - picture[..., 0]
-        ring = sample_every(sport.field, 0.02).of(sport.field.index[rim])
+        ring = sample_evenly(sport.field, 0.02).of(sport.field.index[rim])
         seen = []
         for up in (0.0, 0.12):
             px = view.picture_camera.project(ring - (0, 0, up))[0].astype(np.float32)

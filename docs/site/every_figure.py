@@ -8,7 +8,7 @@ from mkdocs.config.defaults import MkDocsConfig
 from mkdocs.structure.files import File, Files
 
 from procc_annotator.report.sheet import counts, figures
-from procc_annotator.report.sheet.figure import Figure
+from procc_annotator.report.sheet.figure import Metric
 
 INTRODUCTION = """\
 # Every figure
@@ -30,16 +30,16 @@ def on_files(files: Files, config: MkDocsConfig) -> Files:
     return files
 
 
-def _listed() -> Iterator[Figure]:
+def _listed() -> Iterator[Metric]:
     """Every figure and count once, in the order of their modules."""
-    met: set[Figure] = set()
+    met: set[Metric] = set()
     for value in (*vars(figures).values(), *vars(counts).values()):
         for figure in value if isinstance(value, tuple) else (value,):
-            if isinstance(figure, Figure) and figure not in met:
+            if isinstance(figure, Metric) and figure not in met:
                 met.add(figure)
                 yield figure
 
 
-def _row(figure: Figure) -> str:
+def _row(figure: Metric) -> str:
     title = f"{figure.title}, {figure.unit}" if figure.unit else figure.title
     return f"| {title}{ARROWS[figure.better]} | `{figure.key}` | {figure.definition} |"

@@ -26,7 +26,7 @@ from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.through_shot import following_shot
 from procc_annotator.fit.through_shot.track import Track, TrackedFrame
 from procc_annotator.image.pixels import PixelArray
-from procc_annotator.image.video import open_shared
+from procc_annotator.image.video import open_shared_video
 from procc_annotator.io.camera_files.fitted_on import annotation_digest
 
 
@@ -140,7 +140,7 @@ def track(
         FieldError: no such field.
     """
     if isinstance(frames, str | Path):
-        video = open_shared(as_path(frames, "a video"))
+        video = open_shared_video(as_path(frames, "a video"))
         count, frame = video.frame_count, video.frame
     else:
         count, frame = _length(frames), lambda number: as_pixels(frames[number])
@@ -150,7 +150,7 @@ def track(
             raise UsageError(f"anchors: no frame {number!r} among {count}, of which 0 is the first")
         as_camera(camera, f"anchors[{number}]")
     told = on_frame or (lambda _: None)
-    return following_shot.track(frame, range(count), as_field(field), anchors=known, on_frame=told)
+    return following_shot.track_shot(frame, range(count), as_field(field), anchors=known, on_frame=told)
 
 
 def _length(frames: object) -> int:

@@ -9,17 +9,17 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from procc_annotator.annotation import as_size
-from procc_annotator.api.given import as_size_or_none
+from procc_annotator.api.given import as_optional_size
 from procc_annotator.camera.base import Camera
-from procc_annotator.camera.checked import CheckedCamera, FunctionCamera
+from procc_annotator.camera.checked import ValidatedCamera, FunctionCamera
 from procc_annotator.camera.fisheye import FisheyeCamera
 from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.camera.matrices import (
-    fisheye_of,
-    intrinsics_of,
-    pinhole_of,
-    pose_of,
-    taken_apart,
+    fisheye_from_parts,
+    intrinsics_from_matrix,
+    pinhole_from_parts,
+    pose_from_rt,
+    decompose_projection,
 )
 from procc_annotator.camera.matrix_camera import MatrixCamera
 from procc_annotator.camera.pinhole import PinholeCamera
@@ -65,10 +65,10 @@ def camera_from_krt(
 
         rotation = np.asarray(cv2.Rodrigues(rotation.reshape(3))[0], dtype=np.float64)
     try:
-        inside = intrinsics_of(_numbers("k", k), as_size_or_none(size))
-        pose = pose_of(rotation, _numbers("t", t).reshape(-1))
+        inside = intrinsics_from_matrix(_numbers("k", k), as_optional_size(size))
+        pose = pose_from_rt(rotation, _numbers("t", t).reshape(-1))
         coefficients = _numbers("distortion", () if distortion is None else distortion).reshape(-1)
-        return (fisheye_of if fisheye else pinhole_of)(inside, pose, coefficients.tolist())
+        return (fisheye_from_parts if fisheye else pinhole_from_parts)(inside, pose, coefficients.tolist())
     except ValueError as error:
         raise UsageError(f"no camera: {error}") from None
 
@@ -91,14 +91,14 @@ def camera_from_projection(
     Raises:
         UsageError: not (3, 4) finite numbers, or a camera that is infinitely far away.
     """
-    known = as_size_or_none(size)
+    known = as_optional_size(size)
     try:
         camera = MatrixCamera.of(_numbers("matrix", matrix))
     except ValueError as error:
         raise UsageError(f"matrix: no projection matrix: {error}") from None
     try:
-        k, rotation, t = taken_apart(camera.image_from_world)
-        return pinhole_of(intrinsics_of(k, known), pose_of(rotation, t), ())
+        k, rotation, t = decompose_projection(camera.image_from_world)
+        return pinhole_from_parts(intrinsics_from_matrix(k, known), pose_from_rt(rotation, t), ())
     except ValueError:  # a skew, or numbers too near to no camera to be taken apart
         return camera
 
@@ -151,7 +151,7 @@ def camera_from_function(
     """
     if not callable(function):
         raise UsageError(f"expected a function, found {type(function).__name__}")
-    return CheckedCamera(FunctionCamera(function, ground_only), "the camera")
+    return ValidatedCamera(FunctionCamera(function, ground_only), "the camera")
 
 
 def _numbers(name: str, values: ArrayLike) -> FloatArray:

@@ -10,7 +10,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.fit import fitting
 from procc_annotator.fit.fitting import DEFAULT_SIZE
 from procc_annotator.fit.labels.check import check_labels as findings_of
-from procc_annotator.fit.labels.check import with_paint
+from procc_annotator.fit.labels.check import add_line_evidence
 from procc_annotator.fit.labels.finding import Finding
 from procc_annotator.image.pixels import PixelArray
 
@@ -51,7 +51,7 @@ def check_labels(
     if pixels is None:
         return found
     # What looks for paint takes longer to load than most checks take.
-    from procc_annotator.session.strokes.paint_evidence import paint_by_class
+    from procc_annotator.session.strokes.paint_evidence import line_evidence_by_class
 
-    paint = paint_by_class(given, pixels, known)
-    return with_paint(found, given, known, size=at, fit=fit, paint=paint)
+    paint = line_evidence_by_class(given, pixels, known)
+    return add_line_evidence(found, given, known, size=at, fit=fit, paint=paint)

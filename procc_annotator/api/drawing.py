@@ -13,16 +13,16 @@ from procc_annotator.api.given import (
     as_annotation,
     as_field,
     as_picture,
-    as_size_or_none,
-    camera_at,
+    as_optional_size,
+    camera_at_size,
 )
 from procc_annotator.field.model import Field
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.interact import overlay_figure
-from procc_annotator.interact.overlay import OverlayBuilder, ToDraw
+from procc_annotator.interact.overlay import OverlayBuilder, OverlayContent
 from procc_annotator.metric.measure import measure
-from procc_annotator.metric.project import project_paint
-from procc_annotator.metric.score import score_to_read
+from procc_annotator.metric.project import project_markings
+from procc_annotator.metric.score import display_score
 from procc_annotator.metric.setup import EvaluationSetup, check_thresholds
 from procc_annotator.report.scenes import OverlayLook, check_pixels
 
@@ -73,15 +73,15 @@ def draw_overlay(
     pixels, known = as_picture(picture), as_field(field)
     (threshold,) = check_thresholds((tau,))
     height, width = pixels.shape[:2]
-    setup = EvaluationSetup(known, as_size_or_none(size) or (width, height), protocol)
+    setup = EvaluationSetup(known, as_optional_size(size) or (width, height), protocol)
     given = FrameAnnotation() if annotation is None else as_annotation(annotation)
     measurement, judged, paint = None, None, None
     if camera is not None:
-        used = camera_at(camera, setup.size, as_size_or_none(camera_size), field=known).camera
+        used = camera_at_size(camera, setup.size, as_optional_size(camera_size), field=known).camera
         measurement = measure(given, used, setup)
-        judged = score_to_read(measurement, threshold)
-        paint = project_paint(used, setup) if painted_width else None
-    shown = ToDraw(
+        judged = display_score(measurement, threshold)
+        paint = project_markings(used, setup) if painted_width else None
+    shown = OverlayContent(
         annotation=given,
         size=setup.size,
         field=known,

@@ -11,20 +11,20 @@ import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation, as_size
 from procc_annotator.camera.base import Camera
-from procc_annotator.camera.checked import checked
+from procc_annotator.camera.checked import validated_camera
 from procc_annotator.camera.model_name import model_name
 from procc_annotator.camera.projections import CameraOrProjections, ElementProjections
-from procc_annotator.camera.scaling import scaled
+from procc_annotator.camera.scaling import scaled_camera
 from procc_annotator.errors import UsageError
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
 from procc_annotator.fit.result import FitResult
 from procc_annotator.image.decode import decode_bgra
-from procc_annotator.image.pixels import PixelArray, bgra
-from procc_annotator.io.camera_files.assumed_field import NAME_THE_FORMAT, of_another_field
+from procc_annotator.image.pixels import PixelArray, bgra_from_bgr
+from procc_annotator.io.camera_files.assumed_field import NAME_THE_FORMAT, field_mismatch
 from procc_annotator.io.camera_files.cameras import fit_to_size
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
-from procc_annotator.metric.project import why_clipped
+from procc_annotator.metric.project import clipped_projection_error
 from procc_annotator.metric.setup import EvaluationSetup
 
 AnyCamera = Camera | ElementProjections | FitResult | LoadedCamera
@@ -32,7 +32,7 @@ AnyCamera = Camera | ElementProjections | FitResult | LoadedCamera
 
 
 @dataclass(frozen=True)
-class CameraAt:
+class CameraInPixels:
     """A camera in px of a size.
 
     Attributes:
@@ -45,14 +45,14 @@ class CameraAt:
     fitted_on: str | None = None
 
 
-def camera_at(
+def camera_at_size(
     camera: object,
     size: tuple[int, int],
     camera_size: tuple[int, int] | None = None,
     name: str = "camera",
     *,
     field: Field,
-) -> CameraAt:
+) -> CameraInPixels:
     """A camera in px of a picture size; what those of others return is checked from now on.
 
     Args:
@@ -67,35 +67,35 @@ def camera_at(
         UsageError: it is no camera, a fit that failed, or would be taken for one of another field.
     """
     if isinstance(camera, LoadedCamera):
-        if problem := of_another_field(camera.assumed_field, field):
+        if problem := field_mismatch(camera.assumed_field, field):
             raise UsageError(f"{name}: {problem} ({NAME_THE_FORMAT})")
         loaded = fit_to_size(camera, size, camera_size)[0]
         model = model_name(loaded, camera.model, size)
-        return CameraAt(checked(loaded, name), model, camera.fitted_on)
+        return CameraInPixels(validated_camera(loaded, name), model, camera.fitted_on)
     if isinstance(camera, FitResult):
         if camera.camera is None:
             raise UsageError(f"there is no camera to evaluate, the fit failed: {camera.failure}")
         of_fit = camera.camera
-        at = of_fit if camera.size == size else scaled(of_fit, camera.size, size)
-        return CameraAt(at, camera.model, camera.fitted_on)
+        at = of_fit if camera.size == size else scaled_camera(of_fit, camera.size, size)
+        return CameraInPixels(at, camera.model, camera.fitted_on)
     own = as_camera(camera, name)
-    at = own if camera_size in (None, size) else scaled(own, camera_size, size)
-    return CameraAt(at, str(getattr(own, "model", type(own).__name__)))
+    at = own if camera_size in (None, size) else scaled_camera(own, camera_size, size)
+    return CameraInPixels(at, str(getattr(own, "model", type(own).__name__)))
 
 
-def judged_camera(
+def evaluated_camera(
     camera: object,
     setup: EvaluationSetup,
     camera_size: tuple[int, int] | None = None,
     name: str = "camera",
-) -> CameraAt:
-    """As `camera_at`, for a camera that is judged.
+) -> CameraInPixels:
+    """As `camera_at_size`, for a camera that is judged.
 
     Raises:
-        UsageError: as of `camera_at`, or projections that the protocol cannot judge.
+        UsageError: as of `camera_at_size`, or projections that the protocol cannot judge.
     """
-    found = camera_at(camera, setup.size, camera_size, name, field=setup.field)
-    if problem := why_clipped(found.camera, setup):
+    found = camera_at_size(camera, setup.size, camera_size, name, field=setup.field)
+    if problem := clipped_projection_error(found.camera, setup):
         raise UsageError(f"{name}: {problem}")
     return found
 
@@ -109,7 +109,7 @@ def as_camera(camera: object, name: str) -> CameraOrProjections:
     if isinstance(camera, type):
         raise UsageError(f"{name}: {camera.__name__} is a class; give a camera made of it")
     if isinstance(camera, ElementProjections) or callable(getattr(camera, "project", None)):
-        return checked(camera, name)  # type: ignore[arg-type]
+        return validated_camera(camera, name)  # type: ignore[arg-type]
     if camera is None:
         raise UsageError("there is no camera to evaluate (a fit that failed says why in `failure`)")
     hint = ""
@@ -164,7 +164,7 @@ def as_path(path: object, what: str) -> Path:
     raise UsageError(f"expected the path of {what}, found {kind_of(path)}")
 
 
-def as_size_or_none(size: Any) -> tuple[int, int] | None:
+def as_optional_size(size: Any) -> tuple[int, int] | None:
     """The same; None stays None."""
     return None if size is None else as_size(size)
 
@@ -194,7 +194,7 @@ def as_pixels(picture: object) -> PixelArray:
         )
     if min(picture.shape[:2]) < 2:
         raise UsageError(f"the picture of {picture.shape[1]}x{picture.shape[0]} px is too small")
-    return bgra(picture) if picture.shape[2] == 3 else picture
+    return bgra_from_bgr(picture) if picture.shape[2] == 3 else picture
 
 
 def kind_of(value: object) -> str:

@@ -10,9 +10,9 @@ from procc_annotator.api.given import (
     AnyCamera,
     as_annotation,
     as_field,
-    as_size_or_none,
-    camera_at,
-    judged_camera,
+    as_optional_size,
+    camera_at_size,
+    evaluated_camera,
 )
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
@@ -22,7 +22,7 @@ from procc_annotator.metric import disagreement as two_cameras
 from procc_annotator.metric import project, score
 from procc_annotator.metric.disagreement import Disagreement
 from procc_annotator.metric.measure import measure
-from procc_annotator.metric.score import FrameScore, score_to_read
+from procc_annotator.metric.score import FrameScore, display_score
 from procc_annotator.metric.setup import EvaluationSetup, check_thresholds
 
 FloatArray = NDArray[np.float64]
@@ -81,10 +81,10 @@ def evaluate(
         FieldError: no such field.
     """
     (threshold,) = check_thresholds((tau,))
-    at = _size_for(camera, size)
+    at = _size_of_camera(camera, size)
     setup = EvaluationSetup(as_field(field), at, protocol, allow_mirrored, off_plane)
-    used = judged_camera(camera, setup, as_size_or_none(camera_size)).camera
-    return score_to_read(measure(as_annotation(annotation), used, setup), threshold)
+    used = evaluated_camera(camera, setup, as_optional_size(camera_size)).camera
+    return display_score(measure(as_annotation(annotation), used, setup), threshold)
 
 
 def jac_curve(
@@ -122,9 +122,9 @@ def jac_curve(
     given = np.asarray(thresholds)
     if given.dtype.kind not in "fiu" or np.isnan(given).any():
         raise UsageError(f"expected thresholds as numbers of pixels, found {thresholds!r}")
-    at = _size_for(camera, size)
+    at = _size_of_camera(camera, size)
     setup = EvaluationSetup(as_field(field), at, protocol, allow_mirrored, off_plane)
-    used = judged_camera(camera, setup, as_size_or_none(camera_size)).camera
+    used = evaluated_camera(camera, setup, as_optional_size(camera_size)).camera
     return score.jac_curve(measure(as_annotation(annotation), used, setup), given)
 
 
@@ -157,13 +157,13 @@ def project_field(
         UsageError: an argument of another kind, see `evaluate`.
         FieldError: no such field.
     """
-    at = _size_for(camera, size)
+    at = _size_of_camera(camera, size)
     known = as_field(field)
-    used = camera_at(camera, at, as_size_or_none(camera_size), field=known).camera
+    used = camera_at_size(camera, at, as_optional_size(camera_size), field=known).camera
     setup = EvaluationSetup(known, at, protocol)
     if clipped:
         return project.project_field(used, setup).pieces
-    return project.measured_pieces(used, setup)
+    return project.project_measured(used, setup)
 
 
 def disagreement(
@@ -194,13 +194,13 @@ def disagreement(
         UsageError: an argument of another kind, projections alone, or a step below one pixel.
         FieldError: no such field.
     """
-    at, own, known = as_size(size), as_size_or_none(camera_size), as_field(field)
-    first = camera_at(a, at, own, "a", field=known).camera
-    second = camera_at(b, at, own, "b", field=known).camera
+    at, own, known = as_size(size), as_optional_size(camera_size), as_field(field)
+    first = camera_at_size(a, at, own, "a", field=known).camera
+    second = camera_at_size(b, at, own, "b", field=known).camera
     return two_cameras.disagreement(first, second, known, at, step_px=step_px)
 
 
-def _size_for(camera: object, size: Size | None) -> Size:
+def _size_of_camera(camera: object, size: Size | None) -> Size:
     if size is not None:
         return as_size(size)
     return camera.size if isinstance(camera, FitResult) else DEFAULT_SIZE

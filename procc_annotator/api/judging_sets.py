@@ -8,11 +8,11 @@ from pathlib import Path
 from procc_annotator.annotation import FrameAnnotation, as_size
 from procc_annotator.api.given import (
     AnyCamera,
-    CameraAt,
+    CameraInPixels,
     as_annotation,
     as_field,
-    as_size_or_none,
-    judged_camera,
+    as_optional_size,
+    evaluated_camera,
     kind_of,
 )
 from procc_annotator.api.reading import Dataset, load_cameras, load_dataset
@@ -84,16 +84,16 @@ def evaluate_set(
     _require_by_frame("cameras", cameras)
     if not isinstance(cameras, FrameTable):
         cameras = FrameTable(cameras)
-    at, own = as_size(size), as_size_or_none(camera_size)
+    at, own = as_size(size), as_optional_size(camera_size)
     setup = EvaluationSetup(known, at, protocol, allow_mirrored, off_plane, planar_only)
-    frames: dict[str, tuple[FrameAnnotation, CameraAt | None]] = {}
+    frames: dict[str, tuple[FrameAnnotation, CameraInPixels | None]] = {}
     for name, annotation in annotations.items():
         camera = cameras.get(name)
         if isinstance(camera, FitResult) and camera.camera is None:
             camera = None
         used = None
         if camera is not None:
-            used = judged_camera(camera, setup, own, f"camera of {name}")
+            used = evaluated_camera(camera, setup, own, f"camera of {name}")
         frames[name] = as_annotation(annotation), used
     return score_set(frames, setup, check_thresholds(tuple(thresholds)))
 

@@ -14,7 +14,7 @@ from procc_annotator.annotation import FrameAnnotation, pixel_like
 from procc_annotator.api.given import as_field, as_path
 from procc_annotator.errors import InputError, ProccError, UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.field.stadiums import field_of_frame
+from procc_annotator.field.stadiums import field_for_frame
 from procc_annotator.fit import fitting
 from procc_annotator.io.annotation_files.exchange import ExchangedFrame, Size
 from procc_annotator.io.annotation_files.label_map import read_label_map
@@ -26,8 +26,8 @@ from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.io.source import open_source
 from procc_annotator.session.dataset.annotation_source import open_files, own_label_map
 from procc_annotator.session.dataset.dataset_field import field_of_dataset
-from procc_annotator.session.dataset.dataset_folder import annotations_or_itself
-from procc_annotator.session.dataset.fit_sizes import told_size
+from procc_annotator.session.dataset.dataset_folder import annotations_or_path
+from procc_annotator.session.dataset.fit_sizes import size_in_annotation
 from procc_annotator.session.dataset.frames import list_frames
 from procc_annotator.session.dataset.picture_sizes import (
     PictureSizes,
@@ -35,9 +35,9 @@ from procc_annotator.session.dataset.picture_sizes import (
     picture_size,
     picture_tree,
 )
-from procc_annotator.session.dataset.what_lies_there import instead_of_cameras
+from procc_annotator.session.dataset.what_lies_there import found_instead_of_cameras
 from procc_annotator.session.landmarks.dataset_landmarks import field_of_dataset_with_landmarks
-from procc_annotator.words import count_of
+from procc_annotator.words import count_words
 
 OnDamaged = Callable[[ProccError], None]
 _ANNOTATIONS = (".json", ".xml")
@@ -84,7 +84,7 @@ class Dataset:
         Args:
             frame: its name.
         """
-        return field_of_frame(self.field, frame)
+        return field_for_frame(self.field, frame)
 
 
 def load_dataset(
@@ -117,13 +117,13 @@ def load_dataset(
     known = field_of_dataset(place).field if field is None else as_field(field)
     known = field_of_dataset_with_landmarks(known, place)
     if place.is_file():
-        place = annotations_or_itself(place)  # of a video: its kept frames
+        place = annotations_or_path(place)  # of a video: its kept frames
     pictures = _pictures_of(place)
     frames: list[ExchangedFrame] = []
-    inside = annotations_or_itself(place)
+    inside = annotations_or_path(place)
     if not pictures or _holds_annotations(inside):
         frames = _frames(inside, place, known, on_damaged, labels)
-    sizes = {frame.name: frame.size or told_size(frame.annotation) for frame in frames}
+    sizes = {frame.name: frame.size or size_in_annotation(frame.annotation) for frame in frames}
     return Dataset(
         place,
         known,
@@ -159,7 +159,7 @@ def load_annotations(
         UsageError: there is nothing at the path, no annotation, or annotations of several formats.
     """
     place = as_path(path, "annotations")
-    frames = _frames(annotations_or_itself(place), place, as_field(field), on_damaged, labels)
+    frames = _frames(annotations_or_path(place), place, as_field(field), on_damaged, labels)
     return {frame.name: frame.annotation for frame in frames}
 
 
@@ -197,7 +197,7 @@ def load_annotation(
     if len(frames) == 1:
         strange = pixel_like(frames[0].annotation)
         if strange is not None:
-            warnings.warn(f"{place}: {fitting.pixels_words(strange)}", stacklevel=2)
+            warnings.warn(f"{place}: {fitting.pixel_coordinates_error(strange)}", stacklevel=2)
         return frames[0].annotation
     names = ", ".join(frame.name for frame in frames[:3])
     more = ", ..." if len(frames) > 3 else ""
@@ -248,10 +248,10 @@ def load_cameras(
         if not cameras.frames:
             raise UsageError(
                 f"{cameras.path}: holds no camera (format {format})"
-                + instead_of_cameras(cameras.path)
+                + found_instead_of_cameras(cameras.path)
             )
     for notice, count in notices.items():
-        warnings.warn(f"{path}: {notice} ({count_of(count, 'camera')})", stacklevel=2)
+        warnings.warn(f"{path}: {notice} ({count_words(count, 'camera')})", stacklevel=2)
     return found
 
 

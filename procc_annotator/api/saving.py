@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.api.given import AnyCamera, as_annotation, as_camera, as_path, as_size_or_none
+from procc_annotator.api.given import AnyCamera, as_annotation, as_camera, as_path, as_optional_size
 from procc_annotator.errors import UsageError
 from procc_annotator.fit.result import FitResult
 from procc_annotator.io.atomic import write_atomic
@@ -18,11 +18,11 @@ from procc_annotator.io.camera_files.camera_writers import (
     writer_of,
 )
 from procc_annotator.io.camera_files.fitted_on import (
-    BESIDE,
+    SIDECAR_SUFFIX,
     DIGEST,
     FIT_KEY,
     annotation_digest,
-    beside_content,
+    sidecar_content,
 )
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.version import __version__
@@ -71,19 +71,19 @@ def save_camera(
         raise UsageError(f"{file}: expected a name that ends in {suffix} (format {format})")
     if not overwrite and os.path.lexists(file):
         raise UsageError(f"{file}: is there already (overwrite=True replaces it)")
-    loaded = _with_size(camera, as_size_or_none(size))
+    loaded = _with_size(camera, as_optional_size(size))
     if fitted_to is not None:
         digest = annotation_digest(as_annotation(fitted_to))
         program = f"procc-annotator {__version__}"
         what = {"program": program, "model": loaded.model, DIGEST: digest}
         loaded = replace(loaded, fitted_on=digest, content={**loaded.content, FIT_KEY: what})
     try:
-        data, losses = encode_camera(loaded, format, size=as_size_or_none(size))
+        data, losses = encode_camera(loaded, format, size=as_optional_size(size))
     except ValueError as error:
         raise UsageError(f"{file}: not written: {error}") from None
-    beside = file.with_suffix(BESIDE)
+    beside = file.with_suffix(SIDECAR_SUFFIX)
     if loaded.fitted_on is not None and not writer.evaluated:  # the others say it themselves
-        write_atomic(beside, beside_content(loaded.fitted_on))
+        write_atomic(beside, sidecar_content(loaded.fitted_on))
     else:
         beside.unlink(missing_ok=True)  # of the camera that was there before
     write_atomic(file, data)

@@ -12,19 +12,19 @@ from natsort import natsorted
 from numpy.typing import NDArray
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.api.given import CameraAt
+from procc_annotator.api.given import CameraInPixels
 from procc_annotator.errors import UsageError
-from procc_annotator.io.camera_files.fitted_on import Fitted
+from procc_annotator.io.camera_files.fitted_on import FitCounts
 from procc_annotator.io.frame_names import FrameTable
-from procc_annotator.metric.chance.intervals import Interval, Method
+from procc_annotator.metric.chance.intervals import Interval, IntervalMethodName
 from procc_annotator.metric.chance.paired import PairedDifference
-from procc_annotator.metric.chance.sampling import Draws
+from procc_annotator.metric.chance.sampling import BootstrapSettings
 from procc_annotator.metric.score import FrameScore
 from procc_annotator.metric.sets import SetAccumulator, SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.scores.score_columns import FRAME_COLUMNS, frame_values
 from procc_annotator.session.runs.audit import TAU_GRID
-from procc_annotator.session.runs.certainty import Certainty, same_frames
+from procc_annotator.session.runs.certainty import Inference, restrict_to_common_frames
 from procc_annotator.session.runs.clusters import NONE, SHOT, clusters_of
 from procc_annotator.session.runs.evaluation_run import CHUNK
 from procc_annotator.session.runs.frame_sums import FrameSums, SourceSums, frame_sums
@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     import pandas
 
 FloatArray = NDArray[np.float64]
-Given = tuple[FrameAnnotation, CameraAt | None]
+FrameInputs = tuple[FrameAnnotation, CameraInPixels | None]
 Clustering = str | Mapping[str, str] | None
 
 
@@ -106,15 +106,15 @@ class SetScore:
             (T,) thresholds from 0.5 to 30 px, and (T,) JaC in [0, 1]; NaN without any camera.
         """
         curves = self._sums.curves()
-        wholes = np.maximum(curves.wholes.sum(axis=0), 1.0)
-        there = curves.wholes.sum(axis=0) > 0
-        return TAU_GRID.copy(), np.where(there, curves.parts.sum(axis=0) / wholes, np.nan)
+        denominators = np.maximum(curves.denominators.sum(axis=0), 1.0)
+        there = curves.denominators.sum(axis=0) > 0
+        return TAU_GRID.copy(), np.where(there, curves.parts.sum(axis=0) / denominators, np.nan)
 
     def intervals(
         self,
         cluster: Clustering = None,
         *,
-        method: Method = "t",
+        method: IntervalMethodName = "t",
         draws: int = 10_000,
         seed: int = 1,
         level: float = 0.95,
@@ -139,7 +139,7 @@ class SetScore:
         Raises:
             UsageError: frames cannot be clustered as asked, or there is no such method.
         """
-        certainty = _certainty((self._sums,), cluster, method, Draws(draws, seed, level))
+        certainty = _certainty((self._sums,), cluster, method, BootstrapSettings(draws, seed, level))
         found: dict[float, dict[str, Interval | None]] = {tau: {} for tau in self.summaries}
         for (key, tau), interval in certainty.intervals[0].items():
             found[tau][key] = interval
@@ -150,7 +150,7 @@ class SetScore:
         other: SetScore,
         cluster: Clustering = None,
         *,
-        method: Method = "t",
+        method: IntervalMethodName = "t",
         draws: int = 10_000,
         seed: int = 1,
         level: float = 0.95,
@@ -180,8 +180,8 @@ class SetScore:
         if other._sums.thresholds != self._sums.thresholds:
             own, others = (_px_words(s._sums.thresholds) for s in (self, other))
             raise UsageError(f"scored at other thresholds: {own} and {others}")
-        both = same_frames((self._sums, other._sums))
-        certainty = _certainty(both, cluster, method, Draws(draws, seed, level))
+        both = restrict_to_common_frames((self._sums, other._sums))
+        certainty = _certainty(both, cluster, method, BootstrapSettings(draws, seed, level))
         found: dict[float, dict[str, PairedDifference]] = {tau: {} for tau in self.summaries}
         for (key, tau), difference in certainty.pairs[0].differences.items():
             found[tau][key] = difference
@@ -189,7 +189,7 @@ class SetScore:
 
 
 def score_set(
-    frames: Mapping[str, Given], setup: EvaluationSetup, thresholds: tuple[float, ...]
+    frames: Mapping[str, FrameInputs], setup: EvaluationSetup, thresholds: tuple[float, ...]
 ) -> SetScore:
     """Score frames whose annotations and cameras are at hand.
 
@@ -227,16 +227,16 @@ def score_set(
     return SetScore(described, total.sums.summary(), found, models, source, terms)
 
 
-def _input(name: str, annotation: FrameAnnotation, camera: CameraAt | None) -> FrameInput:
+def _input(name: str, annotation: FrameAnnotation, camera: CameraInPixels | None) -> FrameInput:
     if camera is None:
         return FrameInput(name, annotation)
-    fitted = Fitted.of(camera.fitted_on, annotation)
+    fitted = FitCounts.of(camera.fitted_on, annotation)
     return FrameInput(name, annotation, camera.camera, model=camera.model, fitted=fitted)
 
 
 def _certainty(
-    sources: Sequence[SourceSums], cluster: Clustering, method: Method, draws: Draws
-) -> Certainty:
+    sources: Sequence[SourceSums], cluster: Clustering, method: IntervalMethodName, draws: BootstrapSettings
+) -> Inference:
     if method not in ("t", "percentile", "bca"):
         raise UsageError(f"unknown method {method!r}; choose one of t, percentile, bca")
     if draws.count < 1 or not 0 < draws.level < 1:
@@ -248,7 +248,7 @@ def _certainty(
         clusters = clusters_of(names, cluster, {})
     else:
         raise UsageError(f"unknown clusters {cluster!r}; give shot, none, or one a frame by name")
-    return Certainty(tuple(sources), clusters, draws, method)
+    return Inference(tuple(sources), clusters, draws, method)
 
 
 def _px_words(thresholds: Iterable[float]) -> str:

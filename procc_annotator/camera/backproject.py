@@ -8,7 +8,7 @@ import numpy as np
 
 from procc_annotator.camera.base import FloatArray
 from procc_annotator.camera.fisheye import FisheyeCamera
-from procc_annotator.camera.ground_search import ground_by_search
+from procc_annotator.camera.ground_search import ground_by_newton
 from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.camera.pinhole import NEAREST_DEPTH_M, PinholeCamera
 from procc_annotator.camera.projections import CameraOrProjections, ElementProjections
@@ -33,15 +33,15 @@ def ground_from_px(camera: CameraOrProjections, points_px: FloatArray) -> FloatA
     if isinstance(camera, ElementProjections):
         return np.full((len(points_px), 2), np.nan)
     if isinstance(camera, PinholeCamera | FisheyeCamera):
-        return _ground_of_rays(camera, points_px)
+        return _intersect_rays_with_ground(camera, points_px)
     if isinstance(camera, ScaledCamera):
         return ground_from_px(camera.camera, points_px / np.array(camera.factors))
     if callable(getattr(camera, "ground_from_px", None)):
         return np.asarray(cast(HomographyCamera, camera).ground_from_px(points_px))
-    return ground_by_search(camera, points_px)
+    return ground_by_newton(camera, points_px)
 
 
-def _ground_of_rays(camera: PinholeCamera | FisheyeCamera, points_px: FloatArray) -> FloatArray:
+def _intersect_rays_with_ground(camera: PinholeCamera | FisheyeCamera, points_px: FloatArray) -> FloatArray:
     rays = rays_cam(camera, points_px)
     rotation, position = camera.rotation_cam_from_world, camera.position_world
     with np.errstate(all="ignore"):

@@ -15,15 +15,15 @@ from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.camera.matrix_camera import MatrixCamera
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.camera.projections import CameraOrProjections, ElementProjections
-from procc_annotator.camera.scaling import ScaledCamera, Size, scaled
+from procc_annotator.camera.scaling import ScaledCamera, Size, scaled_camera
 from procc_annotator.errors import UsageError
 
-_OF_THE_PROGRAM = (
+_OWN_CAMERA_TYPES = (
     PinholeCamera, FisheyeCamera, HomographyCamera, MatrixCamera, ElementProjections,
 )  # fmt: skip
 
 
-def checked(camera: CameraOrProjections, name: str = "camera") -> CameraOrProjections:
+def validated_camera(camera: CameraOrProjections, name: str = "camera") -> CameraOrProjections:
     """The same camera, where it is not one of this program's with its answers checked.
 
     Args:
@@ -31,16 +31,16 @@ def checked(camera: CameraOrProjections, name: str = "camera") -> CameraOrProjec
         name: how to call it where its answers cannot be used.
     """
     if isinstance(camera, ScaledCamera):
-        inner = checked(camera.camera, name)
+        inner = validated_camera(camera.camera, name)
         assert not isinstance(inner, ElementProjections)  # those are no camera
         return replace(camera, camera=inner)
-    if isinstance(camera, (*_OF_THE_PROGRAM, CheckedCamera)):
+    if isinstance(camera, (*_OWN_CAMERA_TYPES, ValidatedCamera)):
         return camera
-    return CheckedCamera(camera, name)
+    return ValidatedCamera(camera, name)
 
 
 @dataclass(frozen=True, eq=False)
-class CheckedCamera:
+class ValidatedCamera:
     """A camera of others. What it offers besides `project` is its own."""
 
     camera: Camera
@@ -56,7 +56,7 @@ class CheckedCamera:
 
     def scaled(self, from_size: Size, to_size: Size) -> CameraOrProjections:
         """The same camera for another picture size."""
-        return checked(scaled(self.camera, from_size, to_size), self.name)
+        return validated_camera(scaled_camera(self.camera, from_size, to_size), self.name)
 
     def __getattr__(self, attribute: str) -> Any:
         if attribute == "camera" or attribute.startswith("__"):
@@ -67,7 +67,7 @@ class CheckedCamera:
     def _asked(
         self, project: Callable[[FloatArray], object], points_world: FloatArray
     ) -> tuple[FloatArray, BoolArray]:
-        return _as_projection(project(points_world), points_world, self.name)
+        return _validated_projection(project(points_world), points_world, self.name)
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,23 +89,23 @@ class FunctionCamera:
         given: Any = self.function(points_world)
         if isinstance(given, tuple) and len(given) == 2:
             return given[0], given[1]
-        points = _pixels(given, len(points_world), "the function")
+        points = _validated_pixels(given, len(points_world), "the function")
         return points, np.asarray(np.isfinite(points).all(axis=1))
 
 
-def _as_projection(given: Any, points_world: FloatArray, name: str) -> tuple[FloatArray, BoolArray]:
+def _validated_projection(given: Any, points_world: FloatArray, name: str) -> tuple[FloatArray, BoolArray]:
     if not isinstance(given, tuple) or len(given) != 2:
         raise UsageError(
             f"{name}: `project` must return the pixels and which of them are valid, found"
-            f" {_kind(given)}"
+            f" {_type_name(given)}"
         )
     count = len(points_world)
-    points = _pixels(given[0], count, f"{name}: `project`")
+    points = _validated_pixels(given[0], count, f"{name}: `project`")
     valid = np.asarray(given[1])
     if valid.dtype != np.bool_ or valid.shape != (count,):
         raise UsageError(
             f"{name}: `project` must return which points are valid as ({count},) bool, found"
-            f" {_kind(valid)}"
+            f" {_type_name(valid)}"
         )
     wrong = np.flatnonzero(valid & ~np.isfinite(points).all(axis=1))
     if len(wrong):
@@ -117,7 +117,7 @@ def _as_projection(given: Any, points_world: FloatArray, name: str) -> tuple[Flo
     return points, valid
 
 
-def _pixels(given: Any, count: int, who: str) -> FloatArray:
+def _validated_pixels(given: Any, count: int, who: str) -> FloatArray:
     try:
         points = np.asarray(given)
     except ValueError:  # lists of several lengths
@@ -125,12 +125,12 @@ def _pixels(given: Any, count: int, who: str) -> FloatArray:
     if points.dtype.kind not in "fiu" or points.shape != (count, 2):
         raise UsageError(
             f"{who} must return the pixels of {count} points as ({count}, 2) numbers, found"
-            f" {_kind(given)}"
+            f" {_type_name(given)}"
         )
     return points.astype(np.float64, copy=False)
 
 
-def _kind(value: object) -> str:
+def _type_name(value: object) -> str:
     if isinstance(value, np.ndarray):
         return f"{value.shape} {value.dtype}"
     return "nothing" if value is None else type(value).__name__

@@ -8,28 +8,28 @@ from numpy.typing import NDArray
 
 from procc_annotator.camera.base import BoolArray, Camera, FloatArray
 
-_ROUNDS = 25
-_HALVINGS = 6
-_BIN = 24  # bins along the longer side of the pixels asked for
-_ROW = _BIN + 3
-_AT_ONCE = 16  # pixels compared with all of the grid; more take a hundred megabytes
-_SETTLED_M = 1e-9
-_EXACT_PX = 1e-5
+_NEWTON_ITERATIONS = 25
+_STEP_HALVINGS = 6
+_BIN_PX = 24  # bins along the longer side of the pixels asked for
+_BIN_ROW = _BIN_PX + 3
+_BATCH_BINS = 16  # pixels compared with all of the grid; more take a hundred megabytes
+_CONVERGED_M = 1e-9
+_REACHED_PX = 1e-5
 # Where to start, and how far the ground counts: dense about the field, then coarser. Farther out
 # the ground is next to the horizon, where folds of a lens model can no longer be told apart.
-FARTHEST_M = 300.0
-_HALF_AXIS_M = np.concatenate(
+MAX_GROUND_DISTANCE_M = 300.0
+_GRID_HALF_AXIS_M = np.concatenate(
     (
         np.arange(0.0, 80.0, 2.0),
         np.arange(80.0, 120.0, 4.0),
         np.arange(120.0, 200.0, 8.0),
-        np.linspace(200.0, FARTHEST_M, 9),
+        np.linspace(200.0, MAX_GROUND_DISTANCE_M, 9),
     )
 )
-_AXIS_M = np.concatenate((-_HALF_AXIS_M[:0:-1], _HALF_AXIS_M))
+_GRID_AXIS_M = np.concatenate((-_GRID_HALF_AXIS_M[:0:-1], _GRID_HALF_AXIS_M))
 
 
-def ground_by_search(camera: Camera, points_px: FloatArray) -> FloatArray:
+def ground_by_newton(camera: Camera, points_px: FloatArray) -> FloatArray:
     """Find the ground points that pixels show by Newton's method on the projection.
 
     A coarse grid on the ground is projected; the pixels are put into bins, each bin's centre starts
@@ -49,34 +49,34 @@ def ground_by_search(camera: Camera, points_px: FloatArray) -> FloatArray:
     if not len(wanted):
         return ground
     with np.errstate(all="ignore"):
-        x, y = np.meshgrid(_AXIS_M, _AXIS_M)
+        x, y = np.meshgrid(_GRID_AXIS_M, _GRID_AXIS_M)
         nodes = np.column_stack((x.ravel(), y.ravel()))
-        nodes_px, seen = _project(camera, nodes)
-        part = _part_that_counts(camera, nodes, nodes_px, seen, wanted)
+        nodes_px, seen = _project_ground(camera, nodes)
+        part = _nodes_near_pixels(camera, nodes, nodes_px, seen, wanted)
         if not part.any():
             return ground
         inside = part.reshape(x.shape)
         nodes, nodes_px = nodes[part], nodes_px[part]
         bins = _Bins(wanted)
-        starts = nodes[_nearest(nodes_px, bins.centres)]
-        arrived = _newton(camera, bins.centres, starts)
-        arrived[~_lies_in(inside, arrived)] = np.nan
+        starts = nodes[_nearest_nodes(nodes_px, bins.centres)]
+        arrived = _newton_on_ground(camera, bins.centres, starts)
+        arrived[~_in_marked_cell(inside, arrived)] = np.nan
         starts = np.where(np.isnan(arrived), starts, arrived)[bins.of_point]
         # Most of a sky is far from any ground: no need to look for it pixel by pixel.
         hopeful = bins.near(np.isfinite(arrived[:, 0]), nodes_px)[bins.of_point]
         found = np.full_like(wanted, np.nan)
-        found[hopeful] = _newton(camera, wanted[hopeful], starts[hopeful])
-        found[~_lies_in(inside, found)] = np.nan
+        found[hopeful] = _newton_on_ground(camera, wanted[hopeful], starts[hopeful])
+        found[~_in_marked_cell(inside, found)] = np.nan
         lost = hopeful & np.isnan(found[:, 0])
         if lost.any():  # from the grid itself: a bin's centre may lie beyond the horizon
             some = np.flatnonzero(lost)
-            found[some] = _newton(camera, wanted[some], nodes[_nearest(nodes_px, wanted[some])])
-            found[~_lies_in(inside, found)] = np.nan
+            found[some] = _newton_on_ground(camera, wanted[some], nodes[_nearest_nodes(nodes_px, wanted[some])])
+            found[~_in_marked_cell(inside, found)] = np.nan
     ground[finite] = found
     return ground
 
 
-def _part_that_counts(
+def _nodes_near_pixels(
     camera: Camera, nodes: FloatArray, nodes_px: FloatArray, seen: BoolArray, points_px: FloatArray
 ) -> BoolArray:
     """(M,) which nodes of the grid on the ground pixels may mean.
@@ -85,13 +85,13 @@ def _part_that_counts(
     no pixel means that. So only one connected part of the ground counts, seen from one side: that
     of which most lies among the pixels asked for.
     """
-    side = np.where(seen, _side(camera, nodes, nodes_px), 0.0)
+    side = np.where(seen, _orientation_sign(camera, nodes, nodes_px), 0.0)
     low, high = points_px.min(axis=0), points_px.max(axis=0)
     margin = 0.1 * (high - low).max() + 1
     among = ((nodes_px >= low - margin) & (nodes_px <= high + margin)).all(axis=1)
     best, most = np.zeros(len(nodes), dtype=bool), -1
     for sign in (1.0, -1.0):
-        mask = (side == sign).reshape(len(_AXIS_M), -1).astype(np.uint8)
+        mask = (side == sign).reshape(len(_GRID_AXIS_M), -1).astype(np.uint8)
         labels = np.asarray(cv2.connectedComponents(mask, connectivity=4)[1]).ravel()
         counts = np.bincount(labels, weights=among)
         counts[0] = -1  # what is seen from the other side, or not at all
@@ -101,9 +101,9 @@ def _part_that_counts(
     return best
 
 
-def _lies_in(inside: BoolArray, ground: FloatArray) -> BoolArray:
+def _in_marked_cell(inside: BoolArray, ground: FloatArray) -> BoolArray:
     """(N,) whether points lie in a cell of the grid that has a corner in the part that counts."""
-    cell = np.clip(np.searchsorted(_AXIS_M, ground), 1, len(_AXIS_M) - 1)
+    cell = np.clip(np.searchsorted(_GRID_AXIS_M, ground), 1, len(_GRID_AXIS_M) - 1)
     column, row = cell.T
     near = inside[row, column] | inside[row - 1, column]
     near |= inside[row, column - 1] | inside[row - 1, column - 1]
@@ -121,65 +121,65 @@ class _Bins:
     def __init__(self, points_px: FloatArray) -> None:
         self._low = points_px.min(axis=0)
         extent = float((points_px.max(axis=0) - self._low).max())
-        self._width = max(extent / _BIN, 1e-6)
+        self._width = max(extent / _BIN_PX, 1e-6)
         keys, self.of_point = np.unique(self._key(points_px), return_inverse=True)
-        self._cells = np.column_stack(np.divmod(keys, _ROW)) - 1
+        self._cells = np.column_stack(np.divmod(keys, _BIN_ROW)) - 1
         self._keys = keys
         self.centres = self._low + (self._cells + 0.5) * self._width
 
     def _key(self, points_px: FloatArray) -> NDArray[np.intp]:
         """One number a bin; points outside come to the rim of the table."""
         cell = np.floor((points_px - self._low) / self._width)
-        column, row = np.clip(cell, -1, _BIN + 1).astype(np.intp).T + 1
-        return np.asarray(column * _ROW + row)
+        column, row = np.clip(cell, -1, _BIN_PX + 1).astype(np.intp).T + 1
+        return np.asarray(column * _BIN_ROW + row)
 
     def near(self, arrived: BoolArray, nodes_px: FloatArray) -> BoolArray:
         """(B,) whether ground was found in a bin or next to it, or a node of the grid appears."""
-        table = np.zeros(_ROW * _ROW, dtype=np.uint8)
+        table = np.zeros(_BIN_ROW * _BIN_ROW, dtype=np.uint8)
         table[self._keys[arrived]] = 1
         table[self._key(nodes_px[np.isfinite(nodes_px).all(axis=1)])] = 1
-        grown = cv2.dilate(table.reshape(_ROW, _ROW), np.ones((3, 3), np.uint8))
+        grown = cv2.dilate(table.reshape(_BIN_ROW, _BIN_ROW), np.ones((3, 3), np.uint8))
         return np.asarray(grown.ravel()[self._keys] > 0)
 
 
-def _nearest(nodes_px: FloatArray, points_px: FloatArray) -> np.ndarray:
+def _nearest_nodes(nodes_px: FloatArray, points_px: FloatArray) -> np.ndarray:
     found = np.empty(len(points_px), dtype=np.intp)
-    for start in range(0, len(points_px), _AT_ONCE):
-        part = points_px[start : start + _AT_ONCE]
+    for start in range(0, len(points_px), _BATCH_BINS):
+        part = points_px[start : start + _BATCH_BINS]
         offset_x = part[:, :1] - nodes_px[:, 0]
         offset_y = part[:, 1:] - nodes_px[:, 1]
-        found[start : start + _AT_ONCE] = np.argmin(
+        found[start : start + _BATCH_BINS] = np.argmin(
             offset_x * offset_x + offset_y * offset_y, axis=1
         )
     return found
 
 
-def _project(camera: Camera, ground: FloatArray) -> tuple[FloatArray, BoolArray]:
+def _project_ground(camera: Camera, ground: FloatArray) -> tuple[FloatArray, BoolArray]:
     px, seen = camera.project(np.column_stack((ground, np.zeros(len(ground)))))
     return px, np.asarray(seen & np.isfinite(px).all(axis=1))
 
 
-def _side(camera: Camera, at: FloatArray, px: FloatArray) -> FloatArray:
+def _orientation_sign(camera: Camera, at: FloatArray, px: FloatArray) -> FloatArray:
     """(N,) 1 where the ground appears as seen from above, -1 where it appears mirrored."""
-    along_x, along_y = ground_slopes(camera, at, px)
+    along_x, along_y = ground_jacobian(camera, at, px)
     side: FloatArray = np.sign(along_x[:, 0] * along_y[:, 1] - along_x[:, 1] * along_y[:, 0])
     return side
 
 
-def _newton(camera: Camera, points_px: FloatArray, starts: FloatArray) -> FloatArray:
+def _newton_on_ground(camera: Camera, points_px: FloatArray, starts: FloatArray) -> FloatArray:
     """(N, 2) ground points that appear at the pixels, from starts (N, 2); NaN where not reached."""
     found = np.full_like(starts, np.nan)
     active = np.arange(len(starts))
     at, target = starts.copy(), points_px
-    px, seen = _project(camera, at)
+    px, seen = _project_ground(camera, at)
     error = np.where(seen, np.hypot(*(px - target).T), np.inf)
-    for _ in range(_ROUNDS):
-        step = _step(camera, at, px, target)
-        at, px, new, moved = _walk(camera, at, px, error, step, target)
+    for _ in range(_NEWTON_ITERATIONS):
+        step = _newton_step(camera, at, px, target)
+        at, px, new, moved = _line_search_step(camera, at, px, error, step, target)
         # At the horizon a pixel is worth any distance: there the share of it counts.
-        reach = _SETTLED_M * np.maximum(1.0, np.hypot(*at.T) / 10)
+        reach = _CONVERGED_M * np.maximum(1.0, np.hypot(*at.T) / 10)
         settled = (moved <= reach) | (new == 0)
-        good = settled & (new <= _EXACT_PX)
+        good = settled & (new <= _REACHED_PX)
         found[active[good]] = at[good]
         going = ~settled & np.isfinite(new)
         if not going.any():
@@ -189,15 +189,15 @@ def _newton(camera: Camera, points_px: FloatArray, starts: FloatArray) -> FloatA
     return found
 
 
-def _step(camera: Camera, at: FloatArray, px: FloatArray, target: FloatArray) -> FloatArray:
+def _newton_step(camera: Camera, at: FloatArray, px: FloatArray, target: FloatArray) -> FloatArray:
     """Newton's step."""
-    (a, c), (b, d) = (slope.T for slope in ground_slopes(camera, at, px))
+    (a, c), (b, d) = (slope.T for slope in ground_jacobian(camera, at, px))
     off_x, off_y = (target - px).T
     area = a * d - b * c
     return np.column_stack(((d * off_x - b * off_y) / area, (a * off_y - c * off_x) / area))
 
 
-def ground_slopes(camera: Camera, at: FloatArray, px: FloatArray) -> tuple[FloatArray, FloatArray]:
+def ground_jacobian(camera: Camera, at: FloatArray, px: FloatArray) -> tuple[FloatArray, FloatArray]:
     """How far the picture of a ground point moves with it, by central differences.
 
     Args:
@@ -214,8 +214,8 @@ def ground_slopes(camera: Camera, at: FloatArray, px: FloatArray) -> tuple[Float
         ahead, back = at.copy(), at.copy()
         ahead[:, axis] += size
         back[:, axis] -= size
-        ahead_px, ahead_seen = _project(camera, ahead)
-        back_px, back_seen = _project(camera, back)
+        ahead_px, ahead_seen = _project_ground(camera, ahead)
+        back_px, back_seen = _project_ground(camera, back)
         # Next to the edge of what the camera sees, on one side only.
         ahead_px = np.where(ahead_seen[:, None], ahead_px, px)
         back_px = np.where(back_seen[:, None], back_px, px)
@@ -224,7 +224,7 @@ def ground_slopes(camera: Camera, at: FloatArray, px: FloatArray) -> tuple[Float
     return columns[0], columns[1]
 
 
-def _walk(
+def _line_search_step(
     camera: Camera,
     at: FloatArray,
     px: FloatArray,
@@ -242,14 +242,14 @@ def _walk(
     moved = np.zeros(len(at))
     trying = np.flatnonzero(np.isfinite(step).all(axis=1))
     share = 1.0
-    for _ in range(_HALVINGS):
+    for _ in range(_STEP_HALVINGS):
         if not len(trying):
             break
         there = at[trying] + share * step[trying]
-        there_px, seen = _project(camera, there)
-        seen &= np.abs(there).max(axis=1) <= _AXIS_M[-1]
+        there_px, seen = _project_ground(camera, there)
+        seen &= np.abs(there).max(axis=1) <= _GRID_AXIS_M[-1]
         left = np.where(seen, np.hypot(*(there_px - target[trying]).T), np.inf)
-        tiny = np.hypot(*(share * step[trying]).T) <= _SETTLED_M * np.maximum(
+        tiny = np.hypot(*(share * step[trying]).T) <= _CONVERGED_M * np.maximum(
             1.0, np.hypot(*at[trying].T) / 10
         )
         better = (left < error[trying]) | (tiny & np.isfinite(left))

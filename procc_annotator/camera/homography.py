@@ -9,7 +9,7 @@ import numpy as np
 
 from procc_annotator.camera.base import BoolArray, FloatArray
 
-_OFF_GROUND_M = 1e-9
+_ON_GROUND_TOLERANCE_M = 1e-9
 _SINGULAR = 1e-12
 
 
@@ -60,7 +60,7 @@ class HomographyCamera:
             points_world[:, :2] @ self.image_from_world[:, :2].T + self.image_from_world[:, 2]
         )
         depth = homogeneous[:, 2]
-        valid = (depth > 0) & (np.abs(points_world[:, 2]) <= _OFF_GROUND_M)
+        valid = (depth > 0) & (np.abs(points_world[:, 2]) <= _ON_GROUND_TOLERANCE_M)
         # A point next to the horizon may be infinitely far away in the picture: merely outside.
         with np.errstate(over="ignore"):
             return homogeneous[:, :2] / np.where(valid, depth, 1.0)[:, None], valid

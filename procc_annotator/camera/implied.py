@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from procc_annotator.camera.homography import HomographyCamera
-from procc_annotator.camera.matrices import pan_tilt_roll
+from procc_annotator.camera.matrices import angles_from_rotation
 from procc_annotator.camera.pinhole import PinholeCamera
 
 
-def implied_pinhole(camera: HomographyCamera, size: tuple[int, int]) -> PinholeCamera | None:
+def pinhole_from_homography(camera: HomographyCamera, size: tuple[int, int]) -> PinholeCamera | None:
     """The camera whose ground plane a homography shows.
 
     The two axes of the ground are at right angles and equally long in the world; both conditions
@@ -43,6 +43,6 @@ def implied_pinhole(camera: HomographyCamera, size: tuple[int, int]) -> PinholeC
     if np.linalg.det(rotation) < 0:
         return None
     position = -rotation.T @ t
-    pan, tilt, roll = pan_tilt_roll(rotation)
+    pan, tilt, roll = angles_from_rotation(rotation)
     px, py, pz = (float(value) for value in position)
     return PinholeCamera(pan, tilt, roll, (px, py, pz), (float(focal), float(focal)), (cx, cy))

@@ -15,11 +15,11 @@ from procc_annotator.camera.pinhole import PinholeCamera, rotation_cam_from_worl
 # |R R^T - 1| up to which a matrix counts as a rotation that was rounded on its way through a file;
 # the nearest rotation is taken, as OpenCV does. Above the smaller figure the user is told.
 ROTATION_TOLERANCE = 1e-3
-_ROTATION_NOTICE = 1e-5
+_ROTATION_WARNING_TOLERANCE = 1e-5
 DISTORTION_LENGTHS = (0, 4, 5, 8, 12, 14)
 # A skew is left out when it moves no pixel of the picture by more than this.
 SKEW_TOLERANCE_PX = 0.01
-_LEVEL = 1e-12
+_GIMBAL_LOCK_TOLERANCE = 1e-12
 _SINGULAR = 1e15  # condition of a matrix that is not inverted any more
 _ROUNDED_SKEW = 1e-9  # of the focal length: what taking a matrix apart leaves of none
 
@@ -44,7 +44,7 @@ class CameraPose:
     notices: tuple[str, ...] = ()
 
 
-def focal_notices(fx: float, fy: float) -> tuple[str, ...]:
+def focal_warnings(fx: float, fy: float) -> tuple[str, ...]:
     """What a person should see of focal lengths, px: no lens has negative ones, though a file may
     mean a turned picture by them, and they are taken as they are."""
     if fx > 0 and fy > 0:
@@ -55,7 +55,7 @@ def focal_notices(fx: float, fy: float) -> tuple[str, ...]:
     return (f"negative focal length: shows everything {shown} (is the sign right?)",)
 
 
-def intrinsics_of(k: FloatArray, size: tuple[int, int] | None = None) -> Intrinsics:
+def intrinsics_from_matrix(k: FloatArray, size: tuple[int, int] | None = None) -> Intrinsics:
     """Focal lengths and principal point of a calibration matrix.
 
     Args:
@@ -80,7 +80,7 @@ def intrinsics_of(k: FloatArray, size: tuple[int, int] | None = None) -> Intrins
     moved = abs(float(k[0, 1])) * max(abs(cy), abs(height - 1 - cy)) / abs(fy)
     if moved > SKEW_TOLERANCE_PX:
         raise ValueError(f"K has a skew, which moves pixels by up to {moved:.2g} px; none is known")
-    notices = focal_notices(fx, fy)
+    notices = focal_warnings(fx, fy)
     if moved > 0:
         notices = (
             *notices,
@@ -89,7 +89,7 @@ def intrinsics_of(k: FloatArray, size: tuple[int, int] | None = None) -> Intrins
     return Intrinsics((fx, fy), (cx, cy), notices)
 
 
-def taken_apart(projection: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+def decompose_projection(projection: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
     """K, R and t of a projection matrix, which is K [R | t] times any number but 0.
 
     The sign of the matrix tells nothing: R is a rotation and the focal lengths are positive.
@@ -125,7 +125,7 @@ def taken_apart(projection: FloatArray) -> tuple[FloatArray, FloatArray, FloatAr
     return k, rotation, t
 
 
-def pose_of(rotation: FloatArray, t: FloatArray) -> CameraPose:
+def pose_from_rt(rotation: FloatArray, t: FloatArray) -> CameraPose:
     """Orientation and position of x_cam = R x_world + t.
 
     Args:
@@ -151,17 +151,17 @@ def pose_of(rotation: FloatArray, t: FloatArray) -> CameraPose:
     u, _, vt = np.linalg.svd(rotation)
     nearest = np.asarray(u @ vt, dtype=np.float64)
     notices: tuple[str, ...] = ()
-    if off > _ROTATION_NOTICE:
+    if off > _ROTATION_WARNING_TOLERANCE:
         notices = ("R is not exactly a rotation; the nearest one is taken",)
     with np.errstate(over="ignore", invalid="ignore"):
         position = -nearest.T @ t
     if not np.isfinite(position).all():
         raise ValueError("t is without bounds")
     x, y, z = position.tolist()
-    return CameraPose(*pan_tilt_roll(nearest), (x, y, z), notices)
+    return CameraPose(*angles_from_rotation(nearest), (x, y, z), notices)
 
 
-def pan_tilt_roll(rotation: FloatArray) -> tuple[float, float, float]:
+def angles_from_rotation(rotation: FloatArray) -> tuple[float, float, float]:
     """The angles (rad) whose `rotation_cam_from_world` is this rotation.
 
     Tilt is in [0, pi]. Looking straight down or up only the sum or difference of pan and roll
@@ -173,7 +173,7 @@ def pan_tilt_roll(rotation: FloatArray) -> tuple[float, float, float]:
     r = rotation
     sine = math.hypot(r[2, 0], r[2, 1])
     tilt = math.atan2(sine, r[2, 2])
-    level = sine < _LEVEL
+    level = sine < _GIMBAL_LOCK_TOLERANCE
     pan = math.atan2(r[0, 1], r[0, 0]) if level else math.atan2(r[2, 0], -r[2, 1])
     # What is left of the rotation, rather than its own two entries: so that near the vertical the
     # errors of pan and roll, each large there, cancel.
@@ -181,7 +181,7 @@ def pan_tilt_roll(rotation: FloatArray) -> tuple[float, float, float]:
     return pan, tilt, math.atan2(rolled[0, 1], rolled[0, 0])
 
 
-def pinhole_of(inside: Intrinsics, pose: CameraPose, distortion: Sequence[float]) -> PinholeCamera:
+def pinhole_from_parts(inside: Intrinsics, pose: CameraPose, distortion: Sequence[float]) -> PinholeCamera:
     """A pinhole camera with one of OpenCV's distortion vectors.
 
     Args:
@@ -212,7 +212,7 @@ def pinhole_of(inside: Intrinsics, pose: CameraPose, distortion: Sequence[float]
     )
 
 
-def fisheye_of(inside: Intrinsics, pose: CameraPose, distortion: Sequence[float]) -> FisheyeCamera:
+def fisheye_from_parts(inside: Intrinsics, pose: CameraPose, distortion: Sequence[float]) -> FisheyeCamera:
     """A fisheye camera with OpenCV's k1..k4, or none.
 
     Raises:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from procc_annotator.camera.pinhole import PinholeCamera
 
 # Half a pixel is what conventions of a picture's centre differ by.
-_CENTRE_PX = 1.0
+_CENTRED_TOLERANCE_PX = 1.0
 # Sizes whose shapes are not quite the same stretch pixels by less.
-_SQUARE = 2e-3
+_SQUARE_PIXEL_TOLERANCE = 2e-3
 
 
 def model_name(camera: object, family: str, size: tuple[int, int]) -> str:
@@ -33,6 +33,6 @@ def model_name(camera: object, family: str, size: tuple[int, int]) -> str:
         abs(at - (length - 1) / 2)
         for at, length in zip(camera.principal_point_px, size, strict=True)
     ]
-    if abs(ratio - 1) > _SQUARE or max(off) > _CENTRE_PX:
+    if abs(ratio - 1) > _SQUARE_PIXEL_TOLERANCE or max(off) > _CENTRED_TOLERANCE_PX:
         return f"{family} R+"
     return f"{family} R" if k1 else f"{family} P"

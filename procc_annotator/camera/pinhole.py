@@ -15,7 +15,7 @@ from procc_annotator.camera.base import BoolArray, FloatArray
 
 NEAREST_DEPTH_M = 1e-3
 # Far outside the picture the rational model may blow up; such pixels are merely outside.
-_FAR_OUTSIDE: dict[str, Any] = {"over": "ignore", "divide": "ignore", "invalid": "ignore"}
+_IGNORE_OVERFLOW: dict[str, Any] = {"over": "ignore", "divide": "ignore", "invalid": "ignore"}
 
 
 def rotation_cam_from_world(pan_rad: float, tilt_rad: float, roll_rad: float) -> FloatArray:
@@ -24,7 +24,7 @@ def rotation_cam_from_world(pan_rad: float, tilt_rad: float, roll_rad: float) ->
     Returns:
         (3, 3); camera axes are x right, y down, z forward.
     """
-    world_from_cam = _rz(pan_rad) @ _rx(tilt_rad) @ _rz(roll_rad)
+    world_from_cam = _rotation_z(pan_rad) @ _rotation_x(tilt_rad) @ _rotation_z(roll_rad)
     return np.ascontiguousarray(world_from_cam.T)
 
 
@@ -88,7 +88,7 @@ class PinholeCamera:
         lens folds (`fold_radius`). Source of the model: OpenCV, "Camera Calibration and 3D
         Reconstruction", full model with tau_x = tau_y = 0.
         """
-        with np.errstate(**_FAR_OUTSIDE):
+        with np.errstate(**_IGNORE_OVERFLOW):
             x, y, shown = self._normalised(points_world)
             if self.fold_radius < math.inf:
                 shown &= x * x + y * y < self.fold_radius**2
@@ -104,7 +104,7 @@ class PinholeCamera:
         Distorted coordinates and pixels are rounded to float32 there, which moves a pixel by up to
         1.5e-4 px and can decide a comparison. Nor does it know of folds.
         """
-        with np.errstate(**_FAR_OUTSIDE):
+        with np.errstate(**_IGNORE_OVERFLOW):
             x, y, in_front = self._normalised(points_world)
             xd, yd = self._distort(x, y)
             distorted = np.empty((len(x), 2), dtype=np.float32)
@@ -154,11 +154,11 @@ class PinholeCamera:
         return xd, yd
 
 
-def _rz(angle_rad: float) -> FloatArray:
+def _rotation_z(angle_rad: float) -> FloatArray:
     c, s = math.cos(angle_rad), math.sin(angle_rad)
     return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
 
 
-def _rx(angle_rad: float) -> FloatArray:
+def _rotation_x(angle_rad: float) -> FloatArray:
     c, s = math.cos(angle_rad), math.sin(angle_rad)
     return np.array([[1.0, 0.0, 0.0], [0.0, c, -s], [0.0, s, c]])

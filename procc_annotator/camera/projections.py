@@ -9,7 +9,7 @@ import numpy as np
 
 from procc_annotator.camera.base import Camera, FloatArray
 
-_ON_BORDER_PX = 1e-4  # files round shares
+_BORDER_TOLERANCE_PX = 1e-4  # files round shares
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,8 +37,8 @@ class ElementProjections:
             return False
         every, ends = np.concatenate(pieces), np.concatenate([px[[0, -1]] for px in pieces])
         border = np.array([[0.0, 0.0], np.subtract(size, 1), size])[:, None]
-        within = ((every >= -_ON_BORDER_PX) & (every <= np.add(size, _ON_BORDER_PX))).all()
-        return bool(within and (np.abs(ends - border) <= _ON_BORDER_PX).any())
+        within = ((every >= -_BORDER_TOLERANCE_PX) & (every <= np.add(size, _BORDER_TOLERANCE_PX))).all()
+        return bool(within and (np.abs(ends - border) <= _BORDER_TOLERANCE_PX).any())
 
     def scaled(self, from_size: tuple[int, int], to_size: tuple[int, int]) -> ElementProjections:
         """The same for another picture size (pixel centres: factors (W'-1)/(W-1))."""

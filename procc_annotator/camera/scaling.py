@@ -17,7 +17,7 @@ class _Scalable(Protocol):
     def scaled(self, from_size: Size, to_size: Size) -> CameraOrProjections: ...
 
 
-def scaled(camera: CameraOrProjections, from_size: Size, to_size: Size) -> CameraOrProjections:
+def scaled_camera(camera: CameraOrProjections, from_size: Size, to_size: Size) -> CameraOrProjections:
     """The camera in pixels of another picture size.
 
     Args:

@@ -12,25 +12,25 @@ from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.camera.scaling import ScaledCamera
 from procc_annotator.camera.undistort import rays_cam
 
-_STEP_M = 1e-3
-_ROUNDS = 40
-_EXACT_PX = 1e-6
-_CLOSE_PX = 1e-3
-_SHORTEST_STEP = 1 / 64
+_DIFFERENCE_STEP_M = 1e-3
+_LINE_ITERATIONS = 40
+_LINE_REACHED_PX = 1e-6
+_LINE_ACCEPTED_PX = 1e-3
+_MIN_STEP_SHARE = 1 / 64
 # Where to look for a place that a pixel shows: about a field, from its ground to its roof.
-_AXIS_M = np.array([-120.0, -70.0, -40.0, -20.0, -8.0, 0.0, 8.0, 20.0, 40.0, 70.0, 120.0])
-_HEIGHTS_M = np.array([0.0, -3.0, -12.0, -40.0])
-_STARTS = 6
+_START_AXIS_M = np.array([-120.0, -70.0, -40.0, -20.0, -8.0, 0.0, 8.0, 20.0, 40.0, 70.0, 120.0])
+_START_HEIGHTS_M = np.array([0.0, -3.0, -12.0, -40.0])
+_START_COUNT = 6
 
 
-class SightLine(NamedTuple):
+class ViewingRay(NamedTuple):
     """A line in space: (3,) metres of a place on it, and (3,) its direction, a unit vector."""
 
     place: FloatArray
     direction: FloatArray
 
 
-def sight_line(camera: Camera, point_px: FloatArray) -> SightLine | None:
+def viewing_ray(camera: Camera, point_px: FloatArray) -> ViewingRay | None:
     """The line whose points appear at a pixel.
 
     Exact for pinhole and fisheye cameras. For all others a place that appears there is searched
@@ -46,17 +46,17 @@ def sight_line(camera: Camera, point_px: FloatArray) -> SightLine | None:
     """
     point_px = np.asarray(point_px, dtype=np.float64)
     if isinstance(camera, ScaledCamera):
-        return sight_line(camera.camera, point_px / np.array(camera.factors))
+        return viewing_ray(camera.camera, point_px / np.array(camera.factors))
     if isinstance(camera, PinholeCamera | FisheyeCamera):
         ray = camera.rotation_cam_from_world.T @ rays_cam(camera, point_px[None])[:, 0]
         length = float(np.linalg.norm(ray))
         if not (np.isfinite(length) and length > 0):
             return None
-        return SightLine(np.array(camera.position_world), ray / length)
-    return _searched(camera, point_px)
+        return ViewingRay(np.array(camera.position_world), ray / length)
+    return _ray_by_search(camera, point_px)
 
 
-def projection_slopes(camera: Camera, points_world: FloatArray) -> tuple[FloatArray, FloatArray]:
+def projection_jacobian(camera: Camera, points_world: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Where places appear, and the derivatives by the place, from central differences.
 
     Args:
@@ -67,51 +67,51 @@ def projection_slopes(camera: Camera, points_world: FloatArray) -> tuple[FloatAr
         (N, 2) px and (N, 2, 3) px a metre; NaN where the camera shows nothing.
     """
     points = np.asarray(points_world, dtype=np.float64)
-    steps = _STEP_M * np.concatenate((np.zeros((1, 3)), np.eye(3), -np.eye(3)))
-    px, shown = _projected(camera, (points[:, None] + steps).reshape(-1, 3))
+    steps = _DIFFERENCE_STEP_M * np.concatenate((np.zeros((1, 3)), np.eye(3), -np.eye(3)))
+    px, shown = _project_or_nan(camera, (points[:, None] + steps).reshape(-1, 3))
     px = np.where(shown[:, None], px, np.nan).reshape(len(points), 7, 2)
-    slopes = (px[:, 1:4] - px[:, 4:]) / (2 * _STEP_M)
+    slopes = (px[:, 1:4] - px[:, 4:]) / (2 * _DIFFERENCE_STEP_M)
     return px[:, 0], slopes.transpose(0, 2, 1)
 
 
-def _projected(camera: Camera, points_world: FloatArray) -> tuple[FloatArray, BoolArray]:
+def _project_or_nan(camera: Camera, points_world: FloatArray) -> tuple[FloatArray, BoolArray]:
     px, shown = camera.project(points_world)
     return px, shown & np.isfinite(px).all(axis=1)
 
 
-def _searched(camera: Camera, point_px: FloatArray) -> SightLine | None:
-    x, y, z = np.meshgrid(_AXIS_M, _AXIS_M, _HEIGHTS_M)
+def _ray_by_search(camera: Camera, point_px: FloatArray) -> ViewingRay | None:
+    x, y, z = np.meshgrid(_START_AXIS_M, _START_AXIS_M, _START_HEIGHTS_M)
     nodes = np.column_stack((x.ravel(), y.ravel(), z.ravel()))
-    px, shown = _projected(camera, nodes)
+    px, shown = _project_or_nan(camera, nodes)
     away = np.where(shown, ((px - point_px) ** 2).sum(axis=1), np.inf)
-    for start in np.argsort(away, kind="stable")[:_STARTS]:
+    for start in np.argsort(away, kind="stable")[:_START_COUNT]:
         if not np.isfinite(away[start]):
             break
-        found = _newton(camera, point_px, nodes[start])
+        found = _newton_on_ray(camera, point_px, nodes[start])
         if found is not None:
             return found
     return None
 
 
-def _newton(camera: Camera, point_px: FloatArray, place: FloatArray) -> SightLine | None:
+def _newton_on_ray(camera: Camera, point_px: FloatArray, place: FloatArray) -> ViewingRay | None:
     """The nearest place of the line, by steps across it; shorter ones where one leads astray."""
-    px, slopes = projection_slopes(camera, place[None])
-    for _ in range(_ROUNDS):
+    px, slopes = projection_jacobian(camera, place[None])
+    for _ in range(_LINE_ITERATIONS):
         off = px[0] - point_px
         if not np.isfinite(slopes).all():
             return None
-        if float(np.hypot(*off)) < _EXACT_PX:
+        if float(np.hypot(*off)) < _LINE_REACHED_PX:
             break
         step = -np.linalg.pinv(slopes[0]) @ off
         share = 1.0
-        while share >= _SHORTEST_STEP:
-            tried, tried_slopes = projection_slopes(camera, (place + share * step)[None])
+        while share >= _MIN_STEP_SHARE:
+            tried, tried_slopes = projection_jacobian(camera, (place + share * step)[None])
             if np.hypot(*(tried[0] - point_px)) < np.hypot(*off):  # False for NaN
                 break
             share /= 2
         else:
             break
         place, px, slopes = place + share * step, tried, tried_slopes
-    if not (float(np.hypot(*(px[0] - point_px))) < _CLOSE_PX and np.isfinite(slopes).all()):
+    if not (float(np.hypot(*(px[0] - point_px))) < _LINE_ACCEPTED_PX and np.isfinite(slopes).all()):
         return None
-    return SightLine(place, np.linalg.svd(slopes[0])[2][2])
+    return ViewingRay(place, np.linalg.svd(slopes[0])[2][2])

@@ -17,13 +17,13 @@ from procc_annotator.camera.pinhole import PinholeCamera
 
 Values = NDArray[np.float64]
 
-_NODES = 2048
-_ROUNDS = 30
-_BEYOND = 1.2
+_TABLE_NODES = 2048
+_NEWTON_ITERATIONS = 30
+_TABLE_MARGIN = 1.2
 # Newton's method squares the error with each step: after one of this size less than 1e-10 is left.
 _CONVERGED = 1e-6
 # Points handled at once: the arrays of one round stay in the processor's cache.
-_BLOCK = 8192
+_BLOCK_PIXELS = 8192
 
 
 def rays_cam(camera: PinholeCamera | FisheyeCamera, points_px: FloatArray) -> FloatArray:
@@ -52,7 +52,7 @@ def rays_cam(camera: PinholeCamera | FisheyeCamera, points_px: FloatArray) -> Fl
 
 def _fisheye_rays(camera: FisheyeCamera, x: Values, y: Values, out: FloatArray) -> None:
     radius = np.hypot(x, y)
-    table = _Table(camera.radius_of, camera.slope_of, camera.largest_angle_rad)
+    table = _MonotonicTable(camera.radius_of, camera.slope_of, camera.largest_angle_rad)
     theta = table.inverse(radius)
     # The step may have left the domain, and beyond it the model folds.
     theta[theta > camera.largest_angle_rad * (1 + 1e-12)] = np.nan
@@ -61,12 +61,12 @@ def _fisheye_rays(camera: FisheyeCamera, x: Values, y: Values, out: FloatArray) 
 
 
 def _undistort(camera: PinholeCamera, x: Values, y: Values, out: FloatArray) -> None:
-    lens = _Lens(camera)
+    lens = _DistortionModel(camera)
     radius = np.hypot(x, y)
     finite = radius[np.isfinite(radius)]
-    table = _Table(lens.radial, lens.radial_slope, _reach(lens, float(finite.max(initial=0.0))))
-    for start in range(0, len(x), _BLOCK):
-        part = slice(start, start + _BLOCK)
+    table = _MonotonicTable(lens.radial, lens.radial_slope, _bracket_radius(lens, float(finite.max(initial=0.0))))
+    for start in range(0, len(x), _BLOCK_PIXELS):
+        part = slice(start, start + _BLOCK_PIXELS)
         inner = table.inverse(radius[part], polished=lens.only_radial)
         if lens.only_radial:
             ratio = inner / np.where(radius[part] > 0, radius[part], 1.0)
@@ -77,7 +77,7 @@ def _undistort(camera: PinholeCamera, x: Values, y: Values, out: FloatArray) -> 
             out[0, part], out[1, part] = lens.newton(x[part], y[part], *guess, table.limit)
 
 
-def _reach(lens: _Lens, radius: float) -> float:
+def _bracket_radius(lens: _DistortionModel, radius: float) -> float:
     """A radius in front of the lens at least as far out as a distorted one, if there is any."""
     reach = max(radius, 1e-6)
     for _ in range(12):
@@ -85,10 +85,10 @@ def _reach(lens: _Lens, radius: float) -> float:
             break
         reach *= 1.5
     # The other terms of the model may pull a point a little further out.
-    return _BEYOND * reach
+    return _TABLE_MARGIN * reach
 
 
-class _Table:
+class _MonotonicTable:
     """A function of one variable with g(0) = 0, tabulated up to where it stops growing."""
 
     def __init__(
@@ -96,25 +96,25 @@ class _Table:
     ) -> None:
         self._function = function
         self._slope = slope
-        nodes = np.linspace(0.0, top, _NODES)
+        nodes = np.linspace(0.0, top, _TABLE_NODES)
         values = function(nodes)
         grows = (slope(nodes) > 0) & np.isfinite(values)
         grows[1:] &= values[1:] > values[:-1]
-        count = _NODES if grows.all() else max(int(np.argmin(grows)), 1)
+        count = _TABLE_NODES if grows.all() else max(int(np.argmin(grows)), 1)
         self._nodes, self._values = nodes[:count], values[:count]
         self.top = float(self._nodes[-1])
         # Where the function turns, or infinity: beyond, another point would look alike.
-        self.limit = float("inf") if count == _NODES else float(nodes[count])
+        self.limit = float("inf") if count == _TABLE_NODES else float(nodes[count])
 
     def inverse(self, values: Values, *, polished: bool = True) -> Values:
         """(N,) arguments; NaN where the function has no such value before it turns."""
         # The other terms of a model may still bring a point back that lies a little beyond.
-        most = self._values[-1] * (1.0 if polished else _BEYOND)
+        most = self._values[-1] * (1.0 if polished else _TABLE_MARGIN)
         guess = np.interp(values, self._values, self._nodes)
         guess[~(values <= most)] = np.nan
         if not polished:
             return guess
-        for _ in range(_ROUNDS):
+        for _ in range(_NEWTON_ITERATIONS):
             step = (self._function(guess) - values) / self._slope(guess)
             guess -= step
             settled = np.abs(step) <= _CONVERGED * (1 + np.abs(guess))
@@ -127,7 +127,7 @@ class _Table:
         return np.asarray(guess, dtype=np.float64)
 
 
-class _Lens:
+class _DistortionModel:
     """OpenCV's full distortion (without tilt) and its derivatives."""
 
     def __init__(self, camera: PinholeCamera) -> None:
@@ -166,7 +166,7 @@ class _Lens:
         """Undistorted coordinates of distorted ones (xd, yd), from the start (x, y); or NaN."""
         done_x, done_y = np.full(len(x), np.nan), np.full(len(x), np.nan)
         active: NDArray[np.intp] | None = None  # all, at first
-        for _ in range(_ROUNDS):
+        for _ in range(_NEWTON_ITERATIONS):
             step_x, step_y, grows = self._step(xd, yd, x, y)
             x, y = x - step_x, y - step_y
             size2 = x * x + y * y

@@ -14,7 +14,7 @@ import typer
 from procc_annotator.cli import chance_options, options, outputs
 from procc_annotator.cli.console import stdout_console, with_progress
 from procc_annotator.cli.datasets import (
-    report_like_cameras,
+    report_camera_names,
     report_mismatch,
     report_remarks,
     report_unreadable,
@@ -22,19 +22,19 @@ from procc_annotator.cli.datasets import (
 from procc_annotator.cli.echo import echo
 from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.errors import UsageError
-from procc_annotator.io.collections import list_annotations, told_by_trees
+from procc_annotator.io.collections import list_annotations, qualify_by_folder
 from procc_annotator.report import agreement
-from procc_annotator.report.agreement import Agreed, agree_sets
-from procc_annotator.report.agreement_figures import needed_sheet
-from procc_annotator.report.consensus import agree_all, floor_line, sheets_of, write_agreed
+from procc_annotator.report.agreement import AgreementReport, agree_sets
+from procc_annotator.report.agreement_figures import sample_size_table
+from procc_annotator.report.consensus import compare_annotators, consensus_line, consensus_tables, write_agreed
 from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.dataset.dataset_folder import annotations_of
 from procc_annotator.session.runs.agreement_run import AgreementRun
 from procc_annotator.session.runs.clusters import Clusters
-from procc_annotator.session.runs.consensus_run import MOST, ConsensusRun
+from procc_annotator.session.runs.consensus_run import MAX_ANNOTATORS, ConsensusRun
 from procc_annotator.session.runs.execution.executor import make_executor
-from procc_annotator.session.runs.set_run import WORTH_WORKERS, folders_taken_for_one
-from procc_annotator.words import listed
+from procc_annotator.session.runs.set_run import WORTH_WORKERS, ambiguous_folders
+from procc_annotator.words import list_names
 
 HELP = """\
 Two or more (up to 26) dataset folders, or folders or zip archives of annotation files, one for each
@@ -68,7 +68,7 @@ Example:
 
 
 @dataclass(frozen=True, kw_only=True)
-class AskedToAgree:
+class AgreeOptions:
     """What `agree` is asked for."""
 
     annotators: Annotated[
@@ -108,10 +108,10 @@ class AskedToAgree:
     output: options.FigureFiles = None
 
 
-def agree(given: AskedToAgree) -> None:
+def agree(given: AgreeOptions) -> None:
     count = len(given.annotators)
-    if not 2 <= count <= MOST:
-        raise UsageError(f"annotations of {count} given, expected those of 2 to {MOST}")
+    if not 2 <= count <= MAX_ANNOTATORS:
+        raise UsageError(f"annotations of {count} given, expected those of 2 to {MAX_ANNOTATORS}")
     files = outputs.figure_files(given.output)
     thresholds = options.thresholds_or_default(given.threshold)
     shown = chosen_field(given.field, *given.annotators)
@@ -124,9 +124,9 @@ def agree(given: AskedToAgree) -> None:
         outputs.check_not_inputs(files, sources)
         for source, letter in zip(sources, ascii_uppercase, strict=False):
             report_mismatch(source, shown, f"{letter}: ")
-            report_like_cameras(source, f"{letter}: ")
-        lists = told_by_trees([list_annotations(source) for source in sources])
-        report_remarks(folders_taken_for_one(zip(given.annotators, lists, strict=True)))
+            report_camera_names(source, f"{letter}: ")
+        lists = qualify_by_folder([list_annotations(source) for source in sources])
+        report_remarks(ambiguous_folders(zip(given.annotators, lists, strict=True)))
         alike = given.alike.of(source.path for source in sources)
         call = shown, options.parse_size(given.size), thresholds
         if len(sources) > 2:
@@ -146,7 +146,7 @@ def agree(given: AskedToAgree) -> None:
                 agreed = agree_sets(run, outputs=files, progress=with_progress, clusters=alike)
             _print_agreement(agreed)
             if given.power:
-                needed = needed_sheet(agreed.floor, agreed.described, agreed.known)
+                needed = sample_size_table(agreed.floor, agreed.described, agreed.known)
                 stdout_console().print(needed)
             errors = agreed.errors
     for path in files:
@@ -159,7 +159,7 @@ def agree(given: AskedToAgree) -> None:
 def _agree_all(
     run: ConsensusRun,
     clusters: Callable[[Sequence[str]], Clusters],
-    given: AskedToAgree,
+    given: AgreeOptions,
     files: Sequence[Path],
 ) -> list[str]:
     """Compare, print and write; the errors of files that could not be read."""
@@ -170,42 +170,42 @@ def _agree_all(
         names = [f"{name}.json" for name in run.names]
         writing = outputs.replacing_nothing(consensus, names, "agree", overwrite=given.overwrite)
     with writing:
-        agreed = agree_all(run, clusters, consensus=consensus, progress=with_progress)
+        agreed = compare_annotators(run, clusters, consensus=consensus, progress=with_progress)
     for path in files:  # before the tables: whoever reads them may stop after the first
         write_agreed(agreed, run, path)
     console = stdout_console()
-    for sheet in sheets_of(agreed):
+    for sheet in consensus_tables(agreed):
         console.print(sheet)
     if given.power:
-        console.print(needed_sheet(agreed.floor, agreed.described, agreed.known))
-    console.print(floor_line(agreed))
+        console.print(sample_size_table(agreed.floor, agreed.described, agreed.known))
+    console.print(consensus_line(agreed))
     if consensus is not None:
         echo(f"written: {consensus}")
     for letter, alone in zip(ascii_uppercase, run.alone, strict=False):
         if alone:
-            echo(f"note: only in {letter}, not compared: {listed(alone, 'frame')}", err=True)
+            echo(f"note: only in {letter}, not compared: {list_names(alone, 'frame')}", err=True)
     return list(agreed.errors)
 
 
-def _print_agreement(agreed: Agreed) -> None:
+def _print_agreement(agreed: AgreementReport) -> None:
     console = stdout_console()
     console.print(agreement.jac_table(agreed))
     worst = agreement.worst_agreement_table(agreed)
     if worst.rows:
         console.print(worst)
     console.print(agreement.agreement_classes_table(agreed))
-    console.print(agreement.noise_floor_line(agreed))
+    console.print(agreement.inter_annotator_line(agreed))
 
 
-def _report_frames(agreed: Agreed) -> None:
+def _report_frames(agreed: AgreementReport) -> None:
     """Notes on stderr: frames of one annotator only, and labels that seem to be mirrored."""
     summary = agreed.summary
     for who, names in (("A", summary.frames_only_a), ("B", summary.frames_only_b)):
         if names:
-            echo(f"note: only in {who}, not compared: {listed(names, 'frame')}", err=True)
+            echo(f"note: only in {who}, not compared: {list_names(names, 'frame')}", err=True)
     if summary.mirrored:
         echo(
             "note: left and right seem to be swapped between A and B, counted as they are:"
-            f" {listed(summary.mirrored, 'frame')}",
+            f" {list_names(summary.mirrored, 'frame')}",
             err=True,
         )

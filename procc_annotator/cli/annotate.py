@@ -19,7 +19,7 @@ from procc_annotator.io.atomic import make_folder
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.camera_writers import OFFICIAL_SIZE
 from procc_annotator.io.collections import ANNOTATIONS_FOLDER
-from procc_annotator.metric.different_views import most_different
+from procc_annotator.metric.different_views import most_distinct_views
 from procc_annotator.report.annotating import Annotated as Done
 from procc_annotator.report.annotating import annotate_pictures
 from procc_annotator.session.dataset.dataset_folder import (
@@ -30,11 +30,11 @@ from procc_annotator.session.dataset.dataset_folder import (
 from procc_annotator.session.dataset.frame_annotations import FrameAnnotations
 from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.dataset.picture_source import PictureSource, open_pictures
-from procc_annotator.session.dataset.what_lies_there import instead_of_cameras
+from procc_annotator.session.dataset.what_lies_there import found_instead_of_cameras
 from procc_annotator.session.runs.annotation_run import AnnotationRun
 from procc_annotator.session.runs.execution.executor import make_executor
 from procc_annotator.session.runs.set_run import WORTH_WORKERS
-from procc_annotator.words import count_of, listed
+from procc_annotator.words import count_words, list_names
 
 HELP = """\
 SOURCE is a folder of pictures, one picture, or a video, whose frames are named as the window names
@@ -113,7 +113,7 @@ def annotate(
                 run.executor = who
                 annotate_pictures(run, frames, _workspaces(pictures, out), with_progress, done)
         except KeyboardInterrupt:
-            raise KeyboardInterrupt(_what_is_there(done, len(frames), out)) from None
+            raise KeyboardInterrupt(_interrupted_message(done, len(frames), out)) from None
     raise typer.Exit(_report(done, len(chosen) - len(frames), pictures, out))
 
 
@@ -127,12 +127,12 @@ def _with_camera(
     """
     found = [frame for frame in frames if frame.name in collection.frames]
     if not found:
-        if instead := instead_of_cameras(cameras):
+        if instead := found_instead_of_cameras(cameras):
             raise UsageError(f"nothing to do: no camera in {cameras}{instead}")
         some = f", e.g. for {next(iter(collection.frames))}" if collection.frames else ""
         raise UsageError(
             f"nothing to do: {cameras} holds no camera of these frames (it holds"
-            f" {count_of(len(collection.frames), 'camera')}{some}; a frame here is called"
+            f" {count_words(len(collection.frames), 'camera')}{some}; a frame here is called"
             f" {frames[0].name})"
         )
     return found
@@ -163,7 +163,7 @@ def _most_different(
             widths.append((loaded.size or OFFICIAL_SIZE)[0])
     if not found:
         raise UsageError("--views needs cameras with pan and zoom (pinhole cameras)")
-    chosen = most_different(seen, widths, count)
+    chosen = most_distinct_views(seen, widths, count)
     return [found[place] for place in sorted(chosen)]
 
 
@@ -177,26 +177,26 @@ def _workspaces(pictures: PictureSource, out: Path) -> dict[Path, bool]:
     return {folder: usual or folder != pictures.folder for folder in there.values()}
 
 
-def _what_is_there(done: Done, total: int, out: Path) -> str:
+def _interrupted_message(done: Done, total: int, out: Path) -> str:
     """What an interrupted run left, and how to go on."""
     looked_at = len(done.frames) + len(done.bare) + len(done.kept) + len(done.errors)
     return (
-        f"{looked_at} of {count_of(total, 'frame')} looked at,"
-        f" {count_of(len(done.frames), 'annotation')} written to {out}; run it again to go on"
+        f"{looked_at} of {count_words(total, 'frame')} looked at,"
+        f" {count_words(len(done.frames), 'annotation')} written to {out}; run it again to go on"
     )
 
 
 def _report(done: Done, passed_over: int, pictures: PictureSource, out: Path) -> int:
     """Say what was written and what was not; returns the exit code."""
-    written = count_of(len(done.frames), "annotation")
-    what = f"{count_of(done.elements, 'element')}, {count_of(done.points, 'point')}"
+    written = count_words(len(done.frames), "annotation")
+    what = f"{count_words(done.elements, 'element')}, {count_words(done.points, 'point')}"
     echo(f"written: {written} ({what}) to {out}, their points as proposed")
     if kept := passed_over + len(done.kept):
-        echo(f"not touched: {count_of(kept, 'frame')} annotated already")
+        echo(f"not touched: {count_words(kept, 'frame')} annotated already")
     if done.bare:
-        echo(f"no paint found under the camera: {listed(done.bare, 'frame')}")
+        echo(f"no paint found under the camera: {list_names(done.bare, 'frame')}")
     datasets.report_remarks(done.remarks)
-    if (looked := _looked_for_elsewhere(pictures, out)) is not None and done.frames:
+    if (looked := _window_annotation_folder(pictures, out)) is not None and done.frames:
         echo(
             f"note: the window looks for annotations of {pictures.path} in {looked}; open these"
             f" with --annotations {out}",
@@ -205,7 +205,7 @@ def _report(done: Done, passed_over: int, pictures: PictureSource, out: Path) ->
     return datasets.report_unreadable([*pictures.problems, *done.errors])
 
 
-def _looked_for_elsewhere(pictures: PictureSource, out: Path) -> Path | None:
+def _window_annotation_folder(pictures: PictureSource, out: Path) -> Path | None:
     """Where the window looks for annotations of these pictures, if that is not OUT."""
     return None if _is_usual(pictures, out) or not holds_annotations(out) else _usual(pictures)
 

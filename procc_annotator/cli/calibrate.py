@@ -11,12 +11,12 @@ import typer
 from procc_annotator.cli import datasets, options, outputs
 from procc_annotator.cli.console import progress_bar, stdout_console, with_progress
 from procc_annotator.cli.echo import echo
-from procc_annotator.cli.together import FittedSet, fit_set, fit_sizes
+from procc_annotator.cli.together import FittedFrames, fit_set, fit_sizes
 from procc_annotator.errors import UsageError
-from procc_annotator.fit.determined import LIMITS
-from procc_annotator.fit.fitting import check_model
+from procc_annotator.fit.determined import ILL_CONDITIONED_LIMITS
+from procc_annotator.fit.fitting import require_known_model
 from procc_annotator.io.camera_files.fitted_on import TABLE_FILE
-from procc_annotator.io.camera_files.held_out_table import HELD_OUT_FILE
+from procc_annotator.io.camera_files.held_out_table import LEFT_OUT_FILE
 from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.source import FileSource
 from procc_annotator.metric.setup import EvaluationSetup
@@ -34,9 +34,9 @@ from procc_annotator.session.dataset.fit_sizes import FitSizes
 from procc_annotator.session.runs.calibration_run import CalibrationRun
 from procc_annotator.session.runs.execution.executor import make_executor
 from procc_annotator.session.runs.set_run import WORTH_WORKERS
-from procc_annotator.session.runs.together_run import SharedRun
-from procc_annotator.session.runs.unfinished import Unfinished, field_as_asked, unfinished_file
-from procc_annotator.words import count_of, first_of
+from procc_annotator.session.runs.together_run import JointRun
+from procc_annotator.session.runs.unfinished import Checkpoint, field_settings, checkpoint_path
+from procc_annotator.words import count_words, first_names
 
 HELP = """\
 DATASET is a dataset folder, or a folder or zip archive of annotations. OUT is a folder, or an
@@ -104,7 +104,7 @@ Overwrite = Annotated[
 
 
 @dataclass(frozen=True)
-class AskedToCalibrate:
+class CalibrateOptions:
     """What `calibrate` is asked for."""
 
     dataset: options.AnnotatedSet
@@ -127,8 +127,8 @@ class AskedToCalibrate:
     overwrite: Overwrite = False
 
 
-def calibrate(given: AskedToCalibrate) -> None:
-    check_model(given.model)
+def calibrate(given: CalibrateOptions) -> None:
+    require_known_model(given.model)
     if given.groups is not None and not given.shared_position:
         raise UsageError("--groups is for --shared-position")
     if given.held_out and given.shared_position:
@@ -146,8 +146,8 @@ def calibrate(given: AskedToCalibrate) -> None:
     place = annotations_of(given.dataset)
     names = options.label_map(given.labels, setup.field)
     with open_annotations(place, setup.field, names) as source:
-        left = unfinished_file(given.out, "calibrate")
-        going_on = options.goes_on(
+        left = checkpoint_path(given.out, "calibrate")
+        going_on = options.is_resuming(
             left, given.out / TABLE_FILE, given.out, resume=given.resume, overwrite=given.overwrite
         )
         _check_out(
@@ -157,25 +157,25 @@ def calibrate(given: AskedToCalibrate) -> None:
             positions=given.shared_position,
         )
         datasets.report_mismatch(source, setup.field)
-        datasets.report_like_cameras(source)
+        datasets.report_camera_names(source)
         sizes = fit_sizes(source, place, given.dataset, given.size)
         asked = _terms(setup, thresholds, sizes, given.model, given.held_out, given.shared_position)
         try:
-            with Unfinished(left, asked, resume=going_on) as kept:
+            with Checkpoint(left, asked, resume=going_on) as kept:
                 code = _calibrate(given, source, setup, sizes, thresholds, kept)
                 kept.finish()
         except Interrupted as stopped:
-            raise KeyboardInterrupt(_what_is_there(stopped, given.out)) from None
+            raise KeyboardInterrupt(_interrupted_message(stopped, given.out)) from None
         raise typer.Exit(code)
 
 
 def _calibrate(
-    given: AskedToCalibrate,
+    given: CalibrateOptions,
     source: FileSource,
     setup: EvaluationSetup,
     sizes: FitSizes,
     thresholds: tuple[float, ...],
-    kept: Unfinished,
+    kept: Checkpoint,
 ) -> int:
     """Fit the cameras, each alone or with what they share; the exit code."""
     if given.shared_position:
@@ -183,10 +183,10 @@ def _calibrate(
             source, given.dataset, setup, sizes,
             given.model, given.groups, given.workers, given.dask, kept,
         )  # fmt: skip
-        return _share(fits, setup, thresholds, given.out)
+        return _fit_jointly(fits, setup, thresholds, given.out)
     each = CalibrationRun(source, setup, sizes, thresholds, given.model, hold_out=given.held_out)
     each.kept = kept
-    return _each_alone(each, given.out, given.workers, given.dask)
+    return _fit_individually(each, given.out, given.workers, given.dask)
 
 
 def _terms(
@@ -207,12 +207,12 @@ def _terms(
         "model": model,
         "thresholds": ", ".join(f"{tau:g}" for tau in thresholds),
         "scoring": setup.describe(ground_only=True),
-        "field": field_as_asked(setup.field),
+        "field": field_settings(setup.field),
         "size": f"{sizes.asked}, of frames without picture {sizes.otherwise}",
     }
 
 
-def _what_is_there(stopped: Interrupted, out: Path) -> str:
+def _interrupted_message(stopped: Interrupted, out: Path) -> str:
     """What an interrupted run left, and how to go on."""
     go_on = "run it again with --resume to go on"
     if is_archive(out):
@@ -224,7 +224,7 @@ def _what_is_there(stopped: Interrupted, out: Path) -> str:
     )
 
 
-def _each_alone(run: CalibrationRun, out: Path, workers: int | None, dask: str | None) -> int:
+def _fit_individually(run: CalibrationRun, out: Path, workers: int | None, dask: str | None) -> int:
     """Give every frame a camera of its own, write and print everything; returns the exit code."""
     with make_executor(workers, dask, frames=run.total, worth_from=WORTH_WORKERS) as executor:
         run.executor = executor
@@ -233,7 +233,7 @@ def _each_alone(run: CalibrationRun, out: Path, workers: int | None, dask: str |
     _print_report(report, out)
     if hold_out:
         stdout_console().print(calibration.held_out_table(report))
-        echo(f"written: {HELD_OUT_FILE}, which evaluate and report tell beside these cameras")
+        echo(f"written: {LEFT_OUT_FILE}, which evaluate and report tell beside these cameras")
     if (out / POSITIONS_FILE).exists():
         echo(
             f"note: {out} holds {POSITIONS_FILE} of cameras with shared positions, not of these;"
@@ -243,12 +243,12 @@ def _each_alone(run: CalibrationRun, out: Path, workers: int | None, dask: str |
     return _report_problems(report, out)
 
 
-def _share(
-    fits: FittedSet, setup: EvaluationSetup, thresholds: tuple[float, ...], out: Path
+def _fit_jointly(
+    fits: FittedFrames, setup: EvaluationSetup, thresholds: tuple[float, ...], out: Path
 ) -> int:
     """Give the frames shared positions, write and print everything; returns the exit code."""
     with progress_bar("sharing positions") as progress:
-        run = SharedRun(fits.fits, fits.frames, setup, thresholds, progress)
+        run = JointRun(fits.fits, fits.frames, setup, thresholds, progress)
     positions = {together.POSITIONS_FILE: together.positions_csv(run.places)}
     report = calibrate_set(run, out, with_progress, positions)
     _print_report(report, out)
@@ -258,10 +258,10 @@ def _share(
     words = ("each frame alone", "shared positions")
     console.print(together.before_after_table(run.before, run.summary(), words))
     if run.apart:
-        console.print(together.apart_table(run.apart))
+        console.print(together.not_shared_table(run.apart))
     if run.gained:
-        have = count_of(len(run.gained), "frame has", "frames have")
-        echo(f"{have} a camera now that the position is known: {first_of(run.gained)}")
+        have = count_words(len(run.gained), "frame has", "frames have")
+        echo(f"{have} a camera now that the position is known: {first_names(run.gained)}")
     return _report_problems(report, out)
 
 
@@ -283,7 +283,7 @@ def _check_out(out: Path, source: FileSource, *, overwrite: bool, positions: boo
     outputs.check_place(out, [source])
     if out.is_dir():
         outputs.check_no_annotations(out)
-    tables = [TABLE_FILE, *([POSITIONS_FILE] if positions else []), HELD_OUT_FILE]
+    tables = [TABLE_FILE, *([POSITIONS_FILE] if positions else []), LEFT_OUT_FILE]
     there = any((out / table).exists() for table in tables) or outputs.holds_cameras(
         out, list_annotations(source), ("camera_*.json", "*.npy", "*.yml")
     )
@@ -299,8 +299,8 @@ def _check_out(out: Path, source: FileSource, *, overwrite: bool, positions: boo
 
 def _print_report(report: CalibrationReport, out: Path) -> None:
     console = stdout_console()
-    frames = count_of(report.frames, "frame")
-    title = f"Calibrated {frames}, {count_of(report.cameras, 'has', 'have')} a camera"
+    frames = count_words(report.frames, "frame")
+    title = f"Calibrated {frames}, {count_words(report.cameras, 'has', 'have')} a camera"
     told = [tables.summary_table(report.summaries, report.described, title=title)]
     if report.worst:
         first = next(iter(report.summaries))
@@ -311,7 +311,7 @@ def _print_report(report: CalibrationReport, out: Path) -> None:
         console.print(calibration.deviations_table(report))
     if report.failures:
         console.print(calibration.failures_table(report))
-    cameras = count_of(report.cameras, "camera")
+    cameras = count_words(report.cameras, "camera")
     echo(f"written: {cameras} and {TABLE_FILE} to {out}")
 
 
@@ -320,8 +320,8 @@ def _report_problems(report: CalibrationReport, out: Path) -> int:
     datasets.report_remarks(report.remarks)
     if report.open:
         echo(
-            f"note: {count_of(len(report.open), 'camera is', 'cameras are')} hardly determined"
-            f" ({LIMITS}; column hardly_determined): {first_of(report.open)}",
+            f"note: {count_words(len(report.open), 'camera is', 'cameras are')} hardly determined"
+            f" ({ILL_CONDITIONED_LIMITS}; column hardly_determined): {first_names(report.open)}",
             err=True,
         )
     if report.left_out:
@@ -332,8 +332,8 @@ def _report_problems(report: CalibrationReport, out: Path) -> int:
         )
     if report.stale:
         echo(
-            f"note: {out} holds {count_of(len(report.stale), 'other camera')}, not written now and"
-            f" not touched: {first_of(report.stale)}",
+            f"note: {out} holds {count_words(len(report.stale), 'other camera')}, not written now and"
+            f" not touched: {first_names(report.stale)}",
             err=True,
         )
     return datasets.report_unreadable(report.errors)

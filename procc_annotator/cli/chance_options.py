@@ -13,10 +13,10 @@ import typer
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.io.json_text import decode_as
 from procc_annotator.io.source import read_file
-from procc_annotator.metric.chance.clicks import noise_of_floor
-from procc_annotator.metric.chance.intervals import METHODS, Method
-from procc_annotator.metric.chance.sampling import Draws
-from procc_annotator.report.scores.chance import ChanceTerms
+from procc_annotator.metric.chance.clicks import noise_from_median_distance
+from procc_annotator.metric.chance.intervals import INTERVAL_METHODS, IntervalMethodName
+from procc_annotator.metric.chance.sampling import BootstrapSettings
+from procc_annotator.report.scores.chance import InferenceSettings
 from procc_annotator.session.dataset.dataset_folder import FRAMES_FILE, folder_of_dataset
 from procc_annotator.session.runs.clusters import NONE, SHOT, Clusters, clusters_of
 from procc_annotator.session.runs.frame_order import FrameOrder
@@ -48,7 +48,7 @@ def noise_from(path: Path, seed: int) -> ClickNoise:
             advice="compare annotators who clicked the same elements each for themselves",
         )
     return ClickNoise(
-        noise_of_floor(median), seed=seed, of_size=(size[0], size[1]), told_by=path.name
+        noise_from_median_distance(median), seed=seed, of_size=(size[0], size[1]), told_by=path.name
     )
 
 
@@ -64,8 +64,8 @@ _LEAST_NOISE, _MOST_NOISE = 0.01, 100.0  # px
 
 
 def _known_method(text: str) -> str:
-    if text not in METHODS:
-        raise typer.BadParameter(f"{text!r} is none of {', '.join(METHODS)}")
+    if text not in INTERVAL_METHODS:
+        raise typer.BadParameter(f"{text!r} is none of {', '.join(INTERVAL_METHODS)}")
     return text
 
 
@@ -153,7 +153,7 @@ class IntervalOptions:
         by: Sequence[str],
         seed: int,
         shots: Path | None,
-    ) -> ChanceTerms:
+    ) -> InferenceSettings:
         """Return what is asked.
 
         Args:
@@ -163,14 +163,14 @@ class IntervalOptions:
         Raises:
             UsageError, InputError: no such tag; a table of frames that cannot be used.
         """
-        return ChanceTerms(
+        return InferenceSettings(
             cluster_of(self.cluster, tags),
             tags,
             orders_by_set(annotations, shots),
-            Draws(self.draws, seed),
-            cast(Method, self.interval_method),
+            BootstrapSettings(self.draws, seed),
+            cast(IntervalMethodName, self.interval_method),
             self.power,
-            None if self.click_noise is None else noise_named(self.click_noise, seed),
+            None if self.click_noise is None else annotation_noise(self.click_noise, seed),
             tuple(by),
         )
 
@@ -248,7 +248,7 @@ def noise_file(text: str | None) -> Path | None:
     return Path(text)
 
 
-def noise_named(text: str, seed: int) -> ClickNoise:
+def annotation_noise(text: str, seed: int) -> ClickNoise:
     """The noise that the option names.
 
     Raises:

@@ -11,7 +11,7 @@ import typer
 from procc_annotator.cli import options, outputs
 from procc_annotator.cli.console import stdout_console, with_progress
 from procc_annotator.cli.datasets import (
-    report_like_cameras,
+    report_camera_names,
     report_mismatch,
     report_remarks,
     report_unreadable,
@@ -19,8 +19,8 @@ from procc_annotator.cli.datasets import (
 from procc_annotator.cli.echo import echo
 from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.cli.together import fit_sizes
-from procc_annotator.fit.fitting import check_model
-from procc_annotator.fit.labels.finding import Severity, severity_named
+from procc_annotator.fit.fitting import require_known_model
+from procc_annotator.fit.labels.finding import Severity, severity_from_name
 from procc_annotator.report import findings
 from procc_annotator.report.findings import CheckReport
 from procc_annotator.session.dataset.annotation_source import open_annotations
@@ -107,9 +107,9 @@ def check(
     workers: options.FitWorkers = None,
     dask: options.Dask = None,
 ) -> None:
-    check_model(model)
-    shown = severity_named(least)
-    failing = None if fail_on is None else severity_named(fail_on)
+    require_known_model(model)
+    shown = severity_from_name(least)
+    failing = None if fail_on is None else severity_from_name(fail_on)
     written_to = outputs.each_once(output or [])
     for path in written_to:
         findings.check_findings_suffix(path)
@@ -120,7 +120,7 @@ def check(
         outputs.check_not_inputs(written_to, [source])
         sizes = fit_sizes(source, place, dataset, size)
         mismatch = report_mismatch(source, known)
-        report_like_cameras(source)
+        report_camera_names(source)
         run = CheckRun(source, known, sizes, model, looks=paint)
         wrong = mismatch is not None and mismatch.is_whole
         report = _check_set(run, written_to, shown, workers, dask, wrong_field=wrong)
@@ -153,7 +153,7 @@ def _print_report(report: CheckReport, written_to: Sequence[Path]) -> None:
     console.print(findings.counts_table(report))
     if report.worth_listing:
         console.print(findings.findings_table(report, in_file=bool(written_to)))
-    for line in findings.by_eye_words(report):
+    for line in findings.frames_without_camera_words(report):
         echo(line)
     for path in written_to:
         echo(f"written: {path}")

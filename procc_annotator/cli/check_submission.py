@@ -56,12 +56,12 @@ def check_submission(
     if holds_manifest(submission):
         shown = chosen_field(field, annotations)
         found = check_polylines(submission, shown, field_fingerprint(shown), frames)
-        _tell(found, "nothing to say: every polyline will be read")
+        _print_findings(found, "nothing to say: every polyline will be read")
     findings = submissions.check_submission(submission, frames, split)
-    _tell(findings, "nothing to say: the official evaluation will read every camera")
+    _print_findings(findings, "nothing to say: the official evaluation will read every camera")
 
 
-def _tell(findings: Sequence[submissions.SubmissionRemark], nothing: str) -> NoReturn:
+def _print_findings(findings: Sequence[submissions.SubmissionRemark], nothing: str) -> NoReturn:
     for finding in findings:
         echo(str(finding))
     if not findings:

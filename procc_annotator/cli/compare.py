@@ -13,7 +13,7 @@ import typer
 from procc_annotator.cli import chance_options, options, outputs
 from procc_annotator.cli.console import stdout_console, with_progress
 from procc_annotator.cli.datasets import (
-    report_like_cameras,
+    report_camera_names,
     report_mismatch,
     report_notices,
     report_remarks,
@@ -26,11 +26,11 @@ from procc_annotator.cli.sources import parse_sources
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
-from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, Fitted
+from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, FitCounts
 from procc_annotator.io.collections import ANNOTATIONS_FOLDER, list_annotations
 from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.io.source import open_source
-from procc_annotator.metric.chance.sampling import Draws
+from procc_annotator.metric.chance.sampling import BootstrapSettings
 from procc_annotator.report import comparison
 from procc_annotator.report.comparison import (
     ComparisonReport,
@@ -38,19 +38,19 @@ from procc_annotator.report.comparison import (
     paint_frames,
     write_comparison,
 )
-from procc_annotator.report.comparison_chance import comparison_intervals_sheet, nearer_sheet
-from procc_annotator.report.sheet.sheet import Sheet
+from procc_annotator.report.comparison_chance import comparison_intervals_table, closer_method_table
+from procc_annotator.report.sheet.sheet import MetricTable
 from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.dataset.camera_set import CameraSet
-from procc_annotator.session.dataset.dataset_folder import annotations_or_itself, lies_below
+from procc_annotator.session.dataset.dataset_folder import annotations_or_path, has_pictures_below
 from procc_annotator.session.dataset.field_match import classes_of_source, mismatch_of
 from procc_annotator.session.dataset.picture_tree import pictures_in
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.runs.clusters import Clusters
 from procc_annotator.session.runs.comparison_run import ComparisonRun
 from procc_annotator.session.runs.execution.executor import make_executor
-from procc_annotator.session.runs.set_run import folders_taken_for_one
-from procc_annotator.words import count_of, listed
+from procc_annotator.session.runs.set_run import ambiguous_folders
+from procc_annotator.words import count_words, list_names
 
 HELP = """\
 A and B are PATH, NAME=PATH or NAME:FORMAT=PATH: folders, zip archives or files of cameras, paired
@@ -134,7 +134,7 @@ Dask = Annotated[
 
 
 @dataclass(frozen=True, kw_only=True)
-class AskedToCompare:
+class CompareOptions:
     """What `compare` is asked for."""
 
     a: First
@@ -155,7 +155,7 @@ class AskedToCompare:
     dask: Dask = None
 
 
-def compare(given: AskedToCompare) -> None:
+def compare(given: CompareOptions) -> None:
     by_chance = given.intervals or given.versus is not None or given.alike.cluster is not None
     if not by_chance and (given.alike.tags is not None or given.seed != chance_options.USUAL_SEED):
         raise UsageError("--tags and --seed need --intervals, --cluster or --versus")
@@ -170,7 +170,7 @@ def compare(given: AskedToCompare) -> None:
     names, images = frames_of(given.dataset, shown_field)
     if given.dataset is None:
         _report_field_around((source_a, source_b), shown_field)
-        report_remarks(folders_taken_for_one((s.path, s.frames) for s in sources))
+        report_remarks(ambiguous_folders((s.path, s.frames) for s in sources))
     if given.pictures is not None and any(
         p.parent.resolve() == given.pictures.resolve() for p in images.values()
     ):
@@ -194,7 +194,7 @@ def compare(given: AskedToCompare) -> None:
     for report, fitted in zip((compared, *versus_others), of_others, strict=True):
         report.fitted = of_a, fitted
     if by_chance:
-        compared.chance = _chance(compared, versus_others, alike, Draws(seed=given.seed))
+        compared.chance = _inference_tables(compared, versus_others, alike, BootstrapSettings(seed=given.seed))
     told = [f"written: {path}" for path in written_to]
     for path in written_to:  # before the tables: whoever reads them may stop after the first
         write_comparison(compared, comparison, path)
@@ -226,29 +226,29 @@ def open_sources(
     return opened
 
 
-def _chance(
+def _inference_tables(
     compared: ComparisonReport,
     others: Sequence[ComparisonReport],
     alike: Callable[[Sequence[str]], Clusters],
-    draws: Draws,
-) -> tuple[Sheet, ...]:
+    draws: BootstrapSettings,
+) -> tuple[MetricTable, ...]:
     """The intervals, and, of three sources, which of two is nearer to the first."""
     a, b = compared.marked_names
     clusters = alike([frame.name for frame in compared.frames])
     described = compared.described
-    sheets = [comparison_intervals_sheet(compared.frames, clusters, draws, (a, b), described)]
+    sheets = [comparison_intervals_table(compared.frames, clusters, draws, (a, b), described)]
     for other in others:
         names = a, other.marked_names[1]
         clusters = alike([frame.name for frame in other.frames])
         given = clusters, draws, names, described, _THIRD
-        sheets.append(comparison_intervals_sheet(other.frames, *given))
+        sheets.append(comparison_intervals_table(other.frames, *given))
         of_other = {frame.name: frame for frame in other.frames}
         own = [frame for frame in compared.frames if frame.name in of_other]
         if not own:
             raise UsageError(f"no frame has cameras of {a}, {b} and {names[1]}")
         pair = own, [of_other[frame.name] for frame in own]
         clusters = alike([frame.name for frame in own])
-        sheets.append(nearer_sheet(pair, clusters, draws, (a, b, names[1]), described))
+        sheets.append(closer_method_table(pair, clusters, draws, (a, b, names[1]), described))
     return tuple(sheets)
 
 
@@ -266,10 +266,10 @@ def frames_of(dataset: Path | None, field: Field) -> tuple[tuple[str, ...] | Non
         return None, {}
     if not dataset.exists():
         raise UsageError(f"{dataset}: does not exist")
-    with open_annotations(annotations_or_itself(dataset), field) as source:
+    with open_annotations(annotations_or_path(dataset), field) as source:
         report_mismatch(source, field)
-        report_like_cameras(source)
-        if dataset.is_dir() and (pictures_in(dataset) or lies_below(dataset)):
+        report_camera_names(source)
+        if dataset.is_dir() and (pictures_in(dataset) or has_pictures_below(dataset)):
             workspace = Workspace.open(dataset, field)
             if workspace.frames:
                 images = FrameTable((f.name, f.image_path) for f in workspace.frames)
@@ -280,14 +280,14 @@ def frames_of(dataset: Path | None, field: Field) -> tuple[tuple[str, ...] | Non
     return annotated, {}
 
 
-def _fitted_on(sources: Sequence[CameraSet], dataset: Path | None, field: Field) -> list[Fitted]:
+def _fitted_on(sources: Sequence[CameraSet], dataset: Path | None, field: Field) -> list[FitCounts]:
     """The cameras of each that were fitted to the dataset's annotation of their frame."""
     if dataset is None:
         return [NOT_FITTED] * len(sources)
-    with open_annotations(annotations_or_itself(dataset), field) as annotations:
+    with open_annotations(annotations_or_path(dataset), field) as annotations:
         files = list_annotations(annotations)
 
-        def of_these(source: CameraSet, frame: str) -> Fitted:
+        def of_these(source: CameraSet, frame: str) -> FitCounts:
             digest = source.fitted_on(frame)
             if digest is None:
                 return NOT_FITTED
@@ -296,7 +296,7 @@ def _fitted_on(sources: Sequence[CameraSet], dataset: Path | None, field: Field)
                 found = read_annotation(data, path=annotations.display(files[frame]), field=field)
             except InputError:  # nothing is told of what cannot be read
                 return NOT_FITTED
-            return Fitted.of(digest, found)
+            return FitCounts.of(digest, found)
 
         return [
             sum((of_these(s, frame) for frame in s.frames if frame in files), NOT_FITTED)
@@ -318,7 +318,7 @@ def _report_field_around(sources: Sequence[CameraSet], field: Field) -> None:
             except InputError:  # nobody asked for this folder
                 continue
             mismatch = mismatch_of(classes, field) if classes else None
-            if mismatch is not None and mismatch.is_telling:
+            if mismatch is not None and mismatch.is_worth_reporting:
                 try_it = f"name the dataset after B ({folder}), or its field: --field NAME"
                 echo(f"note: {mismatch.words()}; {try_it}", err=True)
             if classes:
@@ -339,7 +339,7 @@ def _check_outputs(
     with ExitStack() as files:
         inputs: list[outputs.Input] = list(cameras)
         if dataset is not None and dataset.exists():
-            inputs.append(files.enter_context(open_source(annotations_or_itself(dataset))))
+            inputs.append(files.enter_context(open_source(annotations_or_path(dataset))))
         outputs.check_not_inputs(written_to, inputs)
         if pictures is not None:
             if pictures.exists() and not pictures.is_dir():
@@ -370,7 +370,7 @@ def _draw(
     painted = paint_frames(compared, comparison, out, painter, pictures=images, count=count)
     total = min(count or compared.summary.frames, compared.summary.frames)
     drawn = sum(1 for _ in with_progress(painted, total, "drawing"))
-    return [f"{count_of(drawn, 'disagreement picture')} written to {out}"]
+    return [f"{count_words(drawn, 'disagreement picture')} written to {out}"]
 
 
 def _report_frames(comparison: ComparisonRun, compared: ComparisonReport) -> None:
@@ -383,5 +383,5 @@ def _report_frames(comparison: ComparisonRun, compared: ComparisonReport) -> Non
         ("nothing to compare, no common ground in the picture", compared.summary.blank),
     ):
         if names:
-            echo(f"note: {where}: {listed(names, 'frame')}", err=True)
+            echo(f"note: {where}: {list_names(names, 'frame')}", err=True)
     report_notices(compared.notices)

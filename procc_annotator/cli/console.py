@@ -23,7 +23,7 @@ from rich.text import Text
 
 from procc_annotator.errors import printable
 from procc_annotator.report.sheet.as_terminal import terminal_table
-from procc_annotator.report.sheet.sheet import Sheet
+from procc_annotator.report.sheet.sheet import MetricTable
 
 # A longer word (a path, a frame's name) may be cut.
 _LONGEST_WORD = 24
@@ -100,7 +100,7 @@ class _Console(Console):
     def print(self, *objects: Any, **options: Any) -> None:
         """Sheets become tables, which fit the width if their figures can be kept whole; in a file
         or a pipe no line ends in blanks."""
-        objects = tuple(terminal_table(o) if isinstance(o, Sheet) else o for o in objects)
+        objects = tuple(terminal_table(o) if isinstance(o, MetricTable) else o for o in objects)
         wide = max((fit_columns(o, self.width) for o in objects if isinstance(o, Table)), default=0)
         room = self.width
         self.width = max(room, wide)  # a terminal breaks long lines; figures cut off would be wrong

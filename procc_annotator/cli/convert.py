@@ -21,15 +21,15 @@ from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.camera_writers import OFFICIAL_SIZE
 from procc_annotator.io.camera_files.polyline_submission import POLYLINES
 from procc_annotator.io.collections import list_annotations
-from procc_annotator.metric.folds import folds_remark
+from procc_annotator.metric.folds import fold_back_warnings
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.camera_export import export_cameras
 from procc_annotator.report.conversion import convert_annotations
-from procc_annotator.report.conversion_output import Wanted
+from procc_annotator.report.conversion_output import ConversionRequest
 from procc_annotator.report.polyline_export import export_polylines
 from procc_annotator.session.dataset.annotation_source import open_files, own_label_map
 from procc_annotator.session.dataset.dataset_folder import annotations_of
-from procc_annotator.words import count_of
+from procc_annotator.words import count_words
 
 HELP = """\
 IN is a dataset, a folder or zip of files, or one file. OUT is a folder, an archive if it ends in
@@ -130,7 +130,7 @@ Method = Annotated[
 
 
 @dataclass(frozen=True)
-class AskedToConvert:
+class ConvertOptions:
     """What `convert` is asked for."""
 
     source: Source
@@ -152,7 +152,7 @@ class AskedToConvert:
     pictures: Pictures = False
 
 
-def convert(given: AskedToConvert) -> None:
+def convert(given: ConvertOptions) -> None:
     if given.to == POLYLINES:
         raise typer.Exit(_convert_to_polylines(given))
     if given.to in CAMERA_TARGETS:
@@ -163,9 +163,9 @@ def convert(given: AskedToConvert) -> None:
     raise typer.Exit(_convert_annotations(given))
 
 
-def _convert_annotations(given: AskedToConvert) -> int:
+def _convert_annotations(given: ConvertOptions) -> int:
     """Write annotations in another format; returns the exit code."""
-    wanted = Wanted(
+    wanted = ConversionRequest(
         given.to, given.line_width, given.split, given.into, given.overwrite,
         given.keep_optional, given.pictures,
     )  # fmt: skip
@@ -182,7 +182,7 @@ def _convert_annotations(given: AskedToConvert) -> int:
             size=size,
             progress=progress,
         )
-    datasets.tell_mismatch(done.classes, known, source, unknown=done.unknown)
+    datasets.report_mismatch_of(done.classes, known, source, unknown=done.unknown)
     datasets.report_remarks(done.losses)
     if not done.frames and done.problems and all(SIZE_UNKNOWN in one for one in done.problems):
         raise UsageError(
@@ -193,14 +193,14 @@ def _convert_annotations(given: AskedToConvert) -> int:
     if not done.frames:
         raise UsageError(f"nothing to do: no frame of {source} could be written to {given.out}")
     echo(
-        f"{count_of(done.frames, 'frame')}, {count_of(done.elements, 'element')},"
-        f" {count_of(done.points, 'point')}"
+        f"{count_words(done.frames, 'frame')}, {count_words(done.elements, 'element')},"
+        f" {count_words(done.points, 'point')}"
         f" written to {given.out} ({done.title})"
     )
     return unreadable
 
 
-def _convert_to_polylines(given: AskedToConvert) -> int:
+def _convert_to_polylines(given: ConvertOptions) -> int:
     """Write where cameras show the elements; returns the exit code."""
     size = options.shown_size(given.size) or OFFICIAL_SIZE
     setup = EvaluationSetup(chosen_field(given.field, given.frames), size, given.protocol)
@@ -217,13 +217,13 @@ def _convert_to_polylines(given: AskedToConvert) -> int:
     datasets.report_notices(done.losses)
     unreadable = datasets.report_unreadable(done.problems, "left out")
     echo(
-        f"polylines of {count_of(done.written, 'frame')} written to {given.out}"
+        f"polylines of {count_words(done.written, 'frame')} written to {given.out}"
         f" ({setup.describe()}, method {method})"
     )
     return unreadable
 
 
-def _convert_cameras(given: AskedToConvert) -> int:
+def _convert_cameras(given: ConvertOptions) -> int:
     """Write cameras in another format, from one picture size to another; returns the exit code."""
     size, own = options.shown_size(given.size), options.shown_size(given.camera_size)
     with _cameras(given) as (cameras, progress):
@@ -233,13 +233,13 @@ def _convert_cameras(given: AskedToConvert) -> int:
         )  # fmt: skip
         datasets.report_remarks(cameras.notices)
     datasets.report_notices(done.losses)
-    datasets.report_remarks(folds_remark(done.folded))
+    datasets.report_remarks(fold_back_warnings(done.folded))
     unreadable = datasets.report_unreadable(done.problems, "left out")
     if not done.written:
         raise UsageError(
             f"nothing to do: no camera of {given.source} could be written to {given.out}"
         )
-    echo(f"{count_of(done.written, 'camera')} written to {given.out}")
+    echo(f"{count_words(done.written, 'camera')} written to {given.out}")
     if given.to == "world":
         told = "nothing in these files tells them from wc14: read them with --camera-format world"
         datasets.report_remarks([told])
@@ -248,7 +248,7 @@ def _convert_cameras(given: AskedToConvert) -> int:
 
 @contextmanager
 def _cameras(
-    given: AskedToConvert,
+    given: ConvertOptions,
 ) -> Iterator[tuple[CameraCollection, Callable[[int, int], None]]]:
     """The cameras to convert, at least one, and a bar while somebody watches.
 

@@ -11,7 +11,7 @@ from typing import Annotated
 import typer
 
 from procc_annotator.cli.echo import echo
-from procc_annotator.cli.problems import folded
+from procc_annotator.cli.problems import condense_problems
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.image.suffixes import PICTURE_SUFFIXES
@@ -33,8 +33,8 @@ from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.dataset.dataset_field import field_of_dataset
 from procc_annotator.session.dataset.dataset_folder import (
     annotations_of,
-    lies_below,
-    like_cameras_in,
+    has_pictures_below,
+    camera_name_remark_in,
 )
 from procc_annotator.session.dataset.field_match import (
     MOST_FRAMES,
@@ -47,11 +47,11 @@ from procc_annotator.session.dataset.field_match import (
 from procc_annotator.session.dataset.frame_annotations import FrameAnnotations
 from procc_annotator.session.dataset.picture_tree import has_pictures, pictures_in
 from procc_annotator.session.dataset.what_lies_there import (
-    instead_of_cameras,
-    instead_of_pictures,
+    found_instead_of_cameras,
+    found_instead_of_pictures,
 )
 from procc_annotator.session.dataset.workspace import Workspace
-from procc_annotator.words import count_of, few_of
+from procc_annotator.words import count_words, condensed
 
 _LABELS = 12  # are listed at most
 
@@ -90,15 +90,15 @@ def open_dataset(
     for given in (path, annotations):
         if given is not None and not given.exists():
             raise UsageError(f"{given}: does not exist")
-    held = "" if path.is_dir() else instead_of_pictures(path)
+    held = "" if path.is_dir() else found_instead_of_pictures(path)
     if held:
         raise UsageError(f"nothing to do: there is no picture in {path}{held}")
     workspace = Workspace.open(path, field, annotations)
     if not workspace.frames:
-        raise UsageError(f"nothing to do: no picture in {path}{instead_of_pictures(path)}")
+        raise UsageError(f"nothing to do: no picture in {path}{found_instead_of_pictures(path)}")
     workspace.given = kept = FrameAnnotations.of(path, annotations, field, names)
     report_remarks((*workspace.notices, *kept.notices))
-    tell_mismatch(_classes_of(workspace), field, workspace.folder, unknown=kept.unknown)
+    report_mismatch_of(_classes_of(workspace), field, workspace.folder, unknown=kept.unknown)
     return workspace
 
 
@@ -130,7 +130,7 @@ def annotated_frames(
         pictured = True
     else:
         pictured = path.is_dir() and bool(
-            pictures_in(path) or (lies_below(path) and has_pictures(path))
+            pictures_in(path) or (has_pictures_below(path) and has_pictures(path))
         )
     names = own_label_map(path, field) if labels is None else read_label_map(labels, field)
     if (pictured and names is None) or not path.exists():
@@ -163,7 +163,7 @@ def open_cameras(
     cameras = CameraSet.open(path, camera_format, camera_size=camera_size, field=field)
     if not cameras.frames:
         raise UsageError(
-            f"nothing to do: no camera (format {camera_format}) in {path}{instead_of_cameras(path)}"
+            f"nothing to do: no camera (format {camera_format}) in {path}{found_instead_of_cameras(path)}"
         )
     report_remarks(cameras.notices)
     return cameras
@@ -172,7 +172,7 @@ def open_cameras(
 def report_notices(notices: Mapping[str, int]) -> None:
     """One line each on stderr: the remark and for how many cameras, where it is for several; of
     many alike the first few."""
-    for notice, count in few_of(notices).items():
+    for notice, count in condensed(notices).items():
         echo(f"note: {notice}" + (f" ({count} cameras)" if count > 1 else ""), err=True)
 
 
@@ -196,21 +196,21 @@ def report_mismatch(source: FileSource, field: Field, of: str = "") -> Mismatch 
     """
     report_remarks(f"{of}{notice}" for notice in list_annotations(source).notices)
     unknown = source.unknown if isinstance(source, ReadSource) else {}
-    return tell_mismatch(classes_of_source(source, field), field, source.path, of, unknown)
+    return report_mismatch_of(classes_of_source(source, field), field, source.path, of, unknown)
 
 
-def report_like_cameras(source: FileSource, of: str = "") -> None:
+def report_camera_names(source: FileSource, of: str = "") -> None:
     """One line on stderr where pictures bear a camera's name, so that a set lacks their frames.
 
     Args:
         source: annotations.
         of: as of `report_mismatch`.
     """
-    if remark := like_cameras_in(source.path):
+    if remark := camera_name_remark_in(source.path):
         echo(f"note: {of}{remark}", err=True)
 
 
-def tell_mismatch(
+def report_mismatch_of(
     classes: Collection[str],
     field: Field,
     place: Path,
@@ -230,7 +230,7 @@ def tell_mismatch(
     if unknown and (mismatch is None or mismatch.better is None):
         report_remarks([f"{of}{place}: {_unknown_words(unknown, field)}"])
         return mismatch
-    if mismatch is None or not mismatch.is_telling:
+    if mismatch is None or not mismatch.is_worth_reporting:
         return None
     if mismatch.better is None:
         try_it = "; name the field they belong to: --field NAME or a .toml file"
@@ -247,7 +247,7 @@ def _unknown_words(unknown: Mapping[str, int], field: Field) -> str:
     counts = [f"{printable(label)} ({count})" for label, count in unknown.items()]
     more = f", and {len(counts) - _LABELS} more" if len(counts) > _LABELS else ""
     return (
-        f"the field {field.title} does not know {count_of(len(counts), 'label')}:"
+        f"the field {field.title} does not know {count_words(len(counts), 'label')}:"
         f" {', '.join(counts[:_LABELS])}{more}; procc-annotator propose-map writes a labels.toml"
         " that says what they may stand for, for --map"
     )
@@ -258,7 +258,7 @@ def mismatch_at(
 ) -> tuple[Mismatch | None, Field | None]:
     """What is to say of the classes of a set, and the field that its dataset says it shows.
 
-    Args: as of `tell_mismatch`.
+    Args: as of `report_mismatch_of`.
     """
     mismatch = mismatch_of(classes, field)
     if mismatch is None:
@@ -277,6 +277,6 @@ def mismatch_at(
 def report_unreadable(problems: list[str], word: str = "unreadable") -> int:
     """One line each on stderr, after a word that says what they are, and one line for many files
     with the same problem; returns the exit code."""
-    for problem in folded(problems):
+    for problem in condense_problems(problems):
         echo(f"{word}: {problem}", err=True)
     return 1 if problems else 0

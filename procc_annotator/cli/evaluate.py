@@ -14,28 +14,28 @@ import typer
 from procc_annotator.cli import chance_options, options, outputs, over_time
 from procc_annotator.cli.console import with_progress
 from procc_annotator.cli.datasets import (
-    report_like_cameras,
+    report_camera_names,
     report_mismatch,
     report_remarks,
     report_unreadable,
 )
 from procc_annotator.cli.echo import echo
 from procc_annotator.cli.evaluations import Plan
-from procc_annotator.cli.printed_scores import print_all, print_chance, report_problems
-from procc_annotator.cli.recipe_further import Further
-from procc_annotator.cli.recipes import FieldAsked, RecipeFor, RecipeOption, recipe_for
+from procc_annotator.cli.printed_scores import print_all, print_inference, report_problems
+from procc_annotator.cli.recipe_further import FurtherResults
+from procc_annotator.cli.recipes import FieldArguments, ManifestRequest, ManifestOption, manifest_request
 from procc_annotator.cli.submissions import Submission, require_submitted_for, submitted_source
 from procc_annotator.errors import ProccError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.report.over_time import SourceOverTime
-from procc_annotator.report.scores.chance import ChanceTerms, ToldOfSet
+from procc_annotator.report.over_time import TemporalMetrics
+from procc_annotator.report.scores.chance import InferenceSettings, StatisticalResult
 from procc_annotator.report.scores.score_table import append_rows, check_table
-from procc_annotator.report.scores.scoring import Evaluations, Outcome, Scored
+from procc_annotator.report.scores.scoring import Evaluations, RequestedOutputs, Scored
 from procc_annotator.session.runs.execution.executor import make_executor
 from procc_annotator.session.runs.tags import MODEL, Tags
-from procc_annotator.words import count_of, first_of
+from procc_annotator.words import count_words, first_names
 
 HELP = """\
 ANNOTATIONS and CAMERAS are folders or zip archives: 00037.json and camera_00037.json (or a
@@ -107,7 +107,7 @@ TableFile = Annotated[
 
 
 @dataclass(frozen=True)
-class _Call:
+class _EvaluateRequest:
     """What a call asks for.
 
     Attributes:
@@ -129,13 +129,13 @@ class _Call:
     camera_size: tuple[int, int] | None
     written_to: Sequence[Path]
     tables: Sequence[Path]
-    recipe: RecipeFor | None
-    over_time: over_time.OverTimeCall | None
-    chance: ChanceTerms | None
+    recipe: ManifestRequest | None
+    over_time: over_time.TemporalRequest | None
+    chance: InferenceSettings | None
 
 
 @dataclass(frozen=True, kw_only=True)
-class AskedToEvaluate:
+class EvaluateOptions:
     """What `evaluate` is asked for."""
 
     annotations: Annotations = None
@@ -161,7 +161,7 @@ class AskedToEvaluate:
     submission: Submission = None
     output: options.FigureFiles = None
     table: TableFile = None
-    recipe: RecipeOption = None
+    recipe: ManifestOption = None
     steady: over_time.OverTime = False
     shots: over_time.Shots = None
     pictures: over_time.Pictures = None
@@ -170,14 +170,14 @@ class AskedToEvaluate:
     dask: options.Dask = None
 
 
-def evaluate(context: typer.Context, given: AskedToEvaluate) -> None:
-    call = _call_of(context, given)
+def evaluate(context: typer.Context, given: EvaluateOptions) -> None:
+    call = _request_of(context, given)
     # The figures took long to make: a file that cannot be written must not take them along.
     unwritten: dict[Path, ProccError] = {}
     scored, told, steadiness = _score(call, given.workers, given.dask, unwritten)
     if call.over_time is not None:  # before the tables: whoever reads them may stop after the first
         call.over_time.write(steadiness, unwritten)
-    code = _tell(call, scored, told, unwritten)
+    code = _print_results(call, scored, told, unwritten)
     if call.over_time is not None:
         call.over_time.tell(steadiness, unwritten)
         known = {error for one in scored for error in one.errors}
@@ -187,7 +187,7 @@ def evaluate(context: typer.Context, given: AskedToEvaluate) -> None:
     raise typer.Exit(2 if unwritten else code)
 
 
-def _call_of(context: typer.Context, given: AskedToEvaluate) -> _Call:
+def _request_of(context: typer.Context, given: EvaluateOptions) -> _EvaluateRequest:
     """What is to be done; all that was given is looked at before anything is."""
     written_to = outputs.figure_files(given.output)
     growing = outputs.each_once(given.table or ())
@@ -209,17 +209,17 @@ def _call_of(context: typer.Context, given: AskedToEvaluate) -> _Call:
     beside = {"tags": given.tags, "click noise": noise, "shots": given.shots}
     outputs.check_not_inputs(written_to, filter(None, beside.values()))
     shown = options.shown_size(given.camera_size)
-    recipe = recipe_for(given.recipe, context, FieldAsked(given.field, given.lines), beside)
-    steady = over_time.OverTimeCall.of(
+    recipe = manifest_request(given.recipe, context, FieldArguments(given.field, given.lines), beside)
+    steady = over_time.TemporalRequest.of(
         given.steady, given.shots, given.pictures, given.over_time_output
     )
-    return _Call(
+    return _EvaluateRequest(
         plan, fields, setups, thresholds, tags, groups, shown, written_to, growing, recipe, steady,
         chance,
     )  # fmt: skip
 
 
-def _plan(given: AskedToEvaluate) -> Plan:
+def _plan(given: EvaluateOptions) -> Plan:
     cameras, sources = given.cameras, given.sources or []
     if given.submission is not None:
         cameras, sources = None, [*sources, submitted_source(given.submission)]
@@ -228,7 +228,7 @@ def _plan(given: AskedToEvaluate) -> Plan:
     )
 
 
-def _setups(given: AskedToEvaluate, field: Field) -> list[EvaluationSetup]:
+def _setups(given: EvaluateOptions, field: Field) -> list[EvaluationSetup]:
     """One a picture size."""
     terms = given.protocol, given.off_plane, given.mirrored, given.planar_only
     sizes = dict.fromkeys(given.size or [options.DEFAULT_SIZE])
@@ -236,8 +236,8 @@ def _setups(given: AskedToEvaluate, field: Field) -> list[EvaluationSetup]:
 
 
 def _chance(
-    given: AskedToEvaluate, plan: Plan, tags: Tags | None, by: Sequence[str], *, asked: bool
-) -> ChanceTerms | None:
+    given: EvaluateOptions, plan: Plan, tags: Tags | None, by: Sequence[str], *, asked: bool
+) -> InferenceSettings | None:
     """How intervals are found, if anything asks for them."""
     chance = given.chance
     told = chance.click_noise is not None or chance.cluster is not None
@@ -250,11 +250,11 @@ def _chance(
 
 
 def _score(
-    call: _Call, workers: int | None, dask: str | None, unwritten: dict[Path, ProccError]
-) -> tuple[list[Scored], Sequence[ToldOfSet], list[SourceOverTime]]:
+    call: _EvaluateRequest, workers: int | None, dask: str | None, unwritten: dict[Path, ProccError]
+) -> tuple[list[Scored], Sequence[StatisticalResult], list[TemporalMetrics]]:
     """Do the work; what could not be written goes to ``unwritten``."""
     named = call.plan.named or len(call.setups) > 1
-    outcome = Outcome(call.written_to, named=named, rows=bool(call.tables), chance=call.chance)
+    outcome = RequestedOutputs(call.written_to, named=named, rows=bool(call.tables), chance=call.chance)
     with ExitStack() as files:
         asked = call.plan.open(
             files, call.fields, call.setups, call.by, call.tags, camera_size=call.camera_size
@@ -262,7 +262,7 @@ def _score(
         for one in {one.set_name: one for one in asked}.values():
             of = f"{one.set_name}: " if len(call.plan.sets) > 1 else ""
             report_mismatch(one.annotations, one.setup.field, of)
-            report_like_cameras(one.annotations, of)
+            report_camera_names(one.annotations, of)
         more = call.over_time.written_to if call.over_time else ()
         inputs: list[outputs.Input] = [s for one in asked for s in (one.annotations, one.cameras)]
         if call.tags is not None:
@@ -276,15 +276,15 @@ def _score(
             found = [] if steady is None else steady.run(asked, call.thresholds[0], executor)
             scored = evaluations.score(executor, progress=with_progress, unwritten=unwritten)
         if call.recipe is not None:
-            further = Further(call.chance, evaluations.told, call.over_time, found)
+            further = FurtherResults(call.chance, evaluations.told, call.over_time, found)
             call.recipe.write(asked, [one.summaries for one in scored], further)
         return scored, evaluations.told, found
 
 
-def _tell(
-    call: _Call,
+def _print_results(
+    call: _EvaluateRequest,
     scored: list[Scored],
-    told: Sequence[ToldOfSet],
+    told: Sequence[StatisticalResult],
     unwritten: dict[Path, ProccError],
 ) -> int:
     """Add to the table, print everything; returns the exit code for what was read."""
@@ -296,7 +296,7 @@ def _tell(
         except ProccError as error:
             unwritten[table] = error
     print_all(scored)
-    print_chance(told)
+    print_inference(told)
     for line in said:
         echo(line)
     if call.tags is not None:
@@ -313,8 +313,8 @@ def _tags_of_no_frame(tags: Tags, frames: Mapping[str, tuple[str, ...]]) -> list
     strange = [frame for of_set, frame in tags.rows if frame not in there.get(of_set, ())]
     if not strange:
         return []
-    rows = count_of(len(strange), "row")
-    return [f"{tags.path}: {rows} of no annotated frame ({first_of(strange)})"]
+    rows = count_words(len(strange), "row")
+    return [f"{tags.path}: {rows} of no annotated frame ({first_names(strange)})"]
 
 
 def _table(names: Iterable[str]) -> FrameTable[str]:
@@ -325,4 +325,4 @@ def _add_to_table(table: Path, scored: list[Scored]) -> str:
     """Add the rows to the table; returns what to say about it."""
     rows = [row for one in scored for row in one.rows]
     append_rows(table, rows)
-    return f"added: {count_of(len(rows), 'row')} to {table}"
+    return f"added: {count_words(len(rows), 'row')} to {table}"

@@ -22,7 +22,7 @@ from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.source import FileSource
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.report.scores.scoring import Asked
+from procc_annotator.report.scores.scoring import EvaluationRequest
 from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.dataset.dataset_folder import annotations_of
 from procc_annotator.session.dataset.fit_sizes import pictures_of_another_shape
@@ -102,7 +102,7 @@ class Plan:
         tags: Tags | None,
         *,
         camera_size: tuple[int, int] | None,
-    ) -> list[Asked]:
+    ) -> list[EvaluationRequest]:
         """Open everything; one evaluation a set, method and setup, in this order.
 
         A camera that names no picture size cannot belong to several: unless told, it belongs to
@@ -118,7 +118,7 @@ class Plan:
             UsageError, InputError: something is not there or cannot be listed.
         """
         first = setups[0].size if len(setups) > 1 else None
-        asked: list[Asked] = []
+        asked: list[EvaluationRequest] = []
         for set_name, path in self.sets:
             source = files.enter_context(self._annotations(path, fields[set_name]))
             own_setups = [_with_field(setup, fields[set_name], first) for setup in setups]
@@ -128,7 +128,7 @@ class Plan:
                 cameras = CameraCollection.open(spec.path, spec.format)
                 files.enter_context(cameras)
                 asked += [
-                    Asked(set_name, method.name, source, cameras, setup, grouping, camera_size)
+                    EvaluationRequest(set_name, method.name, source, cameras, setup, grouping, camera_size)
                     for setup in own_setups
                 ]
         return asked

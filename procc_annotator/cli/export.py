@@ -21,7 +21,7 @@ from procc_annotator.report.export import (
     split_scores,
 )
 from procc_annotator.report.targets import is_archive
-from procc_annotator.words import count_of, first_of
+from procc_annotator.words import count_words, first_names
 
 HELP = """\
 DATASET has pictures and annotations, or annotations alone (of any format that is read, also an
@@ -94,7 +94,7 @@ def export(
                 exported = export_split(frames, out, split, scoring)
             else:
                 exported = export_dataset(frames, out, scoring, keep_optional=keep_optional)
-    _tell(exported, setup, scored=camera_set is not None, split=split)
+    _print_summary(exported, setup, scored=camera_set is not None, split=split)
     raise typer.Exit(datasets.report_unreadable(exported.problems))
 
 
@@ -108,17 +108,17 @@ def _check_split(split: str, keep_optional: bool) -> None:
         )
 
 
-def _tell(exported: Exported, setup: EvaluationSetup, *, scored: bool, split: str) -> None:
+def _print_summary(exported: Exported, setup: EvaluationSetup, *, scored: bool, split: str) -> None:
     """Say what was written, the figures, and what was left out."""
-    written = count_of(exported.annotations, "annotation")
-    without = count_of(exported.unannotated, "frame has", "frames have")
+    written = count_words(exported.annotations, "annotation")
+    without = count_words(exported.unannotated, "frame has", "frames have")
     place = f"{exported.path}, split {split}" if split else str(exported.path)
     echo(f"{written} written to {place} ({without} none)")
     if scored:
         for tau, figures in (exported.summary or {}).items():
             jac = "-" if figures.mean_jac is None else f"{100 * figures.mean_jac:.2f}"
             echo(
-                f"JaC@{tau:g} {jac} over {count_of(exported.scored, 'frame')}"
+                f"JaC@{tau:g} {jac} over {count_words(exported.scored, 'frame')}"
                 f" ({setup.describe(exported.ground_only)})"
             )
         if split:
@@ -126,10 +126,10 @@ def _tell(exported: Exported, setup: EvaluationSetup, *, scored: bool, split: st
     elif not split:
         echo("no --cameras given: jac.csv and jac.json name the frames and hold no scores")
     if exported.others:
-        held = count_of(len(exported.others), "other annotation")
+        held = count_words(len(exported.others), "other annotation")
         words = f"{exported.path} holds {held}, not written now and not touched"
-        datasets.report_remarks([f"{words}: {first_of(exported.others)}"])
+        datasets.report_remarks([f"{words}: {first_names(exported.others)}"])
     datasets.report_notices(exported.notices)
     datasets.report_remarks(
-        f"{what} ({count_of(frames, 'frame')})" for what, frames in exported.left_out.items()
+        f"{what} ({count_words(frames, 'frame')})" for what, frames in exported.left_out.items()
     )

@@ -15,14 +15,14 @@ from procc_annotator.cli.open import display_available
 from procc_annotator.cli.outputs import check_not_inputs, check_output_folder
 from procc_annotator.cli.qt_libraries import require_qt_libraries
 from procc_annotator.errors import FieldError, UsageError
-from procc_annotator.field.checks import RemarkSeverity, check_field
+from procc_annotator.field.checks import WarningSeverity, validate_field
 from procc_annotator.field.load import field_names, load_field, place_in_file
 from procc_annotator.field.model import Field
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.report import field_tables
 from procc_annotator.report.field_picture import FlatField, check_picture_suffix, field_picture
 from procc_annotator.report.field_tables import list_table
-from procc_annotator.words import count_of
+from procc_annotator.words import count_words
 
 LIST_HELP = "List the fields that come with the program."
 LIST_EXAMPLE = """
@@ -85,12 +85,12 @@ def list_fields() -> None:
 @app.command("check", help=CHECK_HELP, epilog=CHECK_EXAMPLE)
 def check(field: FieldText) -> None:
     read = chosen_field(field)
-    remarks = check_field(read, _keys_of_the_window())
+    remarks = validate_field(read, _keys_of_the_window())
     for remark in remarks:
-        echo(remark.told_at(place_in_file(read, remark.place)))
-    doubtful = sum(remark.severity is not RemarkSeverity.NOTE for remark in remarks)
+        echo(remark.with_location(place_in_file(read, remark.place)))
+    doubtful = sum(remark.severity is not WarningSeverity.NOTE for remark in remarks)
     found = (
-        f"{count_of(len(read.elements), 'element')}, {count_of(len(read.dimensions), 'dimension')}"
+        f"{count_words(len(read.elements), 'element')}, {count_words(len(read.dimensions), 'dimension')}"
     )
     verdict = "nothing to mend" if not doubtful else f"{doubtful} to look at"
     echo(f"{read.title}: {found}: {verdict}")

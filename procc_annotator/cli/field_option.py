@@ -45,7 +45,7 @@ def named_field(text: str) -> tuple[str, dict[str, float]]:
         UsageError: dimensions that are not written as ``name=metres``.
     """
     name, colon, given = text.rpartition(":")
-    if not name or ("=" not in given and not _wants_dimensions(name, colon, given)):
+    if not name or ("=" not in given and not _is_dimension(name, colon, given)):
         return text, {}
     dimensions: dict[str, float] = {}
     for part in given.split(","):
@@ -61,7 +61,7 @@ def named_field(text: str) -> tuple[str, dict[str, float]]:
     return name, dimensions
 
 
-def _wants_dimensions(name: str, colon: str, given: str) -> bool:
+def _is_dimension(name: str, colon: str, given: str) -> bool:
     """Whether what follows a colon can only be meant for a dimension: it belongs to no path."""
     return bool(colon) and not any(mark in given for mark in "/\\.") and len(name) > 1
 

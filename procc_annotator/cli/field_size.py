@@ -11,23 +11,23 @@ import typer
 from procc_annotator.cli import options
 from procc_annotator.cli.console import progress_bar, stdout_console
 from procc_annotator.cli.datasets import (
-    report_like_cameras,
+    report_camera_names,
     report_mismatch,
     report_remarks,
     report_unreadable,
 )
 from procc_annotator.cli.echo import echo
-from procc_annotator.cli.together import FittedSet, fit_set, fit_sizes
+from procc_annotator.cli.together import FittedFrames, fit_set, fit_sizes
 from procc_annotator.errors import SaveError, UsageError
 from procc_annotator.field.model import Field, Stadiums
 from procc_annotator.field.stadiums import with_stadiums
-from procc_annotator.fit.fitting import check_model
-from procc_annotator.fit.together.stadium import open_dimensions
+from procc_annotator.fit.fitting import require_known_model
+from procc_annotator.fit.together.stadium import fittable_dimensions
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report import together
 from procc_annotator.session.database.database import WorkspaceDatabase
 from procc_annotator.session.dataset.annotation_source import open_annotations
-from procc_annotator.session.dataset.dataset_field import add_dimensions, keep_field
+from procc_annotator.session.dataset.dataset_field import add_dimensions, store_field
 from procc_annotator.session.dataset.dataset_folder import (
     STADIUMS_FILE,
     annotations_of,
@@ -36,7 +36,7 @@ from procc_annotator.session.dataset.dataset_folder import (
 from procc_annotator.session.dataset.stadiums_file import read_stadiums, write_stadiums
 from procc_annotator.session.facts.origins import default_author
 from procc_annotator.session.runs.together_run import FieldSize, find_field_sizes
-from procc_annotator.words import count_of, first_of
+from procc_annotator.words import count_words, first_names
 
 HELP = """\
 DATASET is a dataset folder, or a folder or zip archive of annotations; its frames are of one
@@ -90,11 +90,11 @@ def field_size(
     workers: options.FitWorkers = None,
     dask: options.Dask = None,
 ) -> None:
-    check_model(model)
+    require_known_model(model)
     setup = options.make_setup(
         field, size, protocol, "left_out", mirrored=False, datasets=[dataset], lines=lines
     )
-    names = open_dimensions(setup.field, dimension)
+    names = fittable_dimensions(setup.field, dimension)
     thresholds = options.thresholds_or_default(threshold)
     place = annotations_of(dataset)
     kept_in = _workspace_of(dataset) if save else None
@@ -102,7 +102,7 @@ def field_size(
         _kept_stadiums(kept_in, setup.field)  # said before anything is fitted
     with open_annotations(place, setup.field, options.label_map(labels, setup.field)) as source:
         report_mismatch(source, setup.field)
-        report_like_cameras(source)
+        report_camera_names(source)
         sizes = fit_sizes(source, place, dataset, size)
         fitted = fit_set(source, dataset, setup, sizes, model, groups, workers, dask)
     with progress_bar("field size") as progress:
@@ -119,7 +119,7 @@ def field_size(
     raise typer.Exit(report_unreadable(errors))
 
 
-def _print_sizes(sizes: list[FieldSize], fitted: FittedSet, setup: EvaluationSetup) -> None:
+def _print_sizes(sizes: list[FieldSize], fitted: FittedFrames, setup: EvaluationSetup) -> None:
     used = fitted.fits.sizes_of(fitted.frames)
     conditions = setup.describe(sizes=used.describe())
     described = f"{fitted.fits.describe(fitted.frames)}, {conditions}"
@@ -196,7 +196,7 @@ def _save_of_set(dataset: Path, field: Field, size: FieldSize) -> str:
     database = WorkspaceDatabase.open(dataset, default_author())
     try:
         sized = add_dimensions(database, field, values)
-        keep_field(database, dataset, sized)
+        store_field(database, dataset, sized)
     finally:
         written = database.close()
     if not written or database.problem:
@@ -242,11 +242,11 @@ def _save_stadiums(
     stadiums = Stadiums(frames, dimensions)
     with_stadiums(field, stadiums)  # a field can have them, or nothing is written
     write_stadiums(path, stadiums)
-    counted = f"{count_of(len(found), 'stadium')}, {count_of(len(frames), 'frame')}"
+    counted = f"{count_words(len(found), 'stadium')}, {count_words(len(frames), 'frame')}"
     left_out = sorted({s.group for s in sizes} - found.keys())
     if left_out:
         echo(
-            f"note: not determined, or of a single frame, and not kept: {first_of(left_out)}",
+            f"note: not determined, or of a single frame, and not kept: {first_names(left_out)}",
             err=True,
         )
     return f"written: {path} ({counted})"

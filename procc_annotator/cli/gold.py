@@ -16,20 +16,20 @@ from procc_annotator.cli.echo import echo
 from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.io.collections import list_annotations, told_by_trees
+from procc_annotator.io.collections import list_annotations, qualify_by_folder
 from procc_annotator.io.source import FileSource
-from procc_annotator.metric.chance.sampling import Draws
+from procc_annotator.metric.chance.sampling import BootstrapSettings
 from procc_annotator.report.agreement_figures import intervals_described
 from procc_annotator.report.consensus import short_names
-from procc_annotator.report.gold import AgainstGold, gold_sheets, write_gold
+from procc_annotator.report.gold import ReferenceComparison, reference_tables, write_reference_comparison
 from procc_annotator.session.database.places import read_times
 from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.dataset.dataset_folder import annotations_of, folder_of_dataset
-from procc_annotator.session.dataset.gold_file import GOLD_FILE, read_gold
+from procc_annotator.session.dataset.gold_file import REFERENCE_FRAMES_FILE, read_reference_frames
 from procc_annotator.session.runs.agreement_run import AgreementRun
-from procc_annotator.session.runs.gold_run import GoldErrors, gold_errors
-from procc_annotator.session.runs.set_run import folders_taken_for_one
-from procc_annotator.words import listed
+from procc_annotator.session.runs.gold_run import ReferenceErrors, reference_errors
+from procc_annotator.session.runs.set_run import ambiguous_folders
+from procc_annotator.words import list_names
 
 HELP = """\
 DATASET holds the answers: the annotations of the frames that its gold.csv (or --gold) names in a
@@ -51,7 +51,7 @@ Example:
 
 
 @dataclass(frozen=True, kw_only=True)
-class AskedForGold:
+class GoldOptions:
     """What `gold` is asked for."""
 
     dataset: Annotated[Path, typer.Argument(help="The dataset with the answers.")]
@@ -84,9 +84,9 @@ class AskedForGold:
     output: options.FigureFiles = None
 
 
-def gold(given: AskedForGold) -> None:
+def gold(given: GoldOptions) -> None:
     files = outputs.figure_files(given.output)
-    marked = _marked(given.dataset, given.gold_file)
+    marked = _reference_frames(given.dataset, given.gold_file)
     shown = chosen_field(given.field, given.dataset, *given.annotators)
     names = options.label_map(given.labels, shown)
     terms = shown, options.parse_size(given.size), options.thresholds_or_default(given.threshold)
@@ -98,19 +98,19 @@ def gold(given: AskedForGold) -> None:
         outputs.check_not_inputs(files, (answers, *sources))
         answered = list_annotations(answers)
         places = (given.dataset, *given.annotators)
-        lists = told_by_trees([answered, *map(list_annotations, sources)])
-        report_remarks(folders_taken_for_one(zip(places, lists, strict=True)))
+        lists = qualify_by_folder([answered, *map(list_annotations, sources)])
+        report_remarks(ambiguous_folders(zip(places, lists, strict=True)))
         unanswered = sorted(name for name in marked if name not in answered)
         if unanswered:
             raise UsageError(
-                f"{listed(unanswered, 'gold frame')} without an annotation in {answers.path}"
+                f"{list_names(unanswered, 'gold frame')} without an annotation in {answers.path}"
             )
         named = (answered.name_there(name) for name in marked)
         known = tuple(dict.fromkeys(name for name in named if name is not None))
         against = _compared(answers, sources, given.annotators, known, terms, given.alike)
     for path in files:  # before the tables: whoever reads them may stop after the first
-        write_gold(against, path)
-    for sheet in gold_sheets(against):
+        write_reference_comparison(against, path)
+    for sheet in reference_tables(against):
         stdout_console().print(sheet)
     for name, found in zip(against.names, against.found, strict=True):
         if found is None:
@@ -120,19 +120,19 @@ def gold(given: AskedForGold) -> None:
     raise typer.Exit(report_unreadable(list(against.errors)))
 
 
-def _marked(dataset: Path, gold_file: Path | None) -> tuple[str, ...]:
+def _reference_frames(dataset: Path, gold_file: Path | None) -> tuple[str, ...]:
     if not dataset.exists():
         raise UsageError(f"{dataset}: does not exist")
     folder = folder_of_dataset(dataset)
     path = gold_file
-    if path is None and folder is not None and (folder / GOLD_FILE).is_file():
-        path = folder / GOLD_FILE
+    if path is None and folder is not None and (folder / REFERENCE_FRAMES_FILE).is_file():
+        path = folder / REFERENCE_FRAMES_FILE
     if path is None:
         raise UsageError(
-            f"nothing to do: {dataset} has no {GOLD_FILE}; write one with a column 'frame', or name"
+            f"nothing to do: {dataset} has no {REFERENCE_FRAMES_FILE}; write one with a column 'frame', or name"
             " a file with --gold"
         )
-    return read_gold(path)
+    return read_reference_frames(path)
 
 
 def _compared(
@@ -142,13 +142,13 @@ def _compared(
     marked: tuple[str, ...],
     terms: tuple[Field, tuple[int, int], tuple[float, ...]],
     alike: chance_options.ClusterOptions,
-) -> AgainstGold:
+) -> ReferenceComparison:
     """All annotators against the answers to the frames ``marked``, by the names of these."""
     clusters_of = alike.of([answers.path])
     errors: list[str] = []
-    found: list[GoldErrors | None] = []
+    found: list[ReferenceErrors | None] = []
     known: dict[str, None] = {}
-    draws = Draws()
+    draws = BootstrapSettings()
     answered = list_annotations(answers)
     for source, place in zip(sources, places, strict=True):
         own = list_annotations(source)
@@ -161,12 +161,12 @@ def _compared(
         clusters = clusters_of(run.names)
         known[intervals_described(draws, clusters)] = None
         times = read_times(folder_of_dataset(place) or place)
-        found.append(gold_errors(results, times, terms[2], clusters, draws))
+        found.append(reference_errors(results, times, terms[2], clusters, draws))
     if not any(found):
         raise UsageError(
-            f"nothing to do: nobody has annotated any of {listed(marked, 'gold frame')}"
+            f"nothing to do: nobody has annotated any of {list_names(marked, 'gold frame')}"
         )
-    return AgainstGold(
+    return ReferenceComparison(
         answers.path,
         tuple(places),
         short_names(places),

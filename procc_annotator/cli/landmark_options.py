@@ -13,13 +13,13 @@ from procc_annotator.cli.datasets import report_remarks
 from procc_annotator.cli.sources import parse_source
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.fit.fitting import check_model
+from procc_annotator.fit.fitting import require_known_model
 from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.landmark_file import LANDMARKS_FILE, LandmarkFile
 from procc_annotator.io.source import FileSource
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.dataset.dataset_folder import folder_of_dataset
-from procc_annotator.session.dataset.what_lies_there import instead_of_cameras
+from procc_annotator.session.dataset.what_lies_there import found_instead_of_cameras
 from procc_annotator.session.landmarks import landmark_edits
 from procc_annotator.session.landmarks.view_groups import ViewGroups, load_views
 from procc_annotator.session.landmarks.view_names import groups_by_name
@@ -98,14 +98,14 @@ Model = Annotated[
 
 def check_values(model: str, click_px: float | None) -> None:
     """Raise UsageError for what no camera can be fitted or no place be found with."""
-    check_model(model)
+    require_known_model(model)
     if model == "H":
         raise UsageError("a homography tells no place in space: choose P, R, R+ or auto, not H")
     if click_px is not None and not click_px > 0:
         raise UsageError(f"--click-px must be a positive number of pixels, not {click_px:g}")
 
 
-def with_surveyed(known: LandmarkFile, measured: Iterable[str], field: Field) -> LandmarkFile:
+def add_surveyed(known: LandmarkFile, measured: Iterable[str], field: Field) -> LandmarkFile:
     """With measured positions; what else is known of the landmarks stays.
 
     Raises:
@@ -116,7 +116,7 @@ def with_surveyed(known: LandmarkFile, measured: Iterable[str], field: Field) ->
         try:
             name, position = landmark_edits.parse_surveyed(text)
             landmark_edits.require_free(name, field)
-            known = landmark_edits.surveyed(known, name, position)
+            known = landmark_edits.with_surveyed_position(known, name, position)
         except UsageError as error:
             raise UsageError(f"--surveyed {text}: {error}") from error
     return known
@@ -170,7 +170,7 @@ def target_file(dataset: Path, output: Path | None) -> Path:
     return folder / LANDMARKS_FILE
 
 
-def groups_asked_for(
+def chosen_view_groups(
     own: ViewGroups, source: FileSource, views: Path | None, pattern: str | None
 ) -> ViewGroups:
     if views is not None and pattern is not None:
@@ -182,7 +182,7 @@ def groups_asked_for(
     return own if views is None else load_views(views)
 
 
-def cameras_asked_for(
+def chosen_cameras(
     cameras: str | None, camera_format: str, camera_size: str | None, field: Field
 ) -> CameraSet | None:
     if cameras is None:
@@ -196,7 +196,7 @@ def cameras_asked_for(
     if not given.frames:
         raise UsageError(
             f"nothing to do: no camera (format {spec.format}) in {spec.path}"
-            + instead_of_cameras(spec.path)
+            + found_instead_of_cameras(spec.path)
         )
     report_remarks(given.notices)
     return given

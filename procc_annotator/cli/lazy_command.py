@@ -27,7 +27,7 @@ def with_options(command: Callable[..., None]) -> Callable[..., None]:
     parameters = [
         option
         for name, one in signature(command).parameters.items()
-        for option in _options(name, hints[name], one.default)
+        for option in _expand_options(name, hints[name], one.default)
     ]
 
     def called(**given: Any) -> None:
@@ -40,7 +40,7 @@ def with_options(command: Callable[..., None]) -> Callable[..., None]:
     return called
 
 
-def _options(name: str, hint: Any, default: Any) -> Iterator[Parameter]:
+def _expand_options(name: str, hint: Any, default: Any) -> Iterator[Parameter]:
     """The options of a group, or of groups within it, in order; one option is itself."""
     if not is_dataclass(hint):
         yield Parameter(name, Parameter.KEYWORD_ONLY, default=default, annotation=hint)
@@ -48,7 +48,7 @@ def _options(name: str, hint: Any, default: Any) -> Iterator[Parameter]:
     hints = get_type_hints(hint, include_extras=True)
     for one in fields(hint):
         own = Parameter.empty if one.default is MISSING else one.default
-        yield from _options(one.name, hints[one.name], own)
+        yield from _expand_options(one.name, hints[one.name], own)
 
 
 def _filled(group: Any, given: dict[str, Any]) -> Any:

@@ -15,7 +15,7 @@ from typer.main import get_command
 from procc_annotator.cli.echo import echo
 from procc_annotator.cli.lazy_command import LazyCommand
 from procc_annotator.errors import ProccError
-from procc_annotator.io.error_log import install, log_path
+from procc_annotator.io.error_log import install_handlers, log_path
 from procc_annotator.version import __version__
 
 EXAMPLES = """
@@ -82,7 +82,7 @@ COMMANDS = (
 
 FAULT = 3  # of the program, not of what it was given
 INTERRUPTED = 130  # 128 + SIGINT
-READER_GONE = 141  # 128 + SIGPIPE, as a shell has it
+BROKEN_PIPE = 141  # 128 + SIGPIPE, as a shell has it
 _FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)
 
 
@@ -119,12 +119,12 @@ class CommandOrPath(TyperGroup):
             echo(f"procc-annotator: {error}", err=True)
             raise typer.Exit(2) from error
         except KeyboardInterrupt as error:
-            echo(f"procc-annotator: interrupted{_what_is_done(error)}", err=True)
+            echo(f"procc-annotator: interrupted{_interrupted_message(error)}", err=True)
             raise typer.Exit(INTERRUPTED) from error
         except BrokenPipeError as error:
             # Who reads our output has seen enough (``| head``): end as other programs do.
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-            raise typer.Exit(READER_GONE) from error
+            raise typer.Exit(BROKEN_PIPE) from error
         except ImportError as error:
             if not _is_of_qt(error):
                 raise
@@ -150,7 +150,7 @@ def _is_of_qt(error: ImportError) -> bool:
     return "PySide6" in f"{error.name} {error.path}" or "shiboken6" in f"{error.name} {error.path}"
 
 
-def _what_is_done(stopped: KeyboardInterrupt) -> str:
+def _interrupted_message(stopped: KeyboardInterrupt) -> str:
     """What a command that was stopped said of its work: the interrupt's text, if it has one."""
     return f": {stopped}" if str(stopped) else ""
 
@@ -192,7 +192,7 @@ def run() -> None:
     # A character that the reader's encoding lacks is no reason to lose the whole table.
     if isinstance(sys.stdout, io.TextIOWrapper) and sys.stdout.errors == "strict":
         sys.stdout.reconfigure(errors="replace")
-    install(_report_fault)
+    install_handlers(_report_fault)
     try:
         # Called as ``app()``, typer would put its own hook for exceptions in place of ours.
         get_command(app)(prog_name="procc-annotator")

@@ -42,7 +42,7 @@ Example:
 
 
 @dataclass(frozen=True)
-class AskedToOpen:
+class OpenOptions:
     """What `open` is asked for."""
 
     path: Annotated[
@@ -72,7 +72,7 @@ class AskedToOpen:
     ] = False
 
 
-def open_window(given: AskedToOpen) -> None:
+def open_window(given: OpenOptions) -> None:
     path = given.path
     if path is not None and path.name == FIELD_FILE and path.is_file():
         path = path.parent  # a dataset's own, opened from a file manager

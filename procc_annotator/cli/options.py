@@ -12,8 +12,8 @@ import typer
 from procc_annotator.cli.echo import echo
 from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.errors import UsageError
-from procc_annotator.field.model import LINES, Field
-from procc_annotator.image.header import has_shape
+from procc_annotator.field.model import LINE_POSITIONS, Field
+from procc_annotator.image.header import is_valid_size
 from procc_annotator.io.annotation_files.label_map import LabelMap, read_label_map
 from procc_annotator.io.camera_files.format_names import CAMERA_FORMAT_NAMES
 from procc_annotator.metric.setup import EvaluationSetup, check_thresholds
@@ -33,7 +33,7 @@ def parse_size(text: str) -> tuple[int, int]:
     if found is None or min(int(found[1]), int(found[2])) < 2:
         raise typer.BadParameter(f"{text!r} is not WIDTHxHEIGHT in pixels, e.g. 960x540")
     size = int(found[1]), int(found[2])
-    if not has_shape(*size):
+    if not is_valid_size(*size):
         raise typer.BadParameter(f"{text!r} is no shape of a picture, expected e.g. 960x540")
     return size
 
@@ -53,8 +53,8 @@ def _checked_sizes(texts: list[str] | None) -> list[str] | None:
 def _checked_lines(text: str | None) -> str | None:
     if text is None:
         return None
-    if text not in LINES:
-        raise typer.BadParameter(f"{text!r} is none of {', '.join(LINES)}")
+    if text not in LINE_POSITIONS:
+        raise typer.BadParameter(f"{text!r} is none of {', '.join(LINE_POSITIONS)}")
     return text
 
 
@@ -321,7 +321,7 @@ def shown_size(size: str | None) -> tuple[int, int] | None:
     return None if size is None else parse_size(size)
 
 
-def goes_on(left: Path, table: Path, out: Path, *, resume: bool, overwrite: bool) -> bool:
+def is_resuming(left: Path, table: Path, out: Path, *, resume: bool, overwrite: bool) -> bool:
     """Whether a run goes on with what another one left.
 
     Args:

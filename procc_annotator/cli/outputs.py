@@ -17,7 +17,7 @@ from procc_annotator.io.source import FileSource, open_source
 from procc_annotator.report.scores.score_files import score_format
 from procc_annotator.report.targets import is_archive
 from procc_annotator.session.dataset.camera_set import CameraSet
-from procc_annotator.session.runs.unfinished import unfinished_file
+from procc_annotator.session.runs.unfinished import checkpoint_path
 
 Input = FileSource | CameraCollection | CameraSet | Path
 
@@ -159,7 +159,7 @@ def replacing_nothing(
 ) -> Iterator[None]:
     """Check as above, and mark a folder as unfinished by a hidden file until all is written: after
     a run was stopped or killed, the same command may replace what that run wrote."""
-    unfinished, is_new = unfinished_file(out, command), not out.exists()
+    unfinished, is_new = checkpoint_path(out, command), not out.exists()
     check_replaces_nothing(out, names, overwrite=overwrite or unfinished.exists())
     if is_archive(out):
         yield

@@ -17,13 +17,13 @@ from procc_annotator.cli.echo import echo
 from procc_annotator.errors import ProccError, UsageError
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.report.over_time import (
-    SourceOverTime,
+    TemporalMetrics,
     check_suffix,
     over_time_bytes,
-    shots_sheet,
-    shown_sheets,
+    shots_over_time_table,
+    terminal_tables,
 )
-from procc_annotator.report.scores.scoring import Asked
+from procc_annotator.report.scores.scoring import EvaluationRequest
 from procc_annotator.session.dataset.dataset_folder import FRAMES_FILE, folder_of_dataset
 from procc_annotator.session.dataset.picture_source import open_pictures
 from procc_annotator.session.runs.execution.executor import Executor
@@ -82,7 +82,7 @@ Output = Annotated[
 
 
 @dataclass(frozen=True)
-class OverTimeCall:
+class TemporalRequest:
     """What is asked over time.
 
     Attributes:
@@ -102,7 +102,7 @@ class OverTimeCall:
         shots: Path | None,
         pictures: Path | None,
         written_to: Sequence[Path] | None,
-    ) -> OverTimeCall | None:
+    ) -> TemporalRequest | None:
         """Read the options; None where nobody asks.
 
         Raises:
@@ -119,11 +119,11 @@ class OverTimeCall:
         return cls(shots, pictures, files)
 
     def run(
-        self, evaluations: Sequence[Asked], threshold: float, executor: Executor
-    ) -> list[SourceOverTime]:
+        self, evaluations: Sequence[EvaluationRequest], threshold: float, executor: Executor
+    ) -> list[TemporalMetrics]:
         """Look at every source of every set; of several sizes at the first. Of a set whose frames
         do not follow each other there is nothing but a note."""
-        found: list[SourceOverTime] = []
+        found: list[TemporalMetrics] = []
         refused: dict[str, list[str]] = {}
         for name, of_set in groupby(evaluations, key=lambda one: one.set_name):
             own = {one.method: one for one in reversed(list(of_set))}
@@ -139,7 +139,7 @@ class OverTimeCall:
         report_remarks(f"{'; '.join(methods)}: {why}" for why, methods in refused.items())
         return found
 
-    def _shots(self, sources: Sequence[Asked]) -> tuple[list[ShotFrames], str, Mapping[str, Path]]:
+    def _shots(self, sources: Sequence[EvaluationRequest]) -> tuple[list[ShotFrames], str, Mapping[str, Path]]:
         """The shots of a set, what says so, and its pictures by frame."""
         first = sources[0]
         names = dict.fromkeys(annotations_for(first.cameras.frames, first.annotations))
@@ -163,7 +163,7 @@ class OverTimeCall:
             return shots_from(ranges, list(pictures)), "by the cuts of the pictures", pictures
         return shots_by_name(names), "by the names of frames", pictures
 
-    def _table(self, sources: Sequence[Asked]) -> Path | None:
+    def _table(self, sources: Sequence[EvaluationRequest]) -> Path | None:
         if self.shots is not None:
             return self.shots
         folder = folder_of_dataset(sources[0].annotations.path)
@@ -171,7 +171,7 @@ class OverTimeCall:
         beside += [one.cameras.path / _TRACK_FILE for one in sources if one.cameras.path.is_dir()]
         return next((path for path in beside if path.is_file()), None)
 
-    def write(self, found: Sequence[SourceOverTime], unwritten: dict[Path, ProccError]) -> None:
+    def write(self, found: Sequence[TemporalMetrics], unwritten: dict[Path, ProccError]) -> None:
         """Write the files; what could not be written goes to ``unwritten``."""
         for path in self.written_to:
             if not found:
@@ -182,10 +182,10 @@ class OverTimeCall:
             except ProccError as error:
                 unwritten[path] = error
 
-    def tell(self, found: Sequence[SourceOverTime], unwritten: Collection[Path]) -> None:
+    def tell(self, found: Sequence[TemporalMetrics], unwritten: Collection[Path]) -> None:
         """Print the tables, and which files were written."""
         console = stdout_console()
-        for sheet in shown_sheets(shots_sheet(found)) if found else ():
+        for sheet in terminal_tables(shots_over_time_table(found)) if found else ():
             console.print(sheet)
         for path in self.written_to:
             if path not in unwritten:
@@ -193,11 +193,11 @@ class OverTimeCall:
 
 
 def _measured(
-    one: Asked,
+    one: EvaluationRequest,
     known: tuple[list[ShotFrames], str, Mapping[str, Path]],
     threshold: float,
     executor: Executor,
-) -> SourceOverTime:
+) -> TemporalMetrics:
     shots, told_by, pictures = known
     run = OverTimeRun(
         shots, one.annotations, one.cameras, one.setup, threshold,
@@ -210,10 +210,10 @@ def _measured(
             progress(len(measured), run.total)
     require_shots(measured, told_by)
     described = one.setup.describe(any(shot.ground_only for shot in measured))
-    return SourceOverTime(one.set_name, one.method, tuple(measured), told_by, described, threshold)
+    return TemporalMetrics(one.set_name, one.method, tuple(measured), told_by, described, threshold)
 
 
-def errors(found: Sequence[SourceOverTime], known: Collection[str]) -> list[str]:
+def errors(found: Sequence[TemporalMetrics], known: Collection[str]) -> list[str]:
     """What could not be read on the way and is not told yet."""
     lines = dict.fromkeys(error for one in found for error in one.errors)
     return [line for line in lines if line not in known]

@@ -11,7 +11,7 @@ import numpy as np
 
 from procc_annotator.cli.echo import echo
 from procc_annotator.errors import SaveError
-from procc_annotator.interact.overlay import OverlayBuilder, ToDraw
+from procc_annotator.interact.overlay import OverlayBuilder, OverlayContent
 from procc_annotator.interact.overlay_figure import draw_overlay
 from procc_annotator.report.comparison import Paint as PaintPair
 from procc_annotator.report.scenes import (
@@ -88,7 +88,7 @@ class _PlainPictures:
         if scale != 1:
             method = cv2.INTER_AREA if scale < 1 else cv2.INTER_CUBIC
             pixels = np.asarray(cv2.resize(pixels, size, interpolation=method), np.uint8)
-        shown = ToDraw(
+        shown = OverlayContent(
             annotation=scene.annotation,
             size=scene.setup.size,
             field=scene.setup.field,

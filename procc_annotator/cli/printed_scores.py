@@ -13,11 +13,11 @@ from procc_annotator.cli.datasets import (
 )
 from procc_annotator.cli.echo import echo
 from procc_annotator.report.scores import tables
-from procc_annotator.report.scores.chance import ToldOfSet
-from procc_annotator.report.scores.held_out_sheet import held_out_sheet
+from procc_annotator.report.scores.chance import StatisticalResult
+from procc_annotator.report.scores.held_out_sheet import left_out_table
 from procc_annotator.report.scores.scoring import Scored
 from procc_annotator.report.scores.tables import EvaluationRow, evaluations_table
-from procc_annotator.words import count_of, listed
+from procc_annotator.words import count_words, list_names
 
 
 def print_all(scored: list[Scored]) -> None:
@@ -32,7 +32,7 @@ def print_all(scored: list[Scored]) -> None:
     for size in dict.fromkeys(s.setup.size for s in scored):
         of_size = [(name, s) for name, s in fits if s.setup.size == size]
         taus = list(of_size[0][1].summaries)
-        held_out = held_out_sheet(of_size, taus, of_size[0][1].setup)
+        held_out = left_out_table(of_size, taus, of_size[0][1].setup)
         if held_out is not None:
             console.print(held_out)
     for by in dict.fromkeys(group.by for s in scored for group in s.groups):
@@ -45,7 +45,7 @@ def print_all(scored: list[Scored]) -> None:
         console.print(evaluations_table(f"By {by}", (by, "set", "method"), rows))
 
 
-def print_chance(told: Sequence[ToldOfSet]) -> None:
+def print_inference(told: Sequence[StatisticalResult]) -> None:
     """The sheets of every set."""
     console = stdout_console()
     for one in told:
@@ -57,7 +57,7 @@ def print_chance(told: Sequence[ToldOfSet]) -> None:
 def print_scores(scored: Scored) -> None:
     """The tables of one set."""
     console = stdout_console()
-    frames = count_of(scored.frames, "frame")
+    frames = count_words(scored.frames, "frame")
     title = f"Summary of {frames}, {scored.with_camera} with a camera"
     console.print(tables.summary_table(scored.summaries, scored.described, title=title))
     if scored.worst:
@@ -73,7 +73,7 @@ def report_problems(scored: list[Scored]) -> int:
         of = f"{one.set_name}, {one.method}: " if len(scored) > 1 else ""
         report_notices({f"{of}{notice}": count for notice, count in one.notices.items()})
         if one.unmatched_cameras:
-            counted = listed(one.unmatched_cameras, "camera")
+            counted = list_names(one.unmatched_cameras, "camera")
             echo(f"note: {of}without annotation, not counted: {counted}", err=True)
     # The annotations of a set are read for every method and size.
     sets = {one.set_name: one for one in scored}

@@ -6,9 +6,9 @@ import re
 from collections.abc import Callable, Iterable
 from itertools import groupby
 
-from procc_annotator.words import count_of
+from procc_annotator.words import count_words
 
-_TOLD_ONE_BY_ONE = 5
+_MAX_LISTED = 5
 _LONGEST_PLACE = 60  # characters of a place in a file
 
 # A problem -> where it is, and what many of them share.
@@ -16,14 +16,14 @@ _Parted = Callable[[str], tuple[str, str]]
 _OF_FRAME = re.compile(r"(.*?: )frame (\d+)(: .*)")
 
 
-def folded(problems: Iterable[str]) -> list[str]:
+def condense_problems(problems: Iterable[str]) -> list[str]:
     """The problems, those of more than a few files, or places of a file, that have the same words
     in one line.
 
     Args:
         problems: each ``file: what is wrong`` or ``file: place: what is wrong``.
     """
-    return _folded(_folded(_by_frames(dict.fromkeys(problems)), _by_file), _by_place)
+    return _condensed(_condensed(_by_frames(dict.fromkeys(problems)), _by_file), _by_place)
 
 
 def _by_frames(problems: Iterable[str]) -> list[str]:
@@ -45,16 +45,16 @@ def _frames_words(numbers: list[int]) -> str:
         return f"frame {numbers[0]}"
     runs = [list(run) for _, run in groupby(numbers, lambda n: n - numbers.index(n))]
     named = (f"{run[0]} to {run[-1]}" if len(run) > 1 else str(run[0]) for run in runs)
-    return f"{count_of(len(numbers), 'frame')} ({', '.join(named)})"
+    return f"{count_words(len(numbers), 'frame')} ({', '.join(named)})"
 
 
-def _folded(problems: Iterable[str], parted: _Parted) -> list[str]:
+def _condensed(problems: Iterable[str], parted: _Parted) -> list[str]:
     alike: dict[str, list[str]] = {}
     for problem in problems:
         alike.setdefault(parted(problem)[1], []).append(problem)
     lines = []
     for some in alike.values():
-        if len(some) <= _TOLD_ONE_BY_ONE:
+        if len(some) <= _MAX_LISTED:
             lines += some
             continue
         first = parted(some[0])[0]

@@ -34,8 +34,8 @@ from procc_annotator.session.runs.execution.executor import make_executor
 from procc_annotator.session.runs.known_positions import read_positions
 from procc_annotator.session.runs.proposal_run import ProposalRun, Proposer
 from procc_annotator.session.runs.proposer_plugins import WithPlugin, chosen_proposer
-from procc_annotator.session.runs.unfinished import Unfinished, field_as_asked, unfinished_file
-from procc_annotator.words import count_of
+from procc_annotator.session.runs.unfinished import Checkpoint, field_settings, checkpoint_path
+from procc_annotator.words import count_words
 
 HELP = """\
 DATASET is a folder of pictures, one picture, or a video, whose frames are named as the window names
@@ -113,7 +113,7 @@ Overwrite = Annotated[
 
 
 @dataclass(frozen=True)
-class AskedToPropose:
+class ProposeOptions:
     """What `propose` is asked for."""
 
     dataset: Source
@@ -133,7 +133,7 @@ class AskedToPropose:
     overwrite: Overwrite = False
 
 
-def propose(given: AskedToPropose) -> None:
+def propose(given: ProposeOptions) -> None:
     for place in (given.annotations, given.known):
         if place is not None and not place.exists():
             raise UsageError(f"{place}: does not exist")
@@ -145,8 +145,8 @@ def propose(given: AskedToPropose) -> None:
     names = options.label_map(given.labels, shown)
     pictures = open_pictures(given.dataset, given.annotations)
     datasets.report_remarks(pictures.notices)
-    left = unfinished_file(given.out, "propose")
-    going_on = options.goes_on(
+    left = checkpoint_path(given.out, "propose")
+    going_on = options.is_resuming(
         left, given.out / TABLE_FILE, given.out, resume=given.resume, overwrite=given.overwrite
     )
     outputs.check_camera_folder(given.out, [pictures.path, given.known])
@@ -156,16 +156,16 @@ def propose(given: AskedToPropose) -> None:
         () if given.known is None else read_positions(given.known, shown, given.camera_format)
     )
     annotated = None if given.every_frame else pictures.annotated(given.annotations, shown, names)
-    wanted = _wanted(pictures.frames[:: given.every], shown, annotated)
+    wanted = _frames_to_propose(pictures.frames[:: given.every], shown, annotated)
     chosen = wanted.frames
     run = ProposalRun(chosen, shown, proposer, positions)
     asked = {
         "detector": given.detector or "",
-        "field": field_as_asked(shown),
+        "field": field_settings(shown),
     }
     try:
         with (
-            Unfinished(left, asked, resume=going_on) as kept,
+            Checkpoint(left, asked, resume=going_on) as kept,
             make_executor(
                 given.workers, given.dask, frames=run.total, worth_from=_WORTH_WORKERS
             ) as executor,
@@ -174,7 +174,7 @@ def propose(given: AskedToPropose) -> None:
             found = propose_for_set(run, given.out, with_progress)
             kept.finish()
     except Interrupted as stopped:
-        raise KeyboardInterrupt(_what_is_there(stopped, given.out)) from None
+        raise KeyboardInterrupt(_interrupted_message(stopped, given.out)) from None
     raise typer.Exit(_report(found, wanted, pictures.problems, given.out))
 
 
@@ -190,7 +190,7 @@ def _require_free(out: Path, frames: Sequence[Frame]) -> None:
 
 
 @dataclass(frozen=True)
-class _Wanted:
+class _FramesToPropose:
     """What is to be looked at.
 
     Attributes:
@@ -204,14 +204,14 @@ class _Wanted:
     damaged: tuple[str, ...] = ()
 
 
-def _wanted(frames: tuple[Frame, ...], field: Field, annotated: FrameAnnotations | None) -> _Wanted:
+def _frames_to_propose(frames: tuple[Frame, ...], field: Field, annotated: FrameAnnotations | None) -> _FramesToPropose:
     """The frames to look at: those that nobody put a point in, or all.
 
     Raises:
         UsageError: none is left.
     """
     if annotated is None:
-        return _Wanted(list(frames))
+        return _FramesToPropose(list(frames))
     datasets.report_remarks(annotated.notices)
     chosen, damaged = [], []
     for frame in frames:
@@ -224,21 +224,21 @@ def _wanted(frames: tuple[Frame, ...], field: Field, annotated: FrameAnnotations
     if not chosen:
         datasets.report_unreadable(damaged)
         raise UsageError("nothing to do: all frames are annotated (--all looks at them too)")
-    return _Wanted(chosen, len(frames) - len(chosen) - len(damaged), tuple(damaged))
+    return _FramesToPropose(chosen, len(frames) - len(chosen) - len(damaged), tuple(damaged))
 
 
-def _what_is_there(stopped: Interrupted, out: Path) -> str:
+def _interrupted_message(stopped: Interrupted, out: Path) -> str:
     """What an interrupted run left, and how to go on."""
     go_on = "run it again with --resume to go on"
     if not stopped.written:
         return f"no sure camera was written; {go_on}"
     return (
-        f"{count_of(stopped.written, 'sure camera')} of {count_of(stopped.total, 'frame')} written"
+        f"{count_words(stopped.written, 'sure camera')} of {count_words(stopped.total, 'frame')} written"
         f" to {out}, {TABLE_FILE} not; {go_on}"
     )
 
 
-def _report(found: ProposedSet, wanted: _Wanted, problems: tuple[str, ...], out: Path) -> int:
+def _report(found: ProposedSet, wanted: _FramesToPropose, problems: tuple[str, ...], out: Path) -> int:
     """Print what was found; returns the exit code."""
     console = stdout_console()
     console.print(states_table(found))
@@ -247,9 +247,9 @@ def _report(found: ProposedSet, wanted: _Wanted, problems: tuple[str, ...], out:
     if words := positions_words(found):
         echo(words)
     if wanted.annotated:
-        echo(f"passed over: {count_of(wanted.annotated, 'annotated frame')} (--all)")
+        echo(f"passed over: {count_words(wanted.annotated, 'annotated frame')} (--all)")
     if wanted.damaged:
-        frames = count_of(len(wanted.damaged), "frame")
+        frames = count_words(len(wanted.damaged), "frame")
         echo(f"passed over: {frames} whose annotation cannot be read (--all)")
     echo(f"{proposed_words(found)}; written to {out}, with {TABLE_FILE}")
     return datasets.report_unreadable([*problems, *found.errors, *wanted.damaged])

@@ -12,7 +12,7 @@ from procc_annotator.cli.echo import echo
 from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.io.annotation_files.label_map import LABELS_FILE, Ordered, Rule
+from procc_annotator.io.annotation_files.label_map import LABELS_FILE, OrderedClasses, Rule
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.io.json_text import printable
 from procc_annotator.session.dataset.annotation_source import read_labels
@@ -22,7 +22,7 @@ from procc_annotator.session.labels.label_places import cameras_of
 from procc_annotator.session.labels.label_proposal import LabelProposal, propose_labels
 from procc_annotator.session.labels.label_shapes import labelled_frames
 from procc_annotator.session.labels.proposed_file import better_field, proposed_text
-from procc_annotator.words import count_of
+from procc_annotator.words import count_words
 
 HELP = """\
 ANNOTATIONS are of any format that is read. Every label that is no class of the field is compared
@@ -79,28 +79,28 @@ def propose_map(
     given = None if shown is None else cameras_of(shown, unusable.append)
     proposals = propose_labels(frames, known, given)
     code = max(code, datasets.report_unreadable(unusable))
-    _tell(proposals, known, annotations)
+    _print_proposals(proposals, known, annotations)
     text = proposed_text(proposals, annotations.name, known, given_cameras=shown is not None)
     write_atomic(output, text.encode())
     echo(f"written: {output}; look at it, then: --map {output}")
     raise typer.Exit(code)
 
 
-def _tell(proposals: list[LabelProposal], field: Field, place: Path) -> None:
+def _print_proposals(proposals: list[LabelProposal], field: Field, place: Path) -> None:
     labels = [one.count.label for one in proposals]
     mismatch = mismatch_of(labels, field)
     other = mismatch.better.name if mismatch and mismatch.better else better_field(labels, field)
     if other is not None:
         echo(f"note: {place}: these names are more like those of --field {other}", err=True)
     for one in proposals:
-        shapes = f"{printable(one.count.label)} ({count_of(one.count.shapes, 'shape')})"
+        shapes = f"{printable(one.count.label)} ({count_words(one.count.shapes, 'shape')})"
         echo(f"{one.surety:6} {shapes}: {_words(one.rule)}; {one.why}")
         if one.like:
             echo(f"       may be {', '.join(name.strip() for name in one.like)}")
 
 
 def _words(rule: Rule) -> str:
-    if isinstance(rule, Ordered):
+    if isinstance(rule, OrderedClasses):
         order = rule.order.replace("_", " ")
         return f"{', '.join(name.strip() for name in rule.classes)} ({order})"
     return rule.strip() if isinstance(rule, str) else "?"

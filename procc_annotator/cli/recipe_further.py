@@ -8,20 +8,20 @@ from pathlib import Path
 from typing import cast
 
 from procc_annotator.cli.chance_options import cluster_of, orders_by_set
-from procc_annotator.cli.over_time import OverTimeCall
-from procc_annotator.metric.chance.intervals import Method
-from procc_annotator.report.over_time import SourceOverTime
-from procc_annotator.report.recipe import Recipe
-from procc_annotator.report.recipe_further import RecipeChance, RecipeOverTime
-from procc_annotator.report.scores.chance import ChanceTerms, ToldOfSet
-from procc_annotator.report.scores.scoring import Asked
+from procc_annotator.cli.over_time import TemporalRequest
+from procc_annotator.metric.chance.intervals import IntervalMethodName
+from procc_annotator.report.over_time import TemporalMetrics
+from procc_annotator.report.recipe import RunManifest
+from procc_annotator.report.recipe_further import ManifestInference, ManifestTemporal
+from procc_annotator.report.scores.chance import InferenceSettings, StatisticalResult
+from procc_annotator.report.scores.scoring import EvaluationRequest
 from procc_annotator.session.dataset.dataset_folder import FRAMES_FILE, folder_of_dataset
 from procc_annotator.session.runs.execution.executor import Executor
 from procc_annotator.session.runs.tags import Tags
 
 
 @dataclass(frozen=True)
-class Further:
+class FurtherResults:
     """What a command made besides the figures of each set.
 
     Attributes:
@@ -29,12 +29,12 @@ class Further:
         over_time, steady: the same over time.
     """
 
-    chance: ChanceTerms | None = None
-    told: Sequence[ToldOfSet] = ()
-    over_time: OverTimeCall | None = None
-    steady: Sequence[SourceOverTime] = ()
+    chance: InferenceSettings | None = None
+    told: Sequence[StatisticalResult] = ()
+    over_time: TemporalRequest | None = None
+    steady: Sequence[TemporalMetrics] = ()
 
-    def frame_tables(self, asked: Sequence[Asked]) -> set[Path]:
+    def frame_tables(self, asked: Sequence[EvaluationRequest]) -> set[Path]:
         """The tables of frames that were used without being named."""
         if self.chance is None and self.over_time is None:
             return set()
@@ -43,7 +43,7 @@ class Further:
         return {table for table in tables if table.is_file()}
 
 
-def terms_again(known: RecipeChance, recipe: Recipe, root: Path) -> ChanceTerms:
+def inference_settings_again(known: ManifestInference, recipe: RunManifest, root: Path) -> InferenceSettings:
     """What a recipe asks of chance, elsewhere.
 
     Raises:
@@ -52,15 +52,15 @@ def terms_again(known: RecipeChance, recipe: Recipe, root: Path) -> ChanceTerms:
     sets = {one.set: root / one.annotations for one in recipe.evaluations}
     tags = None if known.tags is None else Tags.read(root / known.tags)
     shots = None if known.shots is None else root / known.shots
-    return ChanceTerms(
+    return InferenceSettings(
         cluster_of(known.cluster, tags), tags, orders_by_set(sets, shots), known.draws,
-        cast(Method, known.method), known.power, known.noise, known.by,
+        cast(IntervalMethodName, known.method), known.power, known.noise, known.by,
     )  # fmt: skip
 
 
-def over_time_again(
-    known: RecipeOverTime, root: Path, asked: Sequence[Asked], executor: Executor
-) -> list[SourceOverTime] | str:
+def temporal_again(
+    known: ManifestTemporal, root: Path, asked: Sequence[EvaluationRequest], executor: Executor
+) -> list[TemporalMetrics] | str:
     """The figures over time, elsewhere; or why they cannot be made.
 
     Raises:
@@ -70,4 +70,4 @@ def over_time_again(
     if pictures is not None and not pictures.exists():
         return f"not repeated: over time: {known.pictures} is not here"
     shots = None if known.shots is None else root / known.shots
-    return OverTimeCall(shots, pictures, ()).run(asked, known.threshold, executor)
+    return TemporalRequest(shots, pictures, ()).run(asked, known.threshold, executor)

@@ -12,7 +12,7 @@ from typing import Annotated, Any
 import typer
 
 from procc_annotator.cli.field_option import chosen_field, named_field
-from procc_annotator.cli.recipe_further import Further
+from procc_annotator.cli.recipe_further import FurtherResults
 from procc_annotator.errors import InputError
 from procc_annotator.field.fingerprint import field_fingerprint
 from procc_annotator.field.load import field_names, load_field, with_lines
@@ -27,22 +27,22 @@ from procc_annotator.io.source import FileSource, read_file
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.report.recipe import (
     FORMAT,
-    Recipe,
-    RecipeEvaluation,
-    RecipeField,
-    RecipeFile,
-    RecipeInput,
-    field_of_recipe,
+    RunManifest,
+    ManifestEvaluation,
+    ManifestField,
+    ManifestFile,
+    ManifestInput,
+    manifest_field,
     hashed,
     set_figures,
 )
 from procc_annotator.report.recipe_further import (
-    RecipeChance,
-    RecipeOverTime,
+    ManifestInference,
+    ManifestTemporal,
     over_time_rows,
-    recipe_chance,
+    manifest_inference,
 )
-from procc_annotator.report.scores.scoring import Asked
+from procc_annotator.report.scores.scoring import EvaluationRequest
 from procc_annotator.session.dataset.annotation_source import ReadSource
 from procc_annotator.session.dataset.dataset_field import field_of_dataset
 from procc_annotator.session.dataset.dataset_folder import (
@@ -60,7 +60,7 @@ from procc_annotator.version import __version__
 
 LABELS_ROLE = LABELS_OPTION = "labels"
 
-RecipeOption = Annotated[
+ManifestOption = Annotated[
     Path | None,
     typer.Option(
         "--recipe",
@@ -73,7 +73,7 @@ RecipeOption = Annotated[
 
 
 @dataclass(frozen=True)
-class FieldAsked:
+class FieldArguments:
     """What was asked of the field: the text of ``--field`` and of ``--lines``."""
 
     given: str | None
@@ -89,7 +89,7 @@ class FieldAsked:
 
 
 @dataclass(frozen=True)
-class RecipeFor:
+class ManifestRequest:
     """A recipe that was asked for.
 
     Attributes:
@@ -101,14 +101,14 @@ class RecipeFor:
 
     path: Path
     context: typer.Context
-    field: FieldAsked
+    field: FieldArguments
     beside: tuple[tuple[str, Path], ...] = ()
 
     def write(
         self,
-        asked: Sequence[Asked],
+        asked: Sequence[EvaluationRequest],
         summaries: Sequence[Mapping[float, SetSummary]],
-        further: Further | None = None,
+        further: FurtherResults | None = None,
     ) -> None:
         """Write it.
 
@@ -121,7 +121,7 @@ class RecipeFor:
             InputError: an input cannot be read any more.
             SaveError: it cannot be written.
         """
-        further, own_file = further or Further(), self.field.file
+        further, own_file = further or FurtherResults(), self.field.file
         maps = {m.path for m in (map_of(one.annotations) for one in asked) if m is not None}
         stadiums = {p for one in asked if (p := stadiums_of(one)) is not None}
         landmarks = {told for one in asked for told in landmarks_of(one)}
@@ -135,15 +135,15 @@ class RecipeFor:
         ]
         paths = [p for one in asked for p in (one.annotations.path, one.cameras.path)]
         root = common_folder([*paths, *(path for _, path in more)])
-        found: dict[tuple[str, Path], RecipeInput] = {}
+        found: dict[tuple[str, Path], ManifestInput] = {}
         for one in asked:
             for role, source in (("annotations", one.annotations), ("cameras", one.cameras)):
                 if (role, source.path) not in found:
                     found[role, source.path] = hashed_input(role, source, root)
         for role, path in more:
             files = (hashed(".", read_file(path)),)
-            found[role, path] = RecipeInput(role, relative(path, root), files)
-        recipe = Recipe(
+            found[role, path] = ManifestInput(role, relative(path, root), files)
+        recipe = RunManifest(
             FORMAT,
             __version__,
             str(self.context.info_name),
@@ -158,17 +158,17 @@ class RecipeFor:
         write_atomic(self.path, recipe.encoded())
 
     def _further(
-        self, made: Further, asked: Sequence[Asked], root: Path
-    ) -> tuple[RecipeChance | None, RecipeOverTime | None]:
+        self, made: FurtherResults, asked: Sequence[EvaluationRequest], root: Path
+    ) -> tuple[ManifestInference | None, ManifestTemporal | None]:
         """The figures besides those of each set."""
         files = {role: relative(path, root) for role, path in self.beside}
         tags, shots = files.get("tags"), files.get("shots")
         chance = over_time = None
         if made.chance is not None:
-            chance = recipe_chance(made.chance, made.told, tags, shots)
+            chance = manifest_inference(made.chance, made.told, tags, shots)
         if made.over_time and made.steady:
             pictures = made.over_time.pictures
-            over_time = RecipeOverTime(
+            over_time = ManifestTemporal(
                 made.steady[0].threshold, shots,
                 None if pictures is None else relative(pictures, root),
                 over_time_rows(made.steady),
@@ -176,12 +176,12 @@ class RecipeFor:
         return chance, over_time
 
 
-def recipe_for(
+def manifest_request(
     path: Path | None,
     context: typer.Context,
-    field: FieldAsked,
+    field: FieldArguments,
     beside: Mapping[str, Path | None],
-) -> RecipeFor | None:
+) -> ManifestRequest | None:
     """The recipe that was asked for, if one was.
 
     Args:
@@ -190,23 +190,23 @@ def recipe_for(
     if path is None:
         return None
     files = tuple((role, file) for role, file in beside.items() if file is not None)
-    return RecipeFor(path, context, field, files)
+    return ManifestRequest(path, context, field, files)
 
 
 def evaluation_of(
-    one: Asked, summaries: Mapping[float, SetSummary], field: FieldAsked, root: Path
-) -> RecipeEvaluation:
+    one: EvaluationRequest, summaries: Mapping[float, SetSummary], field: FieldArguments, root: Path
+) -> ManifestEvaluation:
     """One evaluation with its figures."""
     setup, given = one.setup, field.given
     if field.file is not None and given is not None:
         given = given.replace(named_field(given)[0], relative(field.file, root))
-    return RecipeEvaluation(
+    return ManifestEvaluation(
         one.set_name,
         one.method,
         relative(one.annotations.path, root),
         relative(one.cameras.path, root),
         one.cameras.format,
-        field_of_recipe(setup.field, given, field.lines),
+        manifest_field(setup.field, given, field.lines),
         setup.size,
         setup.protocol,
         setup.off_plane,
@@ -220,14 +220,14 @@ def evaluation_of(
     )
 
 
-def stadiums_of(one: Asked) -> Path | None:
+def stadiums_of(one: EvaluationRequest) -> Path | None:
     """The file that gives frames the dimensions of their stadiums; None where none does."""
     folder = folder_of_dataset(one.annotations.path)
     used = one.setup.field.stadiums is not None and folder is not None
     return folder / STADIUMS_FILE if used and folder is not None else None
 
 
-def landmarks_of(one: Asked) -> list[tuple[str, Path]]:
+def landmarks_of(one: EvaluationRequest) -> list[tuple[str, Path]]:
     """The files that tell a set's landmarks and what is seen of them, with their roles."""
     folder = folder_of_dataset(one.annotations.path)
     if folder is None or not one.setup.field.landmarks:
@@ -241,7 +241,7 @@ def map_of(annotations: FileSource) -> LabelMap | None:
     return annotations.labels if isinstance(annotations, ReadSource) else None
 
 
-def map_again(known: Recipe, root: Path, field: Field) -> LabelMap | None:
+def reopen_label_map(known: RunManifest, root: Path, field: Field) -> LabelMap | None:
     """The map that a recipe was given, elsewhere; None leaves it to the datasets.
 
     Raises:
@@ -253,7 +253,7 @@ def map_again(known: Recipe, root: Path, field: Field) -> LabelMap | None:
     return read_label_map(root / paths[0], field) if paths else None
 
 
-def field_again(asked: RecipeField, root: Path, dataset: Path) -> Field:
+def reopen_field(asked: ManifestField, root: Path, dataset: Path) -> Field:
     """The field of a recipe, elsewhere.
 
     What a set's workspace kept of it need not be there: where the set says nothing here, it is the
@@ -293,7 +293,7 @@ def relative(path: Path, root: Path) -> str:
     return Path(os.path.relpath(os.path.abspath(path), root)).as_posix()
 
 
-def hashed_input(role: str, source: FileSource | CameraCollection, root: Path) -> RecipeInput:
+def hashed_input(role: str, source: FileSource | CameraCollection, root: Path) -> ManifestInput:
     """An input with the SHA-256 of what is read of it; an archive is one file.
 
     Raises:
@@ -301,17 +301,17 @@ def hashed_input(role: str, source: FileSource | CameraCollection, root: Path) -
     """
     path = source.path
     if not path.is_dir():
-        return RecipeInput(role, relative(path, root), (hashed(".", read_file(path)),))
+        return ManifestInput(role, relative(path, root), (hashed(".", read_file(path)),))
     if isinstance(source, CameraCollection):
         names = sorted(os.path.relpath(file, path) for file in source.files())
         names += source.beside()
     else:
         names = sorted(source.decoded or list_annotations(source).values())
     files = [_hashed_file(path, Path(name).as_posix()) for name in names]
-    return RecipeInput(role, relative(path, root), tuple(f for f in files if f is not None))
+    return ManifestInput(role, relative(path, root), tuple(f for f in files if f is not None))
 
 
-def _hashed_file(folder: Path, name: str) -> RecipeFile | None:
+def _hashed_file(folder: Path, name: str) -> ManifestFile | None:
     try:
         return hashed(name, read_file(folder / name))
     except InputError:  # an unreadable one is listed by the command, and has no content
@@ -347,10 +347,10 @@ def _plain(value: Any) -> Any:
 
 
 def evaluated_here(
-    one: RecipeEvaluation, summaries: Mapping[float, SetSummary], again: Asked
+    one: ManifestEvaluation, summaries: Mapping[float, SetSummary], again: EvaluationRequest
 ) -> Any:
     """The evaluation as it is here."""
-    field = field_of_recipe(again.setup.field, one.field.given, one.field.lines)
+    field = manifest_field(again.setup.field, one.field.given, one.field.lines)
     return replace(
         one,
         field=field,

@@ -38,11 +38,11 @@ from procc_annotator.report.release.released import (
     FINDINGS_FILE,
     PROVENANCE_FILE,
     Release,
-    ReleaseTerms,
+    ReleaseDescription,
 )
 from procc_annotator.report.targets import is_archive
 from procc_annotator.session.database.database import WorkspaceDatabase
-from procc_annotator.session.database.places import database_path, kept_elsewhere, read_settings
+from procc_annotator.session.database.places import database_path, fallback_path_of, read_settings
 from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.dataset.dataset_folder import (
     FIELD_FILE,
@@ -60,8 +60,8 @@ from procc_annotator.session.facts.ignored_findings import ignored_keys
 from procc_annotator.session.facts.origins import default_author
 from procc_annotator.session.runs.agreement_run import AgreementRun
 from procc_annotator.session.runs.check_run import CheckRun
-from procc_annotator.session.runs.unfinished import unfinished_file
-from procc_annotator.words import count_of, listed
+from procc_annotator.session.runs.unfinished import checkpoint_path
+from procc_annotator.words import count_words, list_names
 
 HELP = """\
 OUT, a folder or a .zip, gets the annotations as they are, splits, the SHA-256 of every annotation
@@ -128,7 +128,7 @@ Date = Annotated[
 
 
 @dataclass(frozen=True)
-class AskedToRelease:
+class ReleaseOptions:
     """What `release` is asked for."""
 
     dataset: options.AnnotatedSet
@@ -151,7 +151,7 @@ class AskedToRelease:
     overwrite: options.Overwrite = False
 
 
-def release(given: AskedToRelease) -> None:
+def release(given: ReleaseOptions) -> None:
     place = annotations_of(given.dataset)
     folder = folder_of_dataset(place)
     known = chosen_field(given.field, given.dataset, lines=given.lines)
@@ -160,7 +160,7 @@ def release(given: AskedToRelease) -> None:
     if not given.version.strip():
         raise UsageError("--version: names no version")
     splits = _splits(given.splits)
-    terms = ReleaseTerms(
+    terms = ReleaseDescription(
         called, called, given.version, _date(given.date),
         given.licence, tuple(given.by or ()), given.url, given.description, said,
     )  # fmt: skip
@@ -173,9 +173,9 @@ def release(given: AskedToRelease) -> None:
         with progress_bar("reading") as progress:
             found = gather_frames(source, known, splits, sizes, progress)
         if unknown := [frame for frame in splits if frame not in list_annotations(source)]:
-            echo(f"note: in a split, but not annotated: {listed(unknown, 'frame')}", err=True)
+            echo(f"note: in a split, but not annotated: {list_names(unknown, 'frame')}", err=True)
         released = FrameTable((frame.name, None) for frame in found.frames)
-        made = _Making(source, given.dataset, folder, known, released)
+        made = _ReleaseBuilder(source, given.dataset, folder, known, released)
         files: dict[str, bytes] = {}
         open_findings = made.findings(files) if given.check else None
         agreed = "" if given.second is None else made.agreement(given.second, files)
@@ -191,7 +191,7 @@ def release(given: AskedToRelease) -> None:
         ):
             changes = write_release(whole, given.out, given.before, sizes.path, progress)
     for split, names in whole.splits.items():
-        echo(f"{split}: {count_of(len(names), 'frame')}")
+        echo(f"{split}: {count_words(len(names), 'frame')}")
     if changes is not None:
         counted = (len(changes.added), len(changes.removed), len(changes.changed))
         said = "since {}: {} added, {} removed, {} changed".format(changes.before, *counted)
@@ -210,7 +210,7 @@ def _check_out(out: Path, source: FileSource, dataset: Path, *, overwrite: bool)
     outputs.check_place(out, [source])
     if dataset.is_dir() and out.resolve().is_relative_to(dataset.resolve()):
         raise UsageError(f"{out}: lies in what is read, write to another place than {dataset}")
-    stopped = unfinished_file(out, "release").exists()
+    stopped = checkpoint_path(out, "release").exists()
     if is_archive(out):
         outputs.check_replaces_nothing(out, (), overwrite=overwrite)
     elif out.is_dir() and any(out.iterdir()) and not overwrite and not stopped:
@@ -249,7 +249,7 @@ def _date(text: str | None) -> str:
         raise UsageError(f"--date {text}: expected a day, YYYY-MM-DD") from None
 
 
-class _Making:
+class _ReleaseBuilder:
     """What is found out about a dataset for its release; its files are added as they come.
 
     Nothing is told of frames that are not released.
@@ -289,14 +289,14 @@ class _Making:
             agreed, files[AGREEMENT_FILE] = _as_file(
                 ".json", lambda path: agreement.agree_sets(run, outputs=(path,))
             )
-        return agreement.noise_floor_line(agreed)
+        return agreement.inter_annotator_line(agreed)
 
     def provenance(self, files: dict[str, bytes]) -> Mapping[str, int] | None:
         """Origin -> number of points; None where no workspace knows of any."""
         folder = self._folder
         if folder is None or not self._dataset.is_dir():
             return None
-        if not database_path(folder).exists() and kept_elsewhere(folder) is None:
+        if not database_path(folder).exists() and fallback_path_of(folder) is None:
             return None
         workspace = Workspace.open(folder, self._known)
         database = WorkspaceDatabase.open(folder, default_author())

@@ -14,7 +14,7 @@ from procc_annotator.cli.echo import echo
 from procc_annotator.cli.painters import overlay_painter
 from procc_annotator.report.pictures import Rendered, render_pictures
 from procc_annotator.report.scenes import OverlayLook
-from procc_annotator.words import count_of, listed
+from procc_annotator.words import count_words, list_names
 
 HELP = """\
 Colours and dashes are those of the window: they say which elements agree at --threshold; --legend
@@ -111,9 +111,9 @@ def render(
     with outputs.replacing_nothing(out, names, "render", overwrite=overwrite):
         for done in with_progress(steps, len(workspace.frames), "drawing"):
             rendered = done
-    echo(f"{count_of(len(rendered.pictures), 'overlay picture')} written to {out}")
+    echo(f"{count_words(len(rendered.pictures), 'overlay picture')} written to {out}")
     datasets.report_notices(rendered.notices)
     if rendered.bare:
-        frames = listed(rendered.bare, "frame")
+        frames = list_names(rendered.bare, "frame")
         datasets.report_remarks([f"neither annotation nor camera, nothing is drawn: {frames}"])
     raise typer.Exit(datasets.report_unreadable(rendered.problems))

@@ -12,29 +12,29 @@ import typer
 from procc_annotator.cli import options, outputs
 from procc_annotator.cli.console import with_progress
 from procc_annotator.cli.echo import echo
-from procc_annotator.cli.recipe_further import over_time_again, terms_again
-from procc_annotator.cli.recipes import evaluated_here, field_again, hashed_input, map_again
+from procc_annotator.cli.recipe_further import temporal_again, inference_settings_again
+from procc_annotator.cli.recipes import evaluated_here, reopen_field, hashed_input, reopen_label_map
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.source import read_file
 from procc_annotator.report.recipe import (
-    Recipe,
-    RecipeEvaluation,
-    RecipeInput,
+    RunManifest,
+    ManifestEvaluation,
+    ManifestInput,
     differing_figures,
     differing_files,
     hashed,
-    read_recipe,
+    read_manifest,
     setup_of,
 )
-from procc_annotator.report.recipe_further import differing_chance, differing_over_time
-from procc_annotator.report.scores.scoring import Asked, Evaluations, Outcome
+from procc_annotator.report.recipe_further import differing_inference, differing_over_time
+from procc_annotator.report.scores.scoring import EvaluationRequest, Evaluations, RequestedOutputs
 from procc_annotator.report.sheet.as_json import json_bytes
 from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.runs.execution.executor import make_executor
 from procc_annotator.version import __version__
-from procc_annotator.words import count_of
+from procc_annotator.words import count_words
 
 HELP = """\
 RECIPE is what evaluate or report wrote with --recipe. Its inputs are looked for by their relative
@@ -74,24 +74,24 @@ def repeat(
 ) -> None:
     if output is not None:
         outputs.check_output_folder(output)
-    known = read_recipe(recipe)
+    known = read_manifest(recipe)
     root = _root(known, recipe, data)
     differences = _other_version(known)
     with ExitStack() as opened:
         asked, found = _open(known, root, opened)
         differences += found
-        again, more = _again(known, root, asked, workers, dask)
+        again, more = _reevaluate(known, root, asked, workers, dask)
     for was, now in zip(known.evaluations, again, strict=True):
         differences += differing_figures(was, now)
     differences += more
-    _tell(known, differences)
+    _print_differences(known, differences)
     if output is not None:
         write_atomic(output, json_bytes({"recipe": recipe.name, "differences": differences}))
         echo(f"written: {output}")
     raise typer.Exit(1 if differences else 0)
 
 
-def _root(known: Recipe, recipe: Path, data: Path | None) -> Path:
+def _root(known: RunManifest, recipe: Path, data: Path | None) -> Path:
     """The folder of the inputs.
 
     Raises:
@@ -119,30 +119,30 @@ def _leads_out(path: str) -> bool:
     return Path(path).is_absolute() or ".." in Path(path).parts
 
 
-def _other_version(known: Recipe) -> list[str]:
+def _other_version(known: RunManifest) -> list[str]:
     own = __version__
     return [] if known.version == own else [f"other version: {own}, was {known.version}"]
 
 
-def _open(known: Recipe, root: Path, opened: ExitStack) -> tuple[list[Asked], list[str]]:
+def _open(known: RunManifest, root: Path, opened: ExitStack) -> tuple[list[EvaluationRequest], list[str]]:
     """The evaluations with what is here, and which files differ.
 
     Raises:
         UsageError, InputError: an input is not there at all, or cannot be opened.
     """
-    asked: list[Asked] = []
-    here: dict[tuple[str, str], RecipeInput] = {}
+    asked: list[EvaluationRequest] = []
+    here: dict[tuple[str, str], ManifestInput] = {}
     for one in known.evaluations:
         for path in (one.annotations, one.cameras):
             if _leads_out(path):
                 raise UsageError(f"{path}: leads out of the folder of the inputs")
         cameras = opened.enter_context(CameraCollection.open(root / one.cameras, one.format))
         place = root / one.annotations
-        shown = field_again(one.field, root, place)
-        names = map_again(known, root, shown)
+        shown = reopen_field(one.field, root, place)
+        names = reopen_label_map(known, root, shown)
         annotations = opened.enter_context(open_annotations(place, shown, names))
         asked.append(
-            Asked(
+            EvaluationRequest(
                 one.set, one.source, annotations, cameras, setup_of(one, shown),
                 camera_size=one.camera_size,
             )
@@ -160,32 +160,32 @@ def _open(known: Recipe, root: Path, opened: ExitStack) -> tuple[list[Asked], li
     return asked, differences
 
 
-def _single(wanted: RecipeInput, root: Path) -> RecipeInput:
+def _single(wanted: ManifestInput, root: Path) -> ManifestInput:
     try:
         file = hashed(".", read_file(root / wanted.path))
     except InputError:
-        return RecipeInput(wanted.role, wanted.path, ())
-    return RecipeInput(wanted.role, wanted.path, (file,))
+        return ManifestInput(wanted.role, wanted.path, ())
+    return ManifestInput(wanted.role, wanted.path, (file,))
 
 
-def _again(
-    known: Recipe, root: Path, asked: Sequence[Asked], workers: int | None, dask: str | None
-) -> tuple[list[RecipeEvaluation], list[str]]:
+def _reevaluate(
+    known: RunManifest, root: Path, asked: Sequence[EvaluationRequest], workers: int | None, dask: str | None
+) -> tuple[list[ManifestEvaluation], list[str]]:
     """The evaluations as they are here, and what of the other figures differs."""
     different: list[str] = []
-    terms = None if known.chance is None else terms_again(known.chance, known, root)
-    outcome = Outcome(named=len(asked) > 1, chance=terms)
+    terms = None if known.chance is None else inference_settings_again(known.chance, known, root)
+    outcome = RequestedOutputs(named=len(asked) > 1, chance=terms)
     evaluations = Evaluations.prepare(asked, _thresholds(known), outcome)
     with make_executor(workers, dask, frames=evaluations.frames) as executor:
         scored = evaluations.score(executor, progress=with_progress)
         if known.over_time is not None:
-            found = over_time_again(known.over_time, root, asked, executor)
+            found = temporal_again(known.over_time, root, asked, executor)
             if isinstance(found, str):
                 different.append(found)
             else:
                 different += differing_over_time(known.over_time, found)
     if known.chance is not None:
-        different += differing_chance(known.chance, evaluations.told)
+        different += differing_inference(known.chance, evaluations.told)
     again = [
         evaluated_here(was, own.summaries, one)
         for was, own, one in zip(known.evaluations, scored, asked, strict=True)
@@ -193,7 +193,7 @@ def _again(
     return again, different
 
 
-def _thresholds(known: Recipe) -> tuple[float, ...]:
+def _thresholds(known: RunManifest) -> tuple[float, ...]:
     """Of all evaluations: those of a command have the same.
 
     Raises:
@@ -205,11 +205,11 @@ def _thresholds(known: Recipe) -> tuple[float, ...]:
     return found.pop()
 
 
-def _tell(known: Recipe, differences: Sequence[str]) -> None:
+def _print_differences(known: RunManifest, differences: Sequence[str]) -> None:
     for line in differences[:_LISTED]:
         echo(line)
     if (more := len(differences) - _LISTED) > 0:
-        echo(f"... and {count_of(more, 'more difference')}")
+        echo(f"... and {count_words(more, 'more difference')}")
     files = sum(len(one.files) for one in known.inputs)
     figures = sum(len(f) for one in known.evaluations for f in one.figures.values())
     if known.chance is not None:
@@ -219,6 +219,6 @@ def _tell(known: Recipe, differences: Sequence[str]) -> None:
         figures += sum(len(row) for row in known.over_time.rows)
     if not differences:
         echo(
-            f"the same: {count_of(files, 'file')} and {count_of(figures, 'figure')} of"
-            f" {count_of(len(known.evaluations), 'evaluation')}"
+            f"the same: {count_words(files, 'file')} and {count_words(figures, 'figure')} of"
+            f" {count_words(len(known.evaluations), 'evaluation')}"
         )

@@ -15,8 +15,8 @@ from procc_annotator.cli import chance_options, datasets, options, outputs, over
 from procc_annotator.cli.console import with_progress
 from procc_annotator.cli.echo import echo
 from procc_annotator.cli.painters import overlay_painter, pair_painter
-from procc_annotator.cli.recipe_further import Further
-from procc_annotator.cli.recipes import FieldAsked, RecipeFor, RecipeOption, recipe_for
+from procc_annotator.cli.recipe_further import FurtherResults
+from procc_annotator.cli.recipes import FieldArguments, ManifestRequest, ManifestOption, manifest_request
 from procc_annotator.cli.sources import SourceSpec, parse_sources
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
@@ -26,25 +26,25 @@ from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.collections import ANNOTATIONS_FOLDER, list_annotations
 from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.report.page.audit_report import AuditReport, NamedCameras, Work, gather_report
-from procc_annotator.report.page.html_report import is_of_others
+from procc_annotator.report.page.audit_report import AuditReport, NamedCameras, ReportWork, gather_report
+from procc_annotator.report.page.html_report import is_foreign_file
 from procc_annotator.report.page.report_pairs import PairPainters
 from procc_annotator.report.page.report_pictures import Painters
 from procc_annotator.report.page.reporting import (
-    Drawing,
-    Material,
+    ReportPainters,
+    ReportInputs,
     ReportRequest,
     check_request,
     report_kind,
     write_report,
 )
 from procc_annotator.report.scenes import OverlayLook
-from procc_annotator.report.scores.chance import ChanceTerms
-from procc_annotator.report.scores.scoring import Asked
+from procc_annotator.report.scores.chance import InferenceSettings
+from procc_annotator.report.scores.scoring import EvaluationRequest
 from procc_annotator.report.sheet.as_latex import COLUMN_PT
 from procc_annotator.session.dataset.annotation_source import open_annotations
 from procc_annotator.session.dataset.camera_set import CameraSet
-from procc_annotator.session.dataset.dataset_folder import annotations_of, annotations_or_itself
+from procc_annotator.session.dataset.dataset_folder import annotations_of, annotations_or_path
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.runs.execution.executor import make_executor
 from procc_annotator.session.runs.tags import Tags
@@ -154,7 +154,7 @@ LatexWidth = Annotated[
 
 
 @dataclass(frozen=True, kw_only=True)
-class AskedToReport:
+class ReportOptions:
     """What `report` is asked for."""
 
     dataset: Dataset
@@ -184,14 +184,14 @@ class AskedToReport:
     reference: Reference = None
     picture_width: PictureWidth = 960
     latex_width: LatexWidth = COLUMN_PT
-    recipe: RecipeOption = None
+    recipe: ManifestOption = None
     steady: over_time.OverTime = False
     shots: over_time.Shots = None
     workers: options.Workers = None
     dask: options.Dask = None
 
 
-def report(context: typer.Context, given: AskedToReport) -> None:
+def report(context: typer.Context, given: ReportOptions) -> None:
     written = _written(given.cameras, given.output)
     setup = options.make_setup(
         given.field,
@@ -222,20 +222,20 @@ def report(context: typer.Context, given: AskedToReport) -> None:
         outputs.check_output_folder(given.recipe)
     noise = chance_options.noise_file(given.chance.click_noise)
     beside = {"tags": given.tags, "click noise": noise, "shots": given.shots}
-    asked = recipe_for(given.recipe, context, FieldAsked(given.field, given.lines), beside)
-    call = _Call(
+    asked = manifest_request(given.recipe, context, FieldArguments(given.field, given.lines), beside)
+    call = _ReportRequest(
         name, specs, setup, thresholds, request, written, given.picture_width, chance,
         options.label_map(given.labels, setup.field), asked,
-        over_time.OverTimeCall.of(given.steady, given.shots, None, None),
+        over_time.TemporalRequest.of(given.steady, given.shots, None, None),
     )  # fmt: skip
     gathered, problems = _make(
         call, *place, options.shown_size(given.camera_size), given.workers, given.dask
     )
-    raise typer.Exit(_tell(call, gathered, problems))
+    raise typer.Exit(_print_summary(call, gathered, problems))
 
 
 @dataclass(frozen=True)
-class _Call:
+class _ReportRequest:
     """What a call asks for; specs: the sources; picture_width: px, of the widest picture; labels:
     what names of another program stand for."""
 
@@ -246,10 +246,10 @@ class _Call:
     request: ReportRequest
     written: Sequence[Path]
     picture_width: int
-    chance: ChanceTerms
+    chance: InferenceSettings
     labels: LabelMap | None
-    recipe: RecipeFor | None
-    over_time: over_time.OverTimeCall | None
+    recipe: ManifestRequest | None
+    over_time: over_time.TemporalRequest | None
 
 
 def _written(cameras: list[str] | None, output: list[Path] | None) -> list[Path]:
@@ -260,7 +260,7 @@ def _written(cameras: list[str] | None, output: list[Path] | None) -> list[Path]
     """
     if not cameras:
         raise UsageError("a report needs sources of cameras: --cameras NAME=PATH")
-    if output is None and is_of_others(_USUAL):
+    if output is None and is_foreign_file(_USUAL):
         raise UsageError(
             f"{_USUAL}: is there already, and no report wrote it; name a file with --output"
         )
@@ -272,7 +272,7 @@ def _written(cameras: list[str] | None, output: list[Path] | None) -> list[Path]
 
 
 def _make(
-    call: _Call,
+    call: _ReportRequest,
     folder: Path,
     pictures: dict[str, Path],
     camera_size: tuple[int, int] | None,
@@ -289,11 +289,11 @@ def _make(
             datasets.report_remarks(f"{spec.name}: {notice}" for notice in collection.notices)
         files = (*call.written, *([call.recipe.path] if call.recipe else []))
         outputs.check_not_inputs(files, [source, *collections])
-        work_ahead = len(list_annotations(source)) * _cost(call.request, len(call.specs))
+        work_ahead = len(list_annotations(source)) * _frame_cost(call.request, len(call.specs))
         executor = opened.enter_context(make_executor(workers, dask, frames=work_ahead))
-        work = Work(executor, camera_size, with_progress)
+        work = ReportWork(executor, camera_size, with_progress)
         asked = [
-            Asked(call.name, spec.name, source, cameras, call.setup, camera_size=camera_size)
+            EvaluationRequest(call.name, spec.name, source, cameras, call.setup, camera_size=camera_size)
             for spec, cameras in named
         ]
         steady = call.over_time
@@ -306,14 +306,14 @@ def _make(
         if call.recipe is not None:
             figures = [one.summaries for one in gathered.sources]
             used = [(one, own) for one, own in zip(asked, figures, strict=True) if own]
-            further = Further(call.chance, [gathered.told], steady, found)
+            further = FurtherResults(call.chance, [gathered.told], steady, found)
             call.recipe.write([one for one, _ in used], [own for _, own in used], further)
-        material = Material(source, sets, pictures, tuple(found))
+        material = ReportInputs(source, sets, pictures, tuple(found))
         drawing = _drawing(call)
         return gathered, write_report(gathered, material, call.request, drawing, call.written, work)
 
 
-def _tell(call: _Call, gathered: AuditReport, problems: list[str]) -> int:
+def _print_summary(call: _ReportRequest, gathered: AuditReport, problems: list[str]) -> int:
     """Say what was written and what went wrong; returns the exit code."""
     for path in (*call.written, *([call.recipe.path] if call.recipe else [])):
         echo(f"written: {path}")
@@ -325,7 +325,7 @@ def _tell(call: _Call, gathered: AuditReport, problems: list[str]) -> int:
     return datasets.report_unreadable(failures)
 
 
-def _cost(request: ReportRequest, sources: int) -> int:
+def _frame_cost(request: ReportRequest, sources: int) -> int:
     """What a frame of the set costs, in scored frames: comparing two cameras is dear."""
     legacy = sources - 1 if request.reference else 0
     return sources + _COMPARED_FRAME * (len(set(request.disagreement)) + legacy)
@@ -353,7 +353,7 @@ def annotation_place(
     for given in (dataset, annotations):
         if given is not None and not given.exists():
             raise UsageError(f"{given}: does not exist")
-    dataset = annotations_or_itself(dataset) if dataset.is_file() else dataset  # a video's frames
+    dataset = annotations_or_path(dataset) if dataset.is_file() else dataset  # a video's frames
     if not dataset.is_dir():
         return annotations or dataset, {}
     workspace = Workspace.open(dataset, field, annotations)
@@ -376,7 +376,7 @@ def _pair(text: str) -> tuple[str, str]:
     return names[0], names[1]
 
 
-def _drawing(call: _Call) -> Drawing | None:
+def _drawing(call: _ReportRequest) -> ReportPainters | None:
     if "html" not in map(report_kind, call.written):
         return None
     # What charts need comes first: Qt reads the source of every module imported after it.
@@ -388,4 +388,4 @@ def _drawing(call: _Call) -> Drawing | None:
     pairs = None
     if call.request.disagreement and (photograph := pair_painter(".jpg")):
         pairs = PairPainters(photograph, pair_painter(".png") or photograph)
-    return Drawing(overlays, pairs, SOURCE_COLOURS)
+    return ReportPainters(overlays, pairs, SOURCE_COLOURS)

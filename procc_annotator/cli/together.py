@@ -13,16 +13,16 @@ from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.dataset.fit_sizes import FitSizes
 from procc_annotator.session.runs.execution.executor import make_executor
 from procc_annotator.session.runs.set_run import WORTH_WORKERS, annotation_files
-from procc_annotator.session.runs.together_run import OwnFit, SetFits, read_groups
-from procc_annotator.session.runs.unfinished import Unfinished
+from procc_annotator.session.runs.together_run import IndividualFit, SetFits, read_groups
+from procc_annotator.session.runs.unfinished import Checkpoint
 
 
 @dataclass(frozen=True)
-class FittedSet:
+class FittedFrames:
     """A set, and the own fits of its frames."""
 
     fits: SetFits
-    frames: list[OwnFit]
+    frames: list[IndividualFit]
 
 
 def fit_sizes(source: FileSource, place: Path, dataset: Path, size: str | None) -> FitSizes:
@@ -50,8 +50,8 @@ def fit_set(
     groups: Path | None,
     workers: int | None,
     dask: str | None,
-    kept: Unfinished | None = None,
-) -> FittedSet:
+    kept: Checkpoint | None = None,
+) -> FittedFrames:
     """Fit every frame of a set by itself, with a progress bar.
 
     Args:
@@ -73,4 +73,4 @@ def fit_set(
     with make_executor(workers, dask, frames=fits.total, worth_from=WORTH_WORKERS) as executor:
         fits.executor, fits.kept = executor, kept
         frames = list(with_progress(fits, fits.total, "fitting"))
-    return FittedSet(fits, frames)
+    return FittedFrames(fits, frames)

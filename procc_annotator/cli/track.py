@@ -16,12 +16,12 @@ from procc_annotator.cli.echo import echo
 from procc_annotator.cli.field_option import chosen_field
 from procc_annotator.errors import ImageError, InputError, UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.field.stadiums import field_of_stadium, stadium_of
-from procc_annotator.fit.from_picture.proposing import prepare
-from procc_annotator.fit.through_shot.following_shot import track as follow_shot
+from procc_annotator.field.stadiums import field_for_stadium, stadium_of
+from procc_annotator.fit.from_picture.proposing import warm_up_caches
+from procc_annotator.fit.through_shot.following_shot import track_shot as follow_shot
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.report.targets import Interrupted
-from procc_annotator.report.track_places import places_found
+from procc_annotator.report.track_places import find_positions
 from procc_annotator.report.tracks import (
     TABLE_FILE,
     TrackTable,
@@ -37,9 +37,9 @@ from procc_annotator.session.dataset.picture_sizes import picture_size
 from procc_annotator.session.dataset.picture_source import PictureSource, open_pictures
 from procc_annotator.session.runs.execution.executor import Executor, make_executor
 from procc_annotator.session.runs.shots import find_shots
-from procc_annotator.session.runs.track_anchors import Anchors
-from procc_annotator.session.runs.track_run import ShotToFollow, TrackRun, damaged_pictures
-from procc_annotator.words import count_of
+from procc_annotator.session.runs.track_anchors import TrackAnchors
+from procc_annotator.session.runs.track_run import ShotToTrack, TrackRun, damaged_pictures
+from procc_annotator.words import count_words
 
 HELP = """\
 SOURCE is a video, whose frames are named as the window names them (match_000123), or a folder of
@@ -158,19 +158,19 @@ def track(
     try:
         with make_executor(workers) as executor:
             new = [shot for shot in shots if shot not in kept]
-            _follow(new, shown, executor, out, table, "following")
+            _track_shots(new, shown, executor, out, table, "following")
             # Of a run that goes on, also those that it lost before it was stopped.
-            again = _worth_another_look(shots if new else [], out, table)
+            again = _shots_to_retry(shots if new else [], out, table)
             for shot in again:  # until it was followed again, nothing is known of it
                 table.forget(shot.frames)
-            _follow(again, shown, executor, out, table, "looking where other shots stand")
+            _track_shots(again, shown, executor, out, table, "looking where other shots stand")
     except Interrupted as stopped:
-        raise KeyboardInterrupt(_what_is_there(stopped, out)) from None
+        raise KeyboardInterrupt(_interrupted_message(stopped, out)) from None
     raise typer.Exit(_report(table, [*pictures.problems, *anchors.errors], len(kept), out))
 
 
-def _follow(
-    shots: Sequence[ShotToFollow],
+def _track_shots(
+    shots: Sequence[ShotToTrack],
     shown: Field,
     executor: Executor,
     out: Path,
@@ -189,18 +189,18 @@ def _follow(
         write_tracks(run, out, table, progress)
 
 
-def _has_new_anchors(shot: ShotToFollow, table: TrackTable) -> bool:
+def _has_new_anchors(shot: ShotToTrack, table: TrackTable) -> bool:
     """Whether a shot that was followed before has anchors that it had not then."""
     names = (shot.frames[number - shot.first].name for number in shot.anchors)
     return any(row["state"] != "anchor" for name in names if (row := table.rows.get(name)))
 
 
-def _worth_another_look(
-    shots: Sequence[ShotToFollow], out: Path, table: TrackTable
-) -> list[ShotToFollow]:
+def _shots_to_retry(
+    shots: Sequence[ShotToTrack], out: Path, table: TrackTable
+) -> list[ShotToTrack]:
     """Shots in which no camera was found, with where those of the others stand."""
     nothing = [shot for shot in shots if len(table.lost(shot.frames)) == len(shot.frames)]
-    places = places_found(out, table) if nothing else ()
+    places = find_positions(out, table) if nothing else ()
     return [replace(shot, known=places) for shot in nothing] if places else []
 
 
@@ -243,8 +243,8 @@ def _anchors(
     cameras: Path | None,
     camera_format: str,
     camera_size: tuple[int, int] | None,
-) -> Anchors:
-    found = Anchors()
+) -> TrackAnchors:
+    found = TrackAnchors()
     if clicked is not None:
         datasets.report_remarks(clicked.notices)
         found.add_annotated(pictures.frames, clicked, field)
@@ -263,17 +263,17 @@ def _prepare(pictures: PictureSource, shown: Field) -> None:
         size = picture_size(first.image_path)
     except ImageError:  # told when its shot is followed
         return
-    prepare(field_of_stadium(shown, stadium_of(shown, first.name)), size)
+    warm_up_caches(field_for_stadium(shown, stadium_of(shown, first.name)), size)
 
 
-def _shots(pictures: PictureSource, anchors: Anchors, start: int | None) -> list[ShotToFollow]:
+def _shots(pictures: PictureSource, anchors: TrackAnchors, start: int | None) -> list[ShotToTrack]:
     """The shots to follow: all, or that of one frame."""
     with progress_bar("looking for cuts") as progress:
         ranges = find_shots(pictures, progress)
     if start is not None:
         ranges = [own for own in ranges if start in own]
     return [
-        ShotToFollow(
+        ShotToTrack(
             own[0],
             pictures.frames[own[0] : own[-1] + 1],
             {n: camera for n, camera in anchors.cameras.items() if n in own},
@@ -283,10 +283,10 @@ def _shots(pictures: PictureSource, anchors: Anchors, start: int | None) -> list
     ]
 
 
-def _what_is_there(stopped: Interrupted, out: Path) -> str:
+def _interrupted_message(stopped: Interrupted, out: Path) -> str:
     """What an interrupted run left, and how to go on."""
     return (
-        f"{stopped.written} of {count_of(stopped.total, 'frame')} are in {out}/{TABLE_FILE}; run it"
+        f"{stopped.written} of {count_words(stopped.total, 'frame')} are in {out}/{TABLE_FILE}; run it"
         " again: shots that are done stay, the others are followed from their beginning"
     )
 
@@ -298,6 +298,6 @@ def _report(table: TrackTable, problems: list[str], kept: int, out: Path) -> int
     if gaps := gaps_of(table):
         console.print(gaps_table(gaps))
     if kept:
-        echo(f"followed before: {count_of(kept, 'shot')} (--overwrite follows them again)")
+        echo(f"followed before: {count_words(kept, 'shot')} (--overwrite follows them again)")
     echo(f"{tracked_words(table)}; written to {out}, with {TABLE_FILE}")
     return datasets.report_unreadable([*problems, *table.errors])

@@ -22,12 +22,12 @@ from procc_annotator.cli.landmark_options import (
     Pattern,
     Surveyed,
     ViewsFile,
-    cameras_asked_for,
+    chosen_cameras,
     check_values,
-    groups_asked_for,
+    chosen_view_groups,
     named_in_options,
     target_file,
-    with_surveyed,
+    add_surveyed,
 )
 from procc_annotator.errors import UsageError
 from procc_annotator.field.landmarks import with_landmarks
@@ -51,19 +51,19 @@ from procc_annotator.session.landmarks.dataset_landmarks import read_dataset_lan
 from procc_annotator.session.landmarks.landmark_clicks import LocatedLandmark, with_positions
 from procc_annotator.session.landmarks.landmark_scan import (
     FoundInDataset,
-    PlaceOfFiles,
-    Search,
+    DatasetPaths,
+    TriangulationSettings,
     locate_in_dataset,
 )
 from procc_annotator.session.landmarks.view_groups import ViewGroups, load_views, save_views
-from procc_annotator.words import count_of
+from procc_annotator.words import count_words
 
 
 def report_strange_rows(groups: ViewGroups, source: FileSource, dataset: Path) -> None:
     folder = folder_of_dataset(dataset)
     pictures = PictureSizes([folder] if folder is not None else [], tree=folder)
     frames = {*list_annotations(source), *pictures.frames()}
-    datasets.report_remarks(groups.strange_rows(frames))
+    datasets.report_remarks(groups.unknown_rows(frames))
 
 
 def report_not_clicked(named: Mapping[str, str], located: Iterable[LocatedLandmark]) -> None:
@@ -86,7 +86,7 @@ def print_landmarks(located: Sequence[LocatedLandmark], described: str) -> None:
 def write_landmarks(target: Path, known: LandmarkFile) -> None:
     save_landmarks(target, known)
     placed = sum(mark.position is not None for mark in known.landmarks)
-    echo(f"written: {count_of(placed, 'position')} to {target}")
+    echo(f"written: {count_words(placed, 'position')} to {target}")
 
 
 def keep_groups(target: Path, groups: ViewGroups, dataset: Path) -> None:
@@ -154,16 +154,16 @@ def triangulate(
     target = target_file(dataset, output)
     known, groups = read_dataset_landmarks(dataset)
     shown = chosen_field(field, dataset, lines=lines)
-    known = with_surveyed(known, surveyed or (), shown)
+    known = add_surveyed(known, surveyed or (), shown)
     named = named_in_options(surveyed or (), moving or (), shown)
     shown = with_landmarks(shown, known.landmarks)
     with open_annotations(place, shown, options.label_map(labels, shown)) as source:
         datasets.report_remarks(list_annotations(source).notices)
         _refuse_classes_of_another_field(source, shown)
-        groups = groups_asked_for(groups, source, views, pattern)
+        groups = chosen_view_groups(groups, source, views, pattern)
         report_strange_rows(groups, source, dataset)
-        given = cameras_asked_for(cameras, camera_format, camera_size, shown)
-        search = Search(
+        given = chosen_cameras(cameras, camera_format, camera_size, shown)
+        search = TriangulationSettings(
             known, groups, given, moving=moving or (),
             model=model, click_px=click_px, size=options.shown_size(size),
         )  # fmt: skip
@@ -176,7 +176,7 @@ def triangulate(
         print_landmarks(found.located, cameras or f"fitted, model {model}")
     report_not_clicked(named, found.located)
     # Somebody may have surveyed a landmark meanwhile.
-    known = with_surveyed(read_dataset_landmarks(dataset)[0], surveyed or (), shown)
+    known = add_surveyed(read_dataset_landmarks(dataset)[0], surveyed or (), shown)
     known = with_positions(known, found.located)
     write_landmarks(target, known)
     if views or pattern:
@@ -201,7 +201,7 @@ def _refuse_classes_of_another_field(source: FileSource, field: Field) -> None:
     mismatch, _ = datasets.mismatch_at(classes, field, source.path)
     if mismatch is None or mismatch.better is None:
         return
-    datasets.tell_mismatch(classes, field, source.path)
+    datasets.report_mismatch_of(classes, field, source.path)
     raise UsageError(
         f"nothing was triangulated: classes of {mismatch.better.title} are no landmarks (one that"
         " is a landmark all the same: name it in landmarks.json)"
@@ -209,7 +209,7 @@ def _refuse_classes_of_another_field(source: FileSource, field: Field) -> None:
 
 
 def _locate(
-    source: FileSource, place: Path, dataset: Path, field: Field, search: Search
+    source: FileSource, place: Path, dataset: Path, field: Field, search: TriangulationSettings
 ) -> FoundInDataset:
     """Read every annotation, and triangulate what is clicked."""
 
@@ -218,5 +218,5 @@ def _locate(
 
     readers = {frame: partial(read, file) for frame, file in list_annotations(source).items()}
     with progress_bar("triangulating") as progress:
-        files = PlaceOfFiles(dataset, place, tuple(readers))
+        files = DatasetPaths(dataset, place, tuple(readers))
         return locate_in_dataset(readers, field, files, search, progress)

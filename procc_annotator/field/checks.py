@@ -14,26 +14,26 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.errors import FieldError
-from procc_annotator.field.colours import difference
-from procc_annotator.field.dimensions import Dimension, allowed_with, broken_relation
-from procc_annotator.field.geometry import length_of, middle_of, outline_of, same_place
-from procc_annotator.field.load import field_names, load_field, resized
+from procc_annotator.field.colours import colour_difference
+from procc_annotator.field.dimensions import Dimension, allowed_dimensions, violated_relation
+from procc_annotator.field.geometry import length_of, middle_of, outline_of, same_geometry
+from procc_annotator.field.load import field_names, load_field, with_dimensions
 from procc_annotator.field.model import Element, Field
 from procc_annotator.field.symmetry import NoPartnerError, find_symmetry
-from procc_annotator.words import count_of
+from procc_annotator.words import count_words
 
 # Of the shipped fields none has colours in a group that differ less.
-_LEAST_DIFFERENCE = 5.0
-_SHORTEST_M = 0.05
+_MIN_COLOUR_DIFFERENCE = 5.0
+_MIN_LENGTH_M = 0.05
 _BELOW_GROUND_M = 0.01
-_FEWEST_ON_GROUND = 4  # what a camera on a plane needs
-_TURNS = (180.0, 90.0, 270.0)
+_MIN_GROUND_ELEMENTS = 4  # what a camera on a plane needs
+_ROTATIONS_DEGREES = (180.0, 90.0, 270.0)
 _SAME_DEGREES = 1e-6
 _SHORTCUT = re.compile(r"((Ctrl|Shift|Alt)\+)*(F[1-9]|F1[0-2]|[!-~])\Z", re.IGNORECASE)
-_NAMED = 3  # elements a remark names before it counts the others
+_MAX_NAMED = 3  # elements a remark names before it counts the others
 
 
-class RemarkSeverity(IntEnum):
+class WarningSeverity(IntEnum):
     """How much a remark matters."""
 
     ERROR = 0
@@ -45,7 +45,7 @@ class RemarkSeverity(IntEnum):
 
 
 @dataclass(frozen=True, slots=True)
-class Remark:
+class FieldWarning:
     """Something about a field.
 
     Attributes:
@@ -55,20 +55,20 @@ class Remark:
         advice: what to do about it.
     """
 
-    severity: RemarkSeverity
+    severity: WarningSeverity
     place: str
     text: str
     advice: str
 
     def __str__(self) -> str:
-        return self.told_at(self.place)
+        return self.with_location(self.place)
 
-    def told_at(self, place: str) -> str:
+    def with_location(self, place: str) -> str:
         """The whole remark, with the place in other words."""
         return f"{self.severity}: {place}: {self.text} ({self.advice})"
 
 
-def check_field(field: Field, taken_keys: Mapping[str, str] | None = None) -> tuple[Remark, ...]:
+def validate_field(field: Field, taken_keys: Mapping[str, str] | None = None) -> tuple[FieldWarning, ...]:
     """Look for what most likely is a mistake, the gravest first.
 
     Args:
@@ -76,14 +76,14 @@ def check_field(field: Field, taken_keys: Mapping[str, str] | None = None) -> tu
         taken_keys: keys of the window -> what they do there.
     """
     found = [
-        *_dimension_remarks(field),
-        *_size_remarks(field),
-        *_place_remarks(field),
-        *_symmetry_remarks(field),
-        *_name_remarks(field),
-        *_colour_remarks(field),
-        *_key_remarks(field, taken_keys or {}),
-        *_missing_remarks(field),
+        *_dimension_warnings(field),
+        *_size_warnings(field),
+        *_placement_warnings(field),
+        *_symmetry_warnings(field),
+        *_name_warnings(field),
+        *_colour_warnings(field),
+        *_shortcut_warnings(field, taken_keys or {}),
+        *_missing_value_warnings(field),
     ]
     return tuple(sorted(found, key=lambda remark: remark.severity))
 
@@ -91,7 +91,7 @@ def check_field(field: Field, taken_keys: Mapping[str, str] | None = None) -> tu
 # --- dimensions ------------------------------------------------------------------------------
 
 
-def _dimension_remarks(field: Field) -> Iterator[Remark]:
+def _dimension_warnings(field: Field) -> Iterator[FieldWarning]:
     """The whole range of the rules must make a field."""
     if field.source is None:
         return
@@ -99,15 +99,15 @@ def _dimension_remarks(field: Field) -> Iterator[Remark]:
     for dimension in opened:
         ends = (dimension.minimum, dimension.maximum)
         for end in ends:
-            if allowed_with(field.relations, field.dimensions, dimension.name, end) is None:
-                yield _never_allowed(field, dimension, end)
-        sized = [_at(field, {dimension.name: v}) for v in ends]
+            if allowed_dimensions(field.relations, field.dimensions, dimension.name, end) is None:
+                yield _unreachable_limit_warning(field, dimension, end)
+        sized = [_resized_or_error(field, {dimension.name: v}) for v in ends]
         broken = next((s for s in sized if isinstance(s, FieldError)), None)
         if broken is not None:
-            yield _broken(dimension, broken)
+            yield _invalid_dimension_warning(dimension, broken)
         elif all(isinstance(s, Field) and s.elements == field.elements for s in sized):
-            yield Remark(
-                RemarkSeverity.WARNING,
+            yield FieldWarning(
+                WarningSeverity.WARNING,
                 f"dimensions.{dimension.name}",
                 f"may be {dimension.minimum:g} to {dimension.maximum:g} m, but no element changes"
                 " with it",
@@ -115,28 +115,28 @@ def _dimension_remarks(field: Field) -> Iterator[Remark]:
             )
 
 
-def _at(field: Field, values: Mapping[str, float]) -> Field | FieldError:
+def _resized_or_error(field: Field, values: Mapping[str, float]) -> Field | FieldError:
     try:
-        return resized(field, values, related=False)
+        return with_dimensions(field, values, related=False)
     except FieldError as error:
         return error
 
 
-def _never_allowed(field: Field, dimension: Dimension, end: float) -> Remark:
+def _unreachable_limit_warning(field: Field, dimension: Dimension, end: float) -> FieldWarning:
     nominal = {d.name: d.nominal for d in field.dimensions}
-    return Remark(
-        RemarkSeverity.WARNING,
+    return FieldWarning(
+        WarningSeverity.WARNING,
         f"dimensions.{dimension.name}",
         f"may be {dimension.minimum:g} to {dimension.maximum:g} m, but {end:g} m is never allowed:"
-        f" {broken_relation(field.relations, nominal | {dimension.name: end})}",
+        f" {violated_relation(field.relations, nominal | {dimension.name: end})}",
         "narrow the range, or mend the relation",
     )
 
 
-def _broken(dimension: Dimension, error: FieldError) -> Remark:
+def _invalid_dimension_warning(dimension: Dimension, error: FieldError) -> FieldWarning:
     where = f"{error.place}: " if error.place else ""
-    return Remark(
-        RemarkSeverity.ERROR,
+    return FieldWarning(
+        WarningSeverity.ERROR,
         f"dimensions.{dimension.name}",
         f"the field cannot be read with every value of {dimension.minimum:g} to"
         f" {dimension.maximum:g} m: {where}{error.problem}",
@@ -147,14 +147,14 @@ def _broken(dimension: Dimension, error: FieldError) -> Remark:
 # --- where elements are ----------------------------------------------------------------------
 
 
-def _size_remarks(field: Field) -> Iterator[Remark]:
+def _size_warnings(field: Field) -> Iterator[FieldWarning]:
     painted = [e for e in field.elements if e.on_ground and not e.is_spot]
-    if len(painted) < _FEWEST_ON_GROUND:
-        yield Remark(
-            RemarkSeverity.WARNING,
+    if len(painted) < _MIN_GROUND_ELEMENTS:
+        yield FieldWarning(
+            WarningSeverity.WARNING,
             "elements",
-            f"{count_of(len(painted), 'line lies', 'lines lie')} on the ground",
-            f"a camera can hardly be found with fewer than {_FEWEST_ON_GROUND}",
+            f"{count_words(len(painted), 'line lies', 'lines lie')} on the ground",
+            f"a camera can hardly be found with fewer than {_MIN_GROUND_ELEMENTS}",
         )
     if not painted:
         return
@@ -162,8 +162,8 @@ def _size_remarks(field: Field) -> Iterator[Remark]:
     middle, span = (least + most) / 2, most - least
     for axis, off, extent in zip("xy", middle, span, strict=True):
         if abs(off) > max(0.05, extent / 100):
-            yield Remark(
-                RemarkSeverity.WARNING,
+            yield FieldWarning(
+                WarningSeverity.WARNING,
                 "elements",
                 f"the lines on the ground reach from {axis} = {off - extent / 2:.4g} to"
                 f" {off + extent / 2:.4g} m: their middle is {abs(off):.3g} m away from the origin",
@@ -172,11 +172,11 @@ def _size_remarks(field: Field) -> Iterator[Remark]:
     yield from _outside(field, span)
 
 
-def _outside(field: Field, span: NDArray[np.float64]) -> Iterator[Remark]:
+def _outside(field: Field, span: NDArray[np.float64]) -> Iterator[FieldWarning]:
     sides = [field.dimension(name) for name in ("length", "width")]
     if None in sides:
-        yield Remark(
-            RemarkSeverity.WARNING,
+        yield FieldWarning(
+            WarningSeverity.WARNING,
             "dimensions",
             "there is no length and width of these names",
             "the size of the field is told, changed and measured by them",
@@ -185,8 +185,8 @@ def _outside(field: Field, span: NDArray[np.float64]) -> Iterator[Remark]:
     size = np.array([side.value for side in sides if side is not None])
     for name, extent, side in zip(("length", "width"), span, size, strict=True):
         if extent < 0.8 * side:
-            yield Remark(
-                RemarkSeverity.WARNING,
+            yield FieldWarning(
+                WarningSeverity.WARNING,
                 f"dimensions.{name}",
                 f"is {side:g} m, but the lines on the ground span {extent:.4g} m only",
                 "half of a dimension is taken where the whole is meant, or the other way round",
@@ -196,28 +196,28 @@ def _outside(field: Field, span: NDArray[np.float64]) -> Iterator[Remark]:
         reach = np.abs(outline_of(element.geometry)[:, :2]).max(axis=0)
         if (reach > room).any():
             beyond = float((reach - size / 2).max())
-            yield Remark(
-                RemarkSeverity.WARNING,
+            yield FieldWarning(
+                WarningSeverity.WARNING,
                 _place(element),
                 f"lies up to {beyond:.3g} m outside the field of {size[0]:g} x {size[1]:g} m",
                 "coordinates are counted from the centre of the field",
             )
 
 
-def _place_remarks(field: Field) -> Iterator[Remark]:
+def _placement_warnings(field: Field) -> Iterator[FieldWarning]:
     for element in field.elements:
         deepest = float(outline_of(element.geometry)[:, 2].max())
         if deepest > _BELOW_GROUND_M:
-            yield Remark(
-                RemarkSeverity.WARNING,
+            yield FieldWarning(
+                WarningSeverity.WARNING,
                 _place(element),
                 f"lies {deepest:.3g} m below the ground",
                 f"z points down: a height of {deepest:.3g} m is z = {-deepest:.3g}",
             )
         length = length_of(element.geometry)
-        if not element.is_spot and length < _SHORTEST_M:
-            yield Remark(
-                RemarkSeverity.WARNING,
+        if not element.is_spot and length < _MIN_LENGTH_M:
+            yield FieldWarning(
+                WarningSeverity.WARNING,
                 _place(element),
                 f"is {length * 100:.2g} cm long",
                 'too short to be clicked along: make it kind = "point"',
@@ -225,9 +225,9 @@ def _place_remarks(field: Field) -> Iterator[Remark]:
     middles = {e.name: np.array(middle_of(e.geometry)) for e in field.elements}
     for one, other in combinations(field.elements, 2):
         near = np.abs(middles[one.name] - middles[other.name]).max() < _BELOW_GROUND_M
-        if near and same_place(one.geometry, other.geometry, within_m=_BELOW_GROUND_M):
-            yield Remark(
-                RemarkSeverity.WARNING,
+        if near and same_geometry(one.geometry, other.geometry, within_m=_BELOW_GROUND_M):
+            yield FieldWarning(
+                WarningSeverity.WARNING,
                 _place(other),
                 f"lies where {one.title!r} lies",
                 "nobody can tell them apart: is one of them on the other side?",
@@ -239,25 +239,25 @@ def _bounds(elements: list[Element]) -> tuple[NDArray[np.float64], NDArray[np.fl
     return places.min(axis=0), places.max(axis=0)
 
 
-def _symmetry_remarks(field: Field) -> Iterator[Remark]:
+def _symmetry_warnings(field: Field) -> Iterator[FieldWarning]:
     listed = [math.degrees(s.turn_rad) for s in field.symmetries]
     missing = [
         turn
-        for turn in _TURNS
-        if not any(abs(turn - own) < _SAME_DEGREES for own in listed) and _maps(field, turn)
+        for turn in _ROTATIONS_DEGREES
+        if not any(abs(turn - own) < _SAME_DEGREES for own in listed) and _is_symmetric(field, turn)
     ]
     if missing:
         turns = " and ".join(f"{turn:g}" for turn in missing)
         whole = ", ".join(f"{turn:g}" for turn in sorted([*listed, *missing]))
-        yield Remark(
-            RemarkSeverity.WARNING,
+        yield FieldWarning(
+            WarningSeverity.WARNING,
             "symmetries",
             f"a turn by {turns} degrees takes the field to itself, but is not listed",
             f"symmetries = [{whole}], unless people can tell the sides apart",
         )
 
 
-def _maps(field: Field, turn_degrees: float) -> bool:
+def _is_symmetric(field: Field, turn_degrees: float) -> bool:
     try:
         find_symmetry(field.elements, turn_degrees)
     except NoPartnerError:
@@ -268,32 +268,32 @@ def _maps(field: Field, turn_degrees: float) -> bool:
 # --- what people see -------------------------------------------------------------------------
 
 
-def _name_remarks(field: Field) -> Iterator[Remark]:
+def _name_warnings(field: Field) -> Iterator[FieldWarning]:
     shipped = field.name in field_names()
     if shipped and field.source is not None and field.source != load_field(field.name).source:
-        yield Remark(
-            RemarkSeverity.WARNING,
+        yield FieldWarning(
+            WarningSeverity.WARNING,
             "name",
             f"{field.name!r} is the name of a field that comes with the program",
             "give it a name of its own",
         )
-    for title, elements in _by(field.elements, lambda e: e.title).items():
+    for title, elements in _grouped_by(field.elements, lambda e: e.title).items():
         if len(elements) > 1:
             names = ", ".join(repr(e.name) for e in elements)
-            yield Remark(
-                RemarkSeverity.WARNING,
+            yield FieldWarning(
+                WarningSeverity.WARNING,
                 f"{_place(elements[-1])}.title",
                 f"{title!r} is the title of {names}",
                 "people choose an element by its title",
             )
 
 
-def _colour_remarks(field: Field) -> Iterator[Remark]:
-    for group, elements in _by(field.elements, lambda e: e.group).items():
+def _colour_warnings(field: Field) -> Iterator[FieldWarning]:
+    for group, elements in _grouped_by(field.elements, lambda e: e.group).items():
         for one, other in combinations(elements, 2):
-            if difference(one.colour, other.colour) < _LEAST_DIFFERENCE:
-                yield Remark(
-                    RemarkSeverity.WARNING,
+            if colour_difference(one.colour, other.colour) < _MIN_COLOUR_DIFFERENCE:
+                yield FieldWarning(
+                    WarningSeverity.WARNING,
                     f"{_place(other)}.colour",
                     f"{other.colour} can hardly be told from {one.title!r}, {one.colour}, in the"
                     f" group {group!r}",
@@ -301,61 +301,61 @@ def _colour_remarks(field: Field) -> Iterator[Remark]:
                 )
 
 
-def _key_remarks(field: Field, taken: Mapping[str, str]) -> Iterator[Remark]:
+def _shortcut_warnings(field: Field, taken: Mapping[str, str]) -> Iterator[FieldWarning]:
     used = {key.casefold(): does for key, does in taken.items()}
     for element in field.elements:
         place = f"{_place(element)}.shortcut"
         if not element.shortcut:
             continue
         if (does := used.get(element.shortcut.casefold())) is not None:
-            yield Remark(
-                RemarkSeverity.WARNING,
+            yield FieldWarning(
+                WarningSeverity.WARNING,
                 place,
                 f"the key {element.shortcut} is taken by the window: {does}",
                 "choose another key",
             )
         elif not _SHORTCUT.match(element.shortcut):
-            yield Remark(
-                RemarkSeverity.WARNING,
+            yield FieldWarning(
+                WarningSeverity.WARNING,
                 place,
                 f"{element.shortcut!r} is no key",
                 'expected e.g. "7", "K" or "Shift+K"',
             )
     without = [e for e in field.elements if not e.shortcut]
     if without:
-        named = ", ".join(repr(e.title) for e in without[:_NAMED])
-        more = f" and {len(without) - _NAMED} more" if len(without) > _NAMED else ""
-        yield Remark(
-            RemarkSeverity.NOTE,
+        named = ", ".join(repr(e.title) for e in without[:_MAX_NAMED])
+        more = f" and {len(without) - _MAX_NAMED} more" if len(without) > _MAX_NAMED else ""
+        yield FieldWarning(
+            WarningSeverity.NOTE,
             "elements",
-            f"{count_of(len(without), 'element has', 'elements have')} no shortcut: {named}{more}",
+            f"{count_words(len(without), 'element has', 'elements have')} no shortcut: {named}{more}",
             "they are chosen in the list, on the field map, or with /",
         )
 
 
-def _missing_remarks(field: Field) -> Iterator[Remark]:
+def _missing_value_warnings(field: Field) -> Iterator[FieldWarning]:
     if not field.rules:
-        yield Remark(
-            RemarkSeverity.NOTE, "rules", "is not given", "name the rule book and its edition"
+        yield FieldWarning(
+            WarningSeverity.NOTE, "rules", "is not given", "name the rule book and its edition"
         )
     if field.cameras is None:
-        yield Remark(
-            RemarkSeverity.NOTE,
+        yield FieldWarning(
+            WarningSeverity.NOTE,
             "cameras",
             "is not given",
             "where cameras stand is taken from the size of the field",
         )
     painted = [e for e in field.elements if e.on_ground and not e.is_spot]
     if painted and not any(e.line_width for e in painted):
-        yield Remark(
-            RemarkSeverity.NOTE,
+        yield FieldWarning(
+            WarningSeverity.NOTE,
             "paint",
             "no line has a width",
             "painted width cannot be shown: add [paint] with a line_width",
         )
 
 
-def _by(elements: tuple[Element, ...], key: Callable[[Element], str]) -> dict[str, list[Element]]:
+def _grouped_by(elements: tuple[Element, ...], key: Callable[[Element], str]) -> dict[str, list[Element]]:
     found: defaultdict[str, list[Element]] = defaultdict(list)
     for element in elements:
         found[key(element)].append(element)

@@ -10,10 +10,10 @@ _XYZ_FROM_RGB = np.array(
     [[0.4124, 0.3576, 0.1805], [0.2126, 0.7152, 0.0722], [0.0193, 0.1192, 0.9505]]
 )
 _WHITE = np.array([0.9505, 1.0, 1.089])
-_EPSILON, _KAPPA = 216 / 24389, 24389 / 27
+_LAB_EPSILON, _LAB_KAPPA = 216 / 24389, 24389 / 27
 
 
-def difference(one: str, other: str) -> float:
+def colour_difference(one: str, other: str) -> float:
     """The distance of two colours ``#rrggbb`` in CIE L*a*b* (1976): about 2 can just be seen."""
     return float(np.linalg.norm(_lab(one) - _lab(other)))
 
@@ -24,7 +24,7 @@ def linear_rgb(colour: str) -> NDArray[np.float64]:
     return np.where(rgb <= 0.04045, rgb / 12.92, ((rgb + 0.055) / 1.055) ** 2.4)
 
 
-def hex_of(linear: NDArray[np.float64]) -> str:
+def hex_colour(linear: NDArray[np.float64]) -> str:
     """The colour ``#rrggbb`` of (3,) linear light; what is out of 0 to 1 is cut."""
     light = np.clip(linear, 0.0, 1.0)
     rgb = np.where(light <= 0.0031308, light * 12.92, 1.055 * light ** (1 / 2.4) - 0.055)
@@ -33,5 +33,5 @@ def hex_of(linear: NDArray[np.float64]) -> str:
 
 def _lab(colour: str) -> NDArray[np.float64]:
     xyz = _XYZ_FROM_RGB @ linear_rgb(colour) / _WHITE
-    x, y, z = np.where(xyz > _EPSILON, np.cbrt(xyz), (_KAPPA * xyz + 16) / 116)
+    x, y, z = np.where(xyz > _LAB_EPSILON, np.cbrt(xyz), (_LAB_KAPPA * xyz + 16) / 116)
     return np.array([116 * y - 16, 500 * (x - y), 200 * (y - z)])

@@ -8,15 +8,15 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from itertools import islice, product
 
-from procc_annotator.field.formula import FormulaError, Formulas, UnknownWordError
-from procc_annotator.field.values import Values
+from procc_annotator.field.formula import FormulaError, Formulas, UnknownNameError
+from procc_annotator.field.values import FieldFileValues
 from procc_annotator.field.words import did_you_mean
 
-_PARTS = re.compile(r"([^<>=]+)(<=|>=|<|>)([^<>=]+)\Z")
+_RELATION_PATTERN = re.compile(r"([^<>=]+)(<=|>=|<|>)([^<>=]+)\Z")
 # What is kept of a dimension and what formulas make of it differ by less; nobody measures as much.
-_SAME_M = 1e-9
-_MOST_RELATIONS = 32
-_MOST_TRIED = 2000
+_EQUAL_TOLERANCE_M = 1e-9
+_MAX_RELATIONS = 32
+_MAX_COMBINATIONS = 2000
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,7 +60,7 @@ class Relation:
                 raise FormulaError(f"expected a finite number on both sides, found {value!r}")
         return left, right
 
-    def broken_by(self, values: Mapping[str, float]) -> str:
+    def violation(self, values: Mapping[str, float]) -> str:
         """What is wrong with these dimensions, metres by name; empty if nothing is."""
         asked = f"the rules ask for {self}"
         try:
@@ -68,13 +68,13 @@ class Relation:
         except FormulaError as error:
             return f"{asked}: {error}"
         less, more = (right, left) if ">" in self.sign else (left, right)
-        if more - less > (-_SAME_M if "=" in self.sign else _SAME_M):
+        if more - less > (-_EQUAL_TOLERANCE_M if "=" in self.sign else _EQUAL_TOLERANCE_M):
             return ""
         return f"{asked}, and {left:.10g} {self.sign} {right:.10g} does not hold"
 
 
 def read_relations(
-    values: Values, texts: object, dimensions: tuple[Dimension, ...]
+    values: FieldFileValues, texts: object, dimensions: tuple[Dimension, ...]
 ) -> tuple[Relation, ...]:
     """The relations of a field file; the nominal dimensions must be so.
 
@@ -86,7 +86,7 @@ def read_relations(
     Raises:
         FieldError: names the file and the relation that is wrong.
     """
-    if not isinstance(texts, list) or len(texts) > _MOST_RELATIONS:
+    if not isinstance(texts, list) or len(texts) > _MAX_RELATIONS:
         raise values.error("relations", 'expected a list of relations, as ["length > width"]')
     nominal = {d.name: d.nominal for d in dimensions}
     found = []
@@ -97,34 +97,34 @@ def read_relations(
             relation.sides(nominal)
         except FormulaError as error:
             hint = ""
-            if isinstance(error, UnknownWordError):
+            if isinstance(error, UnknownNameError):
                 hint = did_you_mean(error.word, error.known)
             raise values.error(place, f"{error}{hint}") from error
-        if broken := relation.broken_by(nominal):
+        if broken := relation.violation(nominal):
             raise values.error(place, f"the nominal dimensions break it: {broken}")
         found.append(relation)
     return tuple(found)
 
 
 def _relation_of(text: str) -> Relation:
-    found = _PARTS.match(text)
+    found = _RELATION_PATTERN.match(text)
     if found is None:
         raise FormulaError("expected two formulas with one of < <= > >= between them")
     left, sign, right = (part.strip() for part in found.groups())
     return Relation(left, sign, right)
 
 
-def broken_relation(relations: tuple[Relation, ...], values: Mapping[str, float]) -> str:
+def violated_relation(relations: tuple[Relation, ...], values: Mapping[str, float]) -> str:
     """What is wrong by the first relation that does not hold; empty where all do.
 
     Args:
         relations: of one field.
         values: of all its dimensions, metres by name.
     """
-    return next(filter(None, (relation.broken_by(values) for relation in relations)), "")
+    return next(filter(None, (relation.violation(values) for relation in relations)), "")
 
 
-def allowed_with(
+def allowed_dimensions(
     relations: tuple[Relation, ...],
     dimensions: tuple[Dimension, ...],
     name: str,
@@ -134,8 +134,8 @@ def allowed_with(
 
     The others are nominal where that is allowed, else at an end of their range.
     """
-    for tried in islice(_combinations(dimensions, name, value), _MOST_TRIED):
-        if not broken_relation(relations, tried):
+    for tried in islice(_combinations(dimensions, name, value), _MAX_COMBINATIONS):
+        if not violated_relation(relations, tried):
             return tried
     return None
 

@@ -13,7 +13,7 @@ from procc_annotator.field.geometry import (
     Circle,
     Spot,
     angles_of,
-    at_angles,
+    points_at_angles,
     ends_of,
     parts_of,
 )
@@ -21,13 +21,13 @@ from procc_annotator.field.model import Element
 
 FloatArray = NDArray[np.float64]
 
-_CHORD_M = 0.25
-_SAME_M = 0.05
+_CROSSING_CHORD_M = 0.25
+_SAME_POINT_M = 0.05
 _PARALLEL = 1e-6
 
 
 @lru_cache(maxsize=16)
-def distinct_places(elements: tuple[Element, ...]) -> tuple[tuple[str, ...], FloatArray]:
+def distinctive_points(elements: tuple[Element, ...]) -> tuple[tuple[str, ...], FloatArray]:
     """Ends, corners of chains, spots, and where elements on the ground cross.
 
     Args:
@@ -39,7 +39,7 @@ def distinct_places(elements: tuple[Element, ...]) -> tuple[tuple[str, ...], Flo
     names: list[str] = []
     places: list[FloatArray] = []
     for element in elements:
-        own = [np.array(place) for place in _own(element)]
+        own = [np.array(place) for place in _end_points(element)]
         names += [element.name] * len(own)
         places += own
     crossing_names, crossings = _crossings(elements)
@@ -47,12 +47,12 @@ def distinct_places(elements: tuple[Element, ...]) -> tuple[tuple[str, ...], Flo
     every = np.array([*places, *crossings]).reshape(-1, 3)
     kept: list[int] = []
     for row, place in enumerate(every):
-        if not kept or np.linalg.norm(every[kept] - place, axis=1).min() > _SAME_M:
+        if not kept or np.linalg.norm(every[kept] - place, axis=1).min() > _SAME_POINT_M:
             kept.append(row)
     return tuple(names[row] for row in kept), every[kept]
 
 
-def _own(element: Element) -> list[tuple[float, float, float]]:
+def _end_points(element: Element) -> list[tuple[float, float, float]]:
     """The ends of an element and of its parts."""
     geometry = element.geometry
     if isinstance(geometry, Spot):
@@ -64,7 +64,7 @@ def _own(element: Element) -> list[tuple[float, float, float]]:
 def _crossings(elements: tuple[Element, ...]) -> tuple[list[str], FloatArray]:
     """Where chords of elements on the ground cross those of others; (n, 3) metres."""
     flat = [e for e in elements if e.on_ground and not isinstance(e.geometry, Spot)]
-    chords = [_chords(e) for e in flat]
+    chords = [_element_chords(e) for e in flat]
     if not chords:
         return [], np.empty((0, 3))
     owner = np.repeat(np.arange(len(flat)), [len(c) for c in chords])
@@ -81,14 +81,14 @@ def _crossings(elements: tuple[Element, ...]) -> tuple[list[str], FloatArray]:
     return names, np.column_stack([places, np.zeros(len(places))])
 
 
-def _chords(element: Element) -> FloatArray:
+def _element_chords(element: Element) -> FloatArray:
     """(n, 2, 2) metres: begin and end of what stands for an element on the ground."""
     found = []
     for part in parts_of(element.geometry):
         if isinstance(part, Arc | Circle):
             begin, end = angles_of(part)
-            count = max(2, int(abs(end - begin) * part.radius / _CHORD_M))
-            course = at_angles(part, np.linspace(begin, end, count + 1))[:, :2]
+            count = max(2, int(abs(end - begin) * part.radius / _CROSSING_CHORD_M))
+            course = points_at_angles(part, np.linspace(begin, end, count + 1))[:, :2]
         else:
             course = np.array([end[:2] for end in ends_of(part) or ()])
         found.append(np.stack([course[:-1], course[1:]], axis=1))

@@ -6,7 +6,7 @@ import hashlib
 
 from procc_annotator.field.model import Field
 from procc_annotator.field.sample import sample_official
-from procc_annotator.field.stadiums import field_of_stadium
+from procc_annotator.field.stadiums import field_for_stadium
 
 
 def field_fingerprint(field: Field) -> str:
@@ -22,5 +22,5 @@ def field_fingerprint(field: Field) -> str:
     if field.stadiums is not None:
         digest.update(repr(sorted(field.stadiums.frames.items())).encode())
         for stadium in sorted(field.stadiums.dimensions):
-            digest.update(field_fingerprint(field_of_stadium(field, stadium)).encode())
+            digest.update(field_fingerprint(field_for_stadium(field, stadium)).encode())
     return digest.hexdigest()

@@ -17,39 +17,39 @@ from functools import lru_cache
 
 import simpleeval
 
-_LONGEST = 200
+_MAX_FORMULA_LENGTH = 200
 # Fields are read in several threads. Python 3.11 keeps count of one tree at a time only while it
 # makes syntax trees, and the filters of warnings are common to all threads.
-_PARSING = threading.Lock()
+_PARSER_LOCK = threading.Lock()
 FUNCTIONS: dict[str, Callable[..., float]] = {
     name: getattr(math, name)
     for name in ("sqrt", "sin", "cos", "tan", "asin", "acos", "atan2", "radians", "hypot")
 }
 
 
-def _on_floats(function: Callable[..., object]) -> Callable[..., object]:
+def _as_float_operator(function: Callable[..., object]) -> Callable[..., object]:
     return lambda *values: function(*map(float, values))
 
 
 _OPERATORS = {
-    ast.Add: _on_floats(operator.add),
-    ast.Sub: _on_floats(operator.sub),
-    ast.Mult: _on_floats(operator.mul),
-    ast.Div: _on_floats(operator.truediv),
-    ast.FloorDiv: _on_floats(operator.floordiv),
-    ast.Mod: _on_floats(operator.mod),
-    ast.Pow: _on_floats(operator.pow),
-    ast.UAdd: _on_floats(operator.pos),
-    ast.USub: _on_floats(operator.neg),
+    ast.Add: _as_float_operator(operator.add),
+    ast.Sub: _as_float_operator(operator.sub),
+    ast.Mult: _as_float_operator(operator.mul),
+    ast.Div: _as_float_operator(operator.truediv),
+    ast.FloorDiv: _as_float_operator(operator.floordiv),
+    ast.Mod: _as_float_operator(operator.mod),
+    ast.Pow: _as_float_operator(operator.pow),
+    ast.UAdd: _as_float_operator(operator.pos),
+    ast.USub: _as_float_operator(operator.neg),
 }
-_NODES = (ast.BinOp, ast.UnaryOp, ast.Call, ast.Name, ast.Load, ast.Constant, *_OPERATORS)
+_ALLOWED_NODES = (ast.BinOp, ast.UnaryOp, ast.Call, ast.Name, ast.Load, ast.Constant, *_OPERATORS)
 
 
 class FormulaError(ValueError):
     """A formula that gives no number; the text says why."""
 
 
-class UnknownWordError(FormulaError):
+class UnknownNameError(FormulaError):
     """A formula names something that does not exist; ``known`` are the words it may name."""
 
     def __init__(self, problem: str, word: str, known: tuple[str, ...]) -> None:
@@ -78,9 +78,9 @@ class Formulas:
         Raises:
             FormulaError: the formula is too long, no such expression, or has no real value.
         """
-        if len(formula) > _LONGEST:
-            raise FormulaError(f"bad formula: longer than {_LONGEST} characters; use [formulas]")
-        parsed = _parsed(formula)
+        if len(formula) > _MAX_FORMULA_LENGTH:
+            raise FormulaError(f"bad formula: longer than {_MAX_FORMULA_LENGTH} characters; use [formulas]")
+        parsed = _parse_formula(formula)
         if isinstance(parsed, ast.Name) and parsed.id in self._names:
             return self._names[parsed.id]
         try:
@@ -92,39 +92,39 @@ class Formulas:
             raise FormulaError("expected a finite number, found a far larger one") from error
         except simpleeval.NameNotDefined as error:
             why = f"{error.name!r} is not defined"
-            raise UnknownWordError(_bad(formula, why), error.name, tuple(self._names)) from error
+            raise UnknownNameError(_formula_error(formula, why), error.name, tuple(self._names)) from error
         except simpleeval.FunctionNotDefined as error:
             why, known = f"there is no function {error.func_name!r}", tuple(FUNCTIONS)
-            raise UnknownWordError(_bad(formula, why), error.func_name, known) from error
+            raise UnknownNameError(_formula_error(formula, why), error.func_name, known) from error
         except (
             simpleeval.InvalidExpression,
             ArithmeticError,
             TypeError,
             RecursionError,
         ) as error:
-            raise FormulaError(_bad(formula, error)) from error
+            raise FormulaError(_formula_error(formula, error)) from error
         except FormulaError:
             raise
         except ValueError as error:  # the root of a negative number
-            raise FormulaError(_bad(formula, error)) from error
+            raise FormulaError(_formula_error(formula, error)) from error
 
 
 # A description says "0" and "half_length" hundreds of times.
 @lru_cache(maxsize=1024)
-def _parsed(formula: str) -> ast.expr:
+def _parse_formula(formula: str) -> ast.expr:
     try:
         # What Python thinks of unusual spelling is no business of the user's terminal.
-        with _PARSING, warnings.catch_warnings():
+        with _PARSER_LOCK, warnings.catch_warnings():
             warnings.simplefilter("ignore")
             # One expression: left to itself simpleeval drops what follows a semicolon or stands
             # before an equals sign, with a warning only.
             parsed = ast.parse(formula.strip(), mode="eval").body
     except SyntaxError as error:
-        raise FormulaError(_bad(formula, error.msg)) from error
+        raise FormulaError(_formula_error(formula, error.msg)) from error
     except (ValueError, RecursionError, MemoryError) as error:
-        raise FormulaError(_bad(formula, error)) from error
+        raise FormulaError(_formula_error(formula, error)) from error
     for node in ast.walk(parsed):
-        if not _allowed(node):
+        if not _check_node(node):
             raise FormulaError(
                 "expected a number or a formula of numbers, names, + - * / ** and functions,"
                 f" found {formula!r}"
@@ -132,13 +132,13 @@ def _parsed(formula: str) -> ast.expr:
     return parsed
 
 
-def _allowed(node: ast.AST) -> bool:
+def _check_node(node: ast.AST) -> bool:
     if isinstance(node, ast.Constant):
         return type(node.value) in (int, float)
     if isinstance(node, ast.Call):
         return isinstance(node.func, ast.Name) and not node.keywords
-    return isinstance(node, _NODES)
+    return isinstance(node, _ALLOWED_NODES)
 
 
-def _bad(formula: str, why: object) -> str:
+def _formula_error(formula: str, why: object) -> str:
     return f"bad formula {formula!r}: {why}"

@@ -18,7 +18,7 @@ Vector = tuple[float, float, float]
 Covariance = tuple[Vector, Vector, Vector]  # of a place, (3, 3) m^2
 
 SAME_PLACE_M = 1e-6
-_OUTLINE_POINTS = 9
+_OUTLINE_SAMPLES = 9
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,7 +85,7 @@ def angles_of(curve: Arc | Circle) -> tuple[float, float]:
     return (curve.start_rad, curve.end_rad) if isinstance(curve, Arc) else (0.0, 2 * math.pi)
 
 
-def at_angles(curve: Arc | Circle, angles: FloatArray) -> FloatArray:
+def points_at_angles(curve: Arc | Circle, angles: FloatArray) -> FloatArray:
     """(n, 3) metres: the places of a curve at angles (n,), rad."""
     along = np.cos(angles)[:, None] * np.array(curve.ahead)
     along += np.sin(angles)[:, None] * np.array(curve.aside)
@@ -101,7 +101,7 @@ def ends_of(geometry: Geometry) -> tuple[Vector, Vector] | None:
     if isinstance(geometry, Line):
         return geometry.start, geometry.end
     if isinstance(geometry, Arc):
-        both = at_angles(geometry, np.array(angles_of(geometry))).tolist()
+        both = points_at_angles(geometry, np.array(angles_of(geometry))).tolist()
         return vector_of(both[0]), vector_of(both[1])
     first, last = ends_of(geometry.parts[0]), ends_of(geometry.parts[-1])
     if first is None or last is None or math.dist(first[0], last[1]) < SAME_PLACE_M:
@@ -136,8 +136,8 @@ def outline_of(geometry: Geometry) -> FloatArray:
             found.append(np.array([part.position]))
         else:
             first, last = angles_of(part)
-            count = _OUTLINE_POINTS if isinstance(part, Arc) else 4 * _OUTLINE_POINTS
-            found.append(at_angles(part, np.linspace(first, last, count)))
+            count = _OUTLINE_SAMPLES if isinstance(part, Arc) else 4 * _OUTLINE_SAMPLES
+            found.append(points_at_angles(part, np.linspace(first, last, count)))
     return np.concatenate(found)
 
 
@@ -151,38 +151,38 @@ def middle_of(geometry: Geometry) -> Vector:
         return vector_of([(a + b) / 2 for a, b in zip(geometry.start, geometry.end, strict=True)])
     if isinstance(geometry, Arc):
         middle = (geometry.start_rad + geometry.end_rad) / 2
-        return vector_of(at_angles(geometry, np.array([middle]))[0].tolist())
+        return vector_of(points_at_angles(geometry, np.array([middle]))[0].tolist())
     half, before = length_of(geometry) / 2, 0.0
     for part in geometry.parts:
         own = length_of(part)
         if before + own >= half:
-            return _within(part, (half - before) / own)
+            return _point_at_share(part, (half - before) / own)
         before += own
     return ends_of(geometry.parts[-1])[1]  # type: ignore[index]  # rounding, at the very end
 
 
-def on_plane(geometry: Geometry) -> bool:
+def is_on_ground(geometry: Geometry) -> bool:
     """Whether all of it lies on the plane z = 0."""
-    return all(_part_on_plane(part) for part in parts_of(geometry))
+    return all(_part_on_ground(part) for part in parts_of(geometry))
 
 
-def turned(geometry: Geometry, turn_rad: float) -> Geometry:
+def rotated(geometry: Geometry, turn_rad: float) -> Geometry:
     """A geometry turned about the vertical through the field's centre, from +x towards +y."""
     if isinstance(geometry, Line):
-        return Line(_turned(geometry.start, turn_rad), _turned(geometry.end, turn_rad))
+        return Line(_rotated_point(geometry.start, turn_rad), _rotated_point(geometry.end, turn_rad))
     if isinstance(geometry, Spot):
-        return Spot(_turned(geometry.position, turn_rad))
+        return Spot(_rotated_point(geometry.position, turn_rad))
     if isinstance(geometry, Chain):
-        parts = tuple(turned(part, turn_rad) for part in geometry.parts)
+        parts = tuple(rotated(part, turn_rad) for part in geometry.parts)
         return Chain(tuple(p for p in parts if isinstance(p, Line | Arc)))
-    centre = _turned(geometry.centre, turn_rad)
-    ahead, aside = _turned(geometry.ahead, turn_rad), _turned(geometry.aside, turn_rad)
+    centre = _rotated_point(geometry.centre, turn_rad)
+    ahead, aside = _rotated_point(geometry.ahead, turn_rad), _rotated_point(geometry.aside, turn_rad)
     if isinstance(geometry, Circle):
         return Circle(centre, geometry.radius, ahead, aside)
     return Arc(centre, geometry.radius, geometry.start_rad, geometry.end_rad, ahead, aside)
 
 
-def same_place(one: Geometry, other: Geometry, within_m: float = SAME_PLACE_M) -> bool:
+def same_geometry(one: Geometry, other: Geometry, within_m: float = SAME_PLACE_M) -> bool:
     """Whether two geometries are the same set of points, whichever way each one is walked."""
     if isinstance(one, Circle) and isinstance(other, Circle):
         apart = math.dist(one.centre, other.centre)
@@ -200,7 +200,7 @@ def same_place(one: Geometry, other: Geometry, within_m: float = SAME_PLACE_M) -
         # A closed chain, such as a backboard's edge, may begin at any of its corners.
         starts = range(len(other.parts)) if is_closed(other) else range(1)
         return any(
-            all(same_place(a, b, within_m) for a, b in zip(one.parts, way, strict=True))
+            all(same_geometry(a, b, within_m) for a, b in zip(one.parts, way, strict=True))
             for start in starts
             for turned_round in (other.parts[start:] + other.parts[:start],)
             for way in (turned_round, turned_round[::-1])
@@ -209,7 +209,7 @@ def same_place(one: Geometry, other: Geometry, within_m: float = SAME_PLACE_M) -
     return any(np.abs(mine - way).max() < within_m for way in (theirs, theirs[::-1]))
 
 
-def _part_on_plane(part: Part) -> bool:
+def _part_on_ground(part: Part) -> bool:
     if isinstance(part, Line):
         return part.start[2] == 0 and part.end[2] == 0
     if isinstance(part, Spot):
@@ -217,15 +217,15 @@ def _part_on_plane(part: Part) -> bool:
     return part.centre[2] == 0 and part.ahead[2] == 0 and part.aside[2] == 0
 
 
-def _within(part: Line | Arc, share: float) -> Vector:
+def _point_at_share(part: Line | Arc, share: float) -> Vector:
     if isinstance(part, Line):
         ends = zip(part.start, part.end, strict=True)
         return vector_of([a + share * (b - a) for a, b in ends])
     angle = part.start_rad + share * (part.end_rad - part.start_rad)
-    return vector_of(at_angles(part, np.array([angle]))[0].tolist())
+    return vector_of(points_at_angles(part, np.array([angle]))[0].tolist())
 
 
-def _turned(point: Vector, turn_rad: float) -> Vector:
+def _rotated_point(point: Vector, turn_rad: float) -> Vector:
     # Exact for half and quarter turns, which nearly all symmetries are.
     quarters = turn_rad / (math.pi / 2)
     if abs(quarters - round(quarters)) < 1e-12:

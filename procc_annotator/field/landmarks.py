@@ -15,11 +15,11 @@ from dataclasses import replace
 from procc_annotator.errors import FieldError
 from procc_annotator.field.geometry import Covariance, Spot
 from procc_annotator.field.model import Element, Field, Landmark, Symmetry
-from procc_annotator.field.words import printed
+from procc_annotator.field.words import short_repr
 
-GROUP = "Landmarks"
+LANDMARK_GROUP = "Landmarks"
 # Hues that are seen on grass, on wood and on ice: all but the greens, from cyan over red to yellow.
-_FIRST_HUE, _HUES = 175.0, 240.0  # degrees
+_HUE_START, _HUE_RANGE = 175.0, 240.0  # degrees
 _LIGHTNESS = (0.55, 0.7)
 
 
@@ -48,12 +48,12 @@ def with_landmarks(
     given = tuple(landmarks)
     if not given:
         return own
-    _refuse_taken(own, given)
+    _check_names_free(own, given)
     keys = {e.shortcut.casefold() for e in own.elements if e.shortcut}
     elements: list[Element] = []
     unplaced: list[str] = []
-    for name, entries in by_name(given).items():
-        landmark, looks = at_instant(entries, instant), entries[0]
+    for name, entries in landmarks_by_name(given).items():
+        landmark, looks = landmark_at_instant(entries, instant), entries[0]
         if landmark is None or landmark.position is None:
             unplaced.append(name)
             continue
@@ -63,8 +63,8 @@ def with_landmarks(
             Element(
                 name,
                 looks.shown_title,
-                GROUP,
-                looks.colour or _own_colour(name),
+                LANDMARK_GROUP,
+                looks.colour or _default_colour(name),
                 shortcut,
                 Spot(landmark.position),
                 optional=True,
@@ -73,7 +73,7 @@ def with_landmarks(
     return replace(
         own,
         elements=(*own.elements, *elements),
-        symmetries=_turning(own.symmetries, [e.name for e in elements]),
+        symmetries=_symmetries_with_landmarks(own.symmetries, [e.name for e in elements]),
         classes_without_geometry=(*own.classes_without_geometry, *unplaced),
         landmarks=given,
         instant=instant,
@@ -81,14 +81,14 @@ def with_landmarks(
     )
 
 
-def _refuse_taken(field: Field, landmarks: Iterable[Landmark]) -> None:
+def _check_names_free(field: Field, landmarks: Iterable[Landmark]) -> None:
     taken = {e.name.strip() for e in field.elements}
     taken |= {name.strip() for name in field.classes_without_geometry}
     for number, landmark in enumerate(landmarks):
         if landmark.name.strip() in taken:
             raise FieldError(
                 field.name,
-                f"the landmark {printed(landmark.name)} has the name of a class of the field",
+                f"the landmark {short_repr(landmark.name)} has the name of a class of the field",
                 place=f"landmarks[{number}].name",
                 advice="delete the entry, or rename the landmark",
             )
@@ -102,7 +102,7 @@ def without_landmarks(field: Field) -> Field:
     return replace(
         field,
         elements=tuple(e for e in field.elements if e.name not in names),
-        symmetries=_turning(field.symmetries, (), names),
+        symmetries=_symmetries_with_landmarks(field.symmetries, (), names),
         classes_without_geometry=tuple(c for c in field.classes_without_geometry if c not in names),
         landmarks=(),
         instant=None,
@@ -110,15 +110,15 @@ def without_landmarks(field: Field) -> Field:
     )
 
 
-def _own_colour(name: str) -> str:
+def _default_colour(name: str) -> str:
     """``#rrggbb`` of a landmark that names none: the same whatever others there are."""
     number = zlib.crc32(name.strip().encode())
-    hue = (_FIRST_HUE + (number >> 1) % 1000 / 1000 * _HUES) % 360
+    hue = (_HUE_START + (number >> 1) % 1000 / 1000 * _HUE_RANGE) % 360
     channels = colorsys.hls_to_rgb(hue / 360, _LIGHTNESS[number % 2], 1.0)
     return "#" + "".join(f"{round(255 * channel):02x}" for channel in channels)
 
 
-def _turning(
+def _symmetries_with_landmarks(
     symmetries: Iterable[Symmetry], added: Iterable[str], left_out: Container[str] = ()
 ) -> tuple[Symmetry, ...]:
     """Turns of the field with landmarks: the stadium does not turn with it, so they stay."""
@@ -136,7 +136,7 @@ def field_at(field: Field, instant: str | None) -> Field:
     return with_landmarks(field, field.landmarks, instant, field.instants)
 
 
-def by_name(landmarks: Iterable[Landmark]) -> Mapping[str, list[Landmark]]:
+def landmarks_by_name(landmarks: Iterable[Landmark]) -> Mapping[str, list[Landmark]]:
     """The entries of each landmark, in their order; a moving object has one an instant."""
     found: dict[str, list[Landmark]] = {}
     for landmark in landmarks:
@@ -144,17 +144,17 @@ def by_name(landmarks: Iterable[Landmark]) -> Mapping[str, list[Landmark]]:
     return found
 
 
-def titles_of_all_frames(field: Field) -> Mapping[str, str]:
+def element_titles(field: Field) -> Mapping[str, str]:
     """Name -> title of what is an element in any frame: the field's own elements in their order,
     then the landmarks that have a place at any time. A dataset's field and that of each of its
     frames have the same ones, while rows of their elements differ where something moves."""
-    marks = by_name(field.landmarks)
+    marks = landmarks_by_name(field.landmarks)
     own = {e.name: e.title for e in field.elements if e.name not in marks}
     placed = {name: e for name, e in marks.items() if any(m.position is not None for m in e)}
     return own | {name: entries[0].shown_title for name, entries in placed.items()}
 
 
-def at_instant(known: Iterable[Landmark], instant: str | None) -> Landmark | None:
+def landmark_at_instant(known: Iterable[Landmark], instant: str | None) -> Landmark | None:
     """Of one landmark's entries the one that holds at an instant; None where none does."""
     lasting = None
     for landmark in known:
@@ -165,11 +165,11 @@ def at_instant(known: Iterable[Landmark], instant: str | None) -> Landmark | Non
     return lasting
 
 
-def known_covariances(field: Field) -> Mapping[str, Covariance]:
+def landmark_covariances(field: Field) -> Mapping[str, Covariance]:
     """Name -> (3, 3) m^2 of the landmarks that are elements of the field and have a covariance."""
     found = {}
-    for name, known in by_name(field.landmarks).items():
-        landmark = at_instant(known, field.instant)
+    for name, known in landmarks_by_name(field.landmarks).items():
+        landmark = landmark_at_instant(known, field.instant)
         if name in field.index and landmark is not None and landmark.covariance is not None:
             found[name] = landmark.covariance
     return found

@@ -6,14 +6,14 @@ import re
 import tomllib
 from itertools import pairwise
 
-from procc_annotator.field.words import printed
+from procc_annotator.field.words import short_repr
 
-_HEADER = re.compile(r"\s*\[{1,2}\s*([^\]]+?)\s*\]{1,2}\s*(#.*)?$")
-_LONGEST_HEADER = 200  # looking at longer lines would take time by their square
-_ELEMENT = re.compile(r"element ('(?:[^'\\]|\\.)*'|\"(?:[^\"\\]|\\.)*\"|\d+)")
+_HEADER_PATTERN = re.compile(r"\s*\[{1,2}\s*([^\]]+?)\s*\]{1,2}\s*(#.*)?$")
+_MAX_HEADER_LENGTH = 200  # looking at longer lines would take time by their square
+_ELEMENT_PATTERN = re.compile(r"element ('(?:[^'\\]|\\.)*'|\"(?:[^\"\\]|\\.)*\"|\d+)")
 
 
-def line_of(text: str, place: str) -> int | None:
+def line_number_of(text: str, place: str) -> int | None:
     """The line of a place that an error of `field.reading` names, counted from 1.
 
     Args:
@@ -24,24 +24,24 @@ def line_of(text: str, place: str) -> int | None:
         The line of the key, else of the element or table; None where the file gives no hint.
     """
     lines = text.splitlines()
-    blocks = _blocks(lines)
-    if found := _ELEMENT.match(place):
-        return _line_in_element(lines, blocks, found[1], _key(place[found.end() :].lstrip(".")))
+    blocks = _table_blocks(lines)
+    if found := _ELEMENT_PATTERN.match(place):
+        return _line_in_element(lines, blocks, found[1], _key_in_line(place[found.end() :].lstrip(".")))
     table, dot, rest = place.partition(".")
     for header, start, end in blocks:
         if dot and header == table:
-            return _line_of_key(lines, start, end, _key(rest))
-        if not dot and header == "" and (line := _line_of_key(lines, start, end, _key(table))):
+            return _line_of_key(lines, start, end, _key_in_line(rest))
+        if not dot and header == "" and (line := _line_of_key(lines, start, end, _key_in_line(table))):
             return line
         if not dot and header == table != "":
             return start + 1
     return None
 
 
-def _blocks(lines: list[str]) -> list[tuple[str, int, int]]:
+def _table_blocks(lines: list[str]) -> list[tuple[str, int, int]]:
     """(header, first line, line behind the last) of each table, the keys before any as ""."""
-    short = [(i, line) for i, line in enumerate(lines) if len(line) <= _LONGEST_HEADER]
-    heads = [(i, found[1]) for i, line in short if (found := _HEADER.match(line))]
+    short = [(i, line) for i, line in enumerate(lines) if len(line) <= _MAX_HEADER_LENGTH]
+    heads = [(i, found[1]) for i, line in short if (found := _HEADER_PATTERN.match(line))]
     marks = [(0, ""), *heads, (len(lines), "")]
     return [(header, start, end) for (start, header), (end, _) in pairwise(marks)]
 
@@ -54,7 +54,7 @@ def _line_in_element(
         chosen = elements[int(wanted) - 1 : int(wanted)]
     else:  # of two elements with one name the later one is wrong
         chosen = [
-            (start, end) for start, end in elements if printed(_name_in(lines[start:end])) == wanted
+            (start, end) for start, end in elements if short_repr(_block_name(lines[start:end])) == wanted
         ][-1:]
     if not chosen:
         return None
@@ -62,7 +62,7 @@ def _line_in_element(
     return _line_of_key(lines, start, end, key) or start + 1
 
 
-def _name_in(block: list[str]) -> object:
+def _block_name(block: list[str]) -> object:
     for line in block:
         if re.match(r"\s*name\s*=", line):
             try:
@@ -79,5 +79,5 @@ def _line_of_key(lines: list[str], start: int, end: int, key: str) -> int | None
     return next((i + 1 for i in range(start, end) if pattern.match(lines[i])), None)
 
 
-def _key(rest: str) -> str:
+def _key_in_line(rest: str) -> str:
     return re.split(r"[.\[]", rest, maxsplit=1)[0]

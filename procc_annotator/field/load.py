@@ -14,18 +14,18 @@ from pathlib import Path
 
 from procc_annotator.errors import FieldError
 from procc_annotator.field.landmarks import with_landmarks
-from procc_annotator.field.lines import line_of
-from procc_annotator.field.model import LINES, MIDDLE, Field
-from procc_annotator.field.painted_middle import at_middle_of_paint
+from procc_annotator.field.lines import line_number_of
+from procc_annotator.field.model import LINE_POSITIONS, MIDDLE_LINE, Field
+from procc_annotator.field.painted_middle import with_centred_markings
 from procc_annotator.field.reading import read_field
 from procc_annotator.field.words import did_you_mean
 from procc_annotator.regular_file import read_head
 from procc_annotator.resources import resources_dir
 
 # The TOML reader takes time by the square of a dotted key's length.
-_LARGEST_FILE = 256 * 1024
-_MOST_DOTS = 60
-_ONE_BRACKET = re.compile(r"^[ \t]*\[elements\]", re.MULTILINE)
+_MAX_FILE_BYTES = 256 * 1024
+_MAX_KEY_DOTS = 60
+_SINGLE_BRACKET_ELEMENTS = re.compile(r"^[ \t]*\[elements\]", re.MULTILINE)
 
 
 def field_names() -> tuple[str, ...]:
@@ -39,19 +39,19 @@ def field_titles() -> dict[str, str]:
     titles = {}
     for name in field_names():
         # What stands before the first table is read at once; the elements take far longer.
-        head = _read_text(shipped_file(name)).split("\n[", 1)[0]
+        head = _read_text(builtin_field_file(name)).split("\n[", 1)[0]
         titles[name] = str(tomllib.loads(head)["title"])
     return dict(sorted(titles.items(), key=lambda item: item[1].casefold()))
 
 
-def shipped_file(name: str) -> Path:
+def builtin_field_file(name: str) -> Path:
     """Where the package keeps a field's description."""
     return resources_dir() / "field" / f"{name}.toml"
 
 
-def is_shipped(source: Path) -> bool:
+def is_builtin_field(source: Path) -> bool:
     """Whether a description is one of the package's, not a file of the user's own."""
-    return source == shipped_file(source.stem)
+    return source == builtin_field_file(source.stem)
 
 
 @cache
@@ -72,10 +72,10 @@ def load_field(name_or_path: str | Path | None = None, **dimensions: float) -> F
     """
     if name_or_path is None:
         name_or_path = default_field_name()
-    return _loaded(name_or_path, dimensions)
+    return _load(name_or_path, dimensions)
 
 
-def _loaded(
+def _load(
     name_or_path: str | Path,
     dimensions: Mapping[str, float],
     *,
@@ -93,15 +93,15 @@ def _loaded(
                 f"no such field{did_you_mean(str(name_or_path), known)}",
                 advice=f"known: {', '.join(known)}; or the path of a .toml file",
             )
-        path = shipped_file(str(name_or_path))
+        path = builtin_field_file(str(name_or_path))
     chosen = tuple((name, type(value), value) for name, value in dimensions.items())
-    return _field_of(path, _read_text(path), chosen, lines, related)
+    return _field_from_text(path, _read_text(path), chosen, lines, related)
 
 
 # A command, and a window even more so, asks for the same field many times; evaluating its formulas
 # takes ten milliseconds or more.
 @lru_cache(maxsize=32)
-def _field_of(
+def _field_from_text(
     path: Path,
     text: str,
     chosen: tuple[tuple[str, type, float], ...],
@@ -112,19 +112,19 @@ def _field_of(
     try:
         data = tomllib.loads(text)
     except (ValueError, RecursionError) as error:  # tomllib's own error is a ValueError
-        single = _ONE_BRACKET.search(text)
+        single = _SINGLE_BRACKET_ELEMENTS.search(text)
         advice = "elements begin with [[elements]], two brackets" if single else ""
         raise FieldError(path, f"is not valid TOML: {error}", advice=advice) from error
     dimensions = {name: value for name, _, value in chosen}
     try:
         field = read_field(path, data, dimensions, related=related)
-        field = _told_apart(field, path, dimensions, related)
-        middle = (field.usual_lines if lines is None else lines) == MIDDLE
-        return at_middle_of_paint(field) if middle else field
+        field = _with_distinct_name(field, path, dimensions, related)
+        middle = (field.usual_lines if lines is None else lines) == MIDDLE_LINE
+        return with_centred_markings(field) if middle else field
     except FieldError as error:
-        if not error.place and is_shipped(path):  # nobody is to look for a mistake in there
+        if not error.place and is_builtin_field(path):  # nobody is to look for a mistake in there
             raise FieldError(path.stem, error.problem, advice=error.advice) from error
-        if (line := line_of(text, error.place)) is None:
+        if (line := line_number_of(text, error.place)) is None:
             raise
         place = f"line {line}: {error.place}"
         raise FieldError(path, error.problem, place=place, advice=error.advice) from error
@@ -137,24 +137,24 @@ def place_in_file(field: Field, place: str) -> str:
         field: as it was loaded.
         place: as `field.reading` and `field.checks` name it.
     """
-    if field.source is None or is_shipped(field.source):
+    if field.source is None or is_builtin_field(field.source):
         return f"{field.name}: {place}"
-    line = line_of(_read_text(field.source), place)
+    line = line_number_of(_read_text(field.source), place)
     return f"{field.source}: {place}" if line is None else f"{field.source}: line {line}: {place}"
 
 
-def _told_apart(field: Field, path: Path, dimensions: Mapping[str, float], related: bool) -> Field:
+def _with_distinct_name(field: Field, path: Path, dimensions: Mapping[str, float], related: bool) -> Field:
     """Figures on a field of one's own must not pass for those on the shipped one of its name."""
-    if is_shipped(path) or field.name not in field_names():
+    if is_builtin_field(path) or field.name not in field_names():
         return field
     try:
-        same = field == _loaded(field.name, dimensions, related=related)
+        same = field == _load(field.name, dimensions, related=related)
     except FieldError:  # the shipped one has no such dimensions
         same = False
     return field if same else replace(field, own_file=path.name)
 
 
-def resized(field: Field, dimensions: Mapping[str, float], *, related: bool = True) -> Field:
+def with_dimensions(field: Field, dimensions: Mapping[str, float], *, related: bool = True) -> Field:
     """The same field with other dimensions; those that are not named are nominal.
 
     Landmarks and stadiums stay as they are, lines in the middle of their paint or where they are
@@ -172,8 +172,8 @@ def resized(field: Field, dimensions: Mapping[str, float], *, related: bool = Tr
     """
     if field.source is None:
         raise FieldError(field.name, "was not read from a file: its dimensions cannot be changed")
-    sized = _loaded(field.source, dimensions, lines=field.lines, related=related)
-    return _with_own(sized, field)
+    sized = _load(field.source, dimensions, lines=field.lines, related=related)
+    return _with_dataset_additions(sized, field)
 
 
 def with_lines(field: Field, lines: str) -> Field:
@@ -186,20 +186,20 @@ def with_lines(field: Field, lines: str) -> Field:
     Raises:
         FieldError: no such choice, or the field's description cannot be read any more.
     """
-    if lines not in LINES:
-        raise FieldError(field.name, f"lines: expected one of {', '.join(LINES)}, found {lines!r}")
+    if lines not in LINE_POSITIONS:
+        raise FieldError(field.name, f"lines: expected one of {', '.join(LINE_POSITIONS)}, found {lines!r}")
     if lines == field.lines:
         return field
     if field.source is None:
-        if lines == MIDDLE:
-            return at_middle_of_paint(field)
+        if lines == MIDDLE_LINE:
+            return with_centred_markings(field)
         raise FieldError(field.name, "was not read from a file: its lines cannot be put back")
     own = {d.name: d.value for d in field.dimensions if d.value != d.nominal}
-    found = _loaded(field.source, own, lines=lines, related=False)
-    return _with_own(found, field)
+    found = _load(field.source, own, lines=lines, related=False)
+    return _with_dataset_additions(found, field)
 
 
-def _with_own(loaded: Field, of: Field) -> Field:
+def _with_dataset_additions(loaded: Field, of: Field) -> Field:
     """A description's field with what a dataset gave to another one of it."""
     found = with_landmarks(loaded, of.landmarks, of.instant, of.instants)
     return found if of.stadiums is None else replace(found, stadiums=of.stadiums)
@@ -207,11 +207,11 @@ def _with_own(loaded: Field, of: Field) -> Field:
 
 def _read_text(path: Path) -> str:
     try:
-        data = read_head(path, _LARGEST_FILE + 1)
-        if len(data) > _LARGEST_FILE:
+        data = read_head(path, _MAX_FILE_BYTES + 1)
+        if len(data) > _MAX_FILE_BYTES:
             raise FieldError(
                 path,
-                f"is larger than {_LARGEST_FILE // 1024} kB, expected a field description",
+                f"is larger than {_MAX_FILE_BYTES // 1024} kB, expected a field description",
                 advice="is it this file?",
             )
         text = data.decode("utf-8-sig")  # some editors put a mark in front
@@ -222,8 +222,8 @@ def _read_text(path: Path) -> str:
     except ValueError as error:  # not UTF-8, or no possible path
         raise FieldError(path, f"cannot be read as UTF-8 text: {error}") from error
     for number, line in enumerate(text.splitlines(), 1):
-        if line.count(".") > _MOST_DOTS:
+        if line.count(".") > _MAX_KEY_DOTS:
             raise FieldError(
-                path, f"has more than {_MOST_DOTS} dots in a line", place=f"line {number}"
+                path, f"has more than {_MAX_KEY_DOTS} dots in a line", place=f"line {number}"
             )
     return text

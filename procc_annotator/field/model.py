@@ -19,13 +19,13 @@ from numpy.typing import NDArray
 
 from procc_annotator.field.appearance import ANY_LINE, Appearance
 from procc_annotator.field.dimensions import Dimension, Relation
-from procc_annotator.field.geometry import Covariance, Geometry, Line, Spot, Vector, on_plane
-from procc_annotator.words import count_of
+from procc_annotator.field.geometry import Covariance, Geometry, Line, Spot, Vector, is_on_ground
+from procc_annotator.words import count_words
 
 # Where the elements of a field lie: where the rules measure them, or in the middle of their paint.
-MEASURED, MIDDLE = LINES = "measured", "middle"
+MEASURED_LINE, MIDDLE_LINE = LINE_POSITIONS = "measured", "middle"
 _SAME_TURN_RAD = 1e-6
-_SIDES = ("length", "width")  # told as "105 x 68 m"
+_SIDE_NAMES = ("length", "width")  # told as "105 x 68 m"
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,7 +79,7 @@ class Element:
     @property
     def on_ground(self) -> bool:
         """Whether the whole element lies on the plane z = 0."""
-        return on_plane(self.geometry)
+        return is_on_ground(self.geometry)
 
 
 @dataclass(frozen=True, slots=True)
@@ -138,7 +138,7 @@ class Symmetry:
 
 
 @dataclass(frozen=True, slots=True)
-class CameraPlaces:
+class CameraPlacement:
     """Where cameras of a sport stand, metres: from the edge of the field, and above the ground.
 
     Each is (least, usual, most). ``ceiling`` is the height of cameras under the roof that look
@@ -185,7 +185,7 @@ class Field:
     elements: tuple[Element, ...]
     symmetries: tuple[Symmetry, ...] = ()
     classes_without_geometry: tuple[str, ...] = ()
-    cameras: CameraPlaces | None = None
+    cameras: CameraPlacement | None = None
     rules: str = ""
     source: Path | None = dataclass_field(default=None, compare=False)
     own_file: str = dataclass_field(default="", compare=False)
@@ -193,8 +193,8 @@ class Field:
     landmarks: tuple[Landmark, ...] = ()
     instant: str | None = None
     instants: Mapping[str, str] = dataclass_field(default_factory=dict)
-    lines: str = MEASURED
-    usual_lines: str = dataclass_field(default=MEASURED, compare=False)
+    lines: str = MEASURED_LINE
+    usual_lines: str = dataclass_field(default=MEASURED_LINE, compare=False)
     stadiums: Stadiums | None = None
 
     @property
@@ -220,16 +220,16 @@ class Field:
         are if that is not where the rules measure, and whether stadiums have their own; empty for a
         field as official evaluations take it."""
         own = {d.name: d for d in self.dimensions if d.value != d.nominal}
-        sides = [d for d in self.dimensions if d.name in _SIDES]
+        sides = [d for d in self.dimensions if d.name in _SIDE_NAMES]
         words = []
-        if len(sides) == len(_SIDES) and not own.keys().isdisjoint(_SIDES):
+        if len(sides) == len(_SIDE_NAMES) and not own.keys().isdisjoint(_SIDE_NAMES):
             words.append(" x ".join(f"{d.value:.10g}" for d in sides) + " m")
-            own = {name: d for name, d in own.items() if name not in _SIDES}
+            own = {name: d for name, d in own.items() if name not in _SIDE_NAMES}
         words += [f"{d.title.lower()} {d.value:.10g} m" for d in own.values()]
-        if self.lines == MIDDLE:
+        if self.lines == MIDDLE_LINE:
             words.append("lines at their middle")
         if self.stadiums is not None:
-            words.append(f"dimensions of {count_of(len(self.stadiums.dimensions), 'stadium')}")
+            words.append(f"dimensions of {count_words(len(self.stadiums.dimensions), 'stadium')}")
         return ", ".join(words)
 
     def dimension(self, name: str) -> Dimension | None:

@@ -14,7 +14,7 @@ from procc_annotator.field.geometry import (
     Line,
     Spot,
     angles_of,
-    at_angles,
+    points_at_angles,
     middle_of,
     parts_of,
 )
@@ -24,8 +24,8 @@ FloatArray = NDArray[np.float64]
 
 # By how much a curve leaves the chords that stand for it: metres at most, and of its radius.
 _SAGITTA_M, _SAGITTA_SHARE = 0.02, 0.02
-_MEET_M = 0.2  # paint has a width, and some lines end at another one's edge
-_ROUNDING_M = 1e-3  # more than products of matrices lose
+_TOUCH_TOLERANCE_M = 0.2  # paint has a width, and some lines end at another one's edge
+_ROUNDING_TOLERANCE_M = 1e-3  # more than products of matrices lose
 
 
 def distances_from(field: Field, class_names: Collection[str]) -> FloatArray:
@@ -56,9 +56,9 @@ def distances_from(field: Field, class_names: Collection[str]) -> FloatArray:
     return found
 
 
-def meeting(field: Field, class_name: str) -> tuple[str, ...]:
+def touching_elements(field: Field, class_name: str) -> tuple[str, ...]:
     """The elements that touch or cross this one, in the field's order; () for an unknown class."""
-    near = distances_from(field, (class_name,)) <= _MEET_M
+    near = distances_from(field, (class_name,)) <= _TOUCH_TOLERANCE_M
     return tuple(
         e.name for e, met in zip(field.elements, near, strict=True) if met and e.name != class_name
     )
@@ -69,7 +69,7 @@ def distances_to(elements: tuple[Element, ...], points: FloatArray) -> FloatArra
     return _segments_of(elements).distances_to(points)
 
 
-class _Segments:
+class _ElementSegments:
     """Segments that stand for some elements, and how far apart these are as far as it was asked.
 
     Attributes:
@@ -78,7 +78,7 @@ class _Segments:
     """
 
     def __init__(self, elements: tuple[Element, ...]) -> None:
-        pieces = [_segments(e.geometry) for e in elements]
+        pieces = [_segments_of_geometry(e.geometry) for e in elements]
         counts = [len(piece) for piece in pieces]
         self.every = np.concatenate(pieces)
         self.starts = np.cumsum([0, *counts[:-1]])
@@ -97,12 +97,12 @@ class _Segments:
     def _measured(self, index: int) -> FloatArray:
         """Only segments are measured that, as balls, are near enough to be the nearest ones."""
         own = slice(self.starts[index], self._ends[index])
-        apart = np.sqrt(np.maximum(_squares(self._middles[own], self._middles), 0.0))
-        most = np.minimum.reduceat(apart.min(axis=0), self.starts) + _ROUNDING_M
+        apart = np.sqrt(np.maximum(_squared_distances(self._middles[own], self._middles), 0.0))
+        most = np.minimum.reduceat(apart.min(axis=0), self.starts) + _ROUNDING_TOLERANCE_M
         apart -= self._halves[own, None]
         which, other = np.nonzero(apart <= (most[self._element] + self._halves))
         found = np.full(len(self.starts), np.inf)
-        measured = _apart(self.every[own][which], self.every[other])
+        measured = _segment_distances(self.every[own][which], self.every[other])
         np.minimum.at(found, self._element[other], measured)
         found.setflags(write=False)
         return found
@@ -113,7 +113,7 @@ class _Segments:
         squares = np.maximum((span**2).sum(axis=1), 1e-12)
         # Products of matrices instead of (n, S, 3) arrays, which take ten times as long.
         along = points @ span.T - (begin * span).sum(axis=1)
-        apart = _squares(points, begin)
+        apart = _squared_distances(points, begin)
         share = np.clip(along / squares, 0.0, 1.0)
         apart -= share * (2 * along - share * squares)
         nearest = np.minimum.reduceat(apart, self.starts, axis=1)
@@ -121,16 +121,16 @@ class _Segments:
 
 
 # A window asks for one field; with other dimensions, or to compare, for some.
-_segments_of = lru_cache(maxsize=32)(_Segments)
+_segments_of = lru_cache(maxsize=32)(_ElementSegments)
 
 
-def _squares(points: FloatArray, others: FloatArray) -> FloatArray:
+def _squared_distances(points: FloatArray, others: FloatArray) -> FloatArray:
     """(n, m) squares of the distances between places (n, 3) and (m, 3); a rounding below 0."""
     own = (points**2).sum(axis=1)[:, None]
     return np.asarray(own - 2 * points @ others.T + (others**2).sum(axis=1))
 
 
-def _segments(geometry: Geometry) -> FloatArray:
+def _segments_of_geometry(geometry: Geometry) -> FloatArray:
     """(n, 2, 3) both ends of segments that stand for a geometry; a spot is one without length."""
     found = []
     for part in parts_of(geometry):
@@ -141,12 +141,12 @@ def _segments(geometry: Geometry) -> FloatArray:
         else:
             first, last = angles_of(part)
             step = 2 * math.acos(1 - min(_SAGITTA_M / part.radius, _SAGITTA_SHARE))
-            points = at_angles(part, np.linspace(first, last, math.ceil((last - first) / step) + 1))
+            points = points_at_angles(part, np.linspace(first, last, math.ceil((last - first) / step) + 1))
         found.append(np.stack([points[:-1], points[1:]], axis=1))
     return np.concatenate(found)
 
 
-def _apart(one: FloatArray, other: FloatArray) -> FloatArray:
+def _segment_distances(one: FloatArray, other: FloatArray) -> FloatArray:
     """(n,) smallest distances between segments (n, 2, 3) and as many others.
 
     The nearest places of both lines, then the one on each segment nearest to the other's; see

@@ -23,21 +23,21 @@ from procc_annotator.field.geometry import (
     parts_of,
 )
 from procc_annotator.field.model import Element, Field
-from procc_annotator.field.sideways import moved_sideways
+from procc_annotator.field.sideways import offset_parts
 
 FloatArray = NDArray[np.float64]
 
-_FLAT_M = 1e-6
-_SEPARATOR = "\n"  # no name in a field's file has a line break
+_COPLANAR_M = 1e-6
+_BORDER_SEPARATOR = "\n"  # no name in a field's file has a line break
 
 
-def paint_of(field: Field) -> Field:
+def marking_field(field: Field) -> Field:
     """The borders of all painted bands as a field of their own, to be projected like any other.
 
     Of a band that is measured at its middle those are two lines, half the paint's width away; of
     one that is measured at an edge the other edge. Bands lie in the plane of their element: the
     ground, or the plane of a curve. A straight line in the air has one only together with the place
-    its paint lies towards. Names of the elements go through `painted_class`.
+    its paint lies towards. Names of the elements go through `class_of_border`.
 
     Args:
         field: any.
@@ -45,15 +45,15 @@ def paint_of(field: Field) -> Field:
     Returns:
         No element where nothing is painted.
     """
-    return replace(field, elements=_borders(field.elements), symmetries=(), landmarks=())
+    return replace(field, elements=_border_elements(field.elements), symmetries=(), landmarks=())
 
 
-def painted_class(border: str) -> str:
-    """The class that a border of `paint_of` belongs to."""
-    return border.partition(_SEPARATOR)[0]
+def class_of_border(border: str) -> str:
+    """The class that a border of `marking_field` belongs to."""
+    return border.partition(_BORDER_SEPARATOR)[0]
 
 
-def side_of_paint(element: Element) -> str:
+def marking_side(element: Element) -> str:
     """``inside`` or ``outside``: where the paint lies of an element that is measured at an edge of
     it. Of a curve that is its own inside, of a straight line the field's centre lies inside.
 
@@ -69,34 +69,34 @@ def side_of_paint(element: Element) -> str:
         way /= np.linalg.norm(way)
         away = np.array(element.inside) - start, -start  # of the paint, of the field's centre
         paint, centre = (towards - (towards @ way) * way for towards in away)
-        gain = -float(paint @ centre) if np.linalg.norm(centre) > _FLAT_M else 0.0
+        gain = -float(paint @ centre) if np.linalg.norm(centre) > _COPLANAR_M else 0.0
     else:
-        border = sum(length_of(e.geometry) for e in _borders((element,)))
+        border = sum(length_of(e.geometry) for e in _border_elements((element,)))
         gain = border - length_of(element.geometry)
-    if abs(gain) < _FLAT_M:
+    if abs(gain) < _COPLANAR_M:
         return ""
     return "outside" if gain > 0 else "inside"
 
 
 @lru_cache(maxsize=8)
-def _borders(elements: tuple[Element, ...]) -> tuple[Element, ...]:
+def _border_elements(elements: tuple[Element, ...]) -> tuple[Element, ...]:
     found: list[Element] = []
     for element in elements:
         if element.line_width <= 0 or element.is_spot:
             continue
-        normal = normal_of_paint(element)
+        normal = marking_normal(element)
         if normal is None:
             continue
-        for offset in offsets_of_borders(element, normal):
-            for part in moved_sideways(element.geometry, normal, offset):
+        for offset in border_offsets(element, normal):
+            for part in offset_parts(element.geometry, normal, offset):
                 if part is None:
                     continue
-                name = f"{element.name}{_SEPARATOR}{len(found)}"
+                name = f"{element.name}{_BORDER_SEPARATOR}{len(found)}"
                 found.append(replace(element, name=name, geometry=part, line_width=0.0))
     return tuple(found)
 
 
-def normal_of_paint(element: Element) -> FloatArray | None:
+def marking_normal(element: Element) -> FloatArray | None:
     """(3,) unit normal of the plane the paint lies in; None where nothing tells it."""
     if element.on_ground:
         return np.array((0.0, 0.0, 1.0))
@@ -109,17 +109,17 @@ def normal_of_paint(element: Element) -> FloatArray | None:
     spread = points - points.mean(axis=0)
     _, sizes, axes = np.linalg.svd(spread, full_matrices=True)
     sizes = np.append(sizes, np.zeros(3 - len(sizes)))
-    if sizes[1] < _FLAT_M or sizes[2] > _FLAT_M:
+    if sizes[1] < _COPLANAR_M or sizes[2] > _COPLANAR_M:
         return None  # a straight line, or one that lies in no plane
     return np.asarray(axes[2])
 
 
-def offsets_of_borders(element: Element, normal: FloatArray) -> tuple[float, ...]:
+def border_offsets(element: Element, normal: FloatArray) -> tuple[float, ...]:
     """How far the borders are from the element, metres, to the side of ``normal x direction``.
 
     Args:
         element: a painted one.
-        normal: (3,) see `normal_of_paint`.
+        normal: (3,) see `marking_normal`.
 
     Returns:
         One where the element is measured at an edge of its paint, else one to either side.
@@ -130,7 +130,7 @@ def offsets_of_borders(element: Element, normal: FloatArray) -> tuple[float, ...
     nearest = math.inf
     towards = 0.0
     for part in parts_of(element.geometry):
-        begin, way = _nearest(part, place)
+        begin, way = _closest_point_on_part(part, place)
         apart = float(np.linalg.norm(place - begin))
         if apart < nearest:
             nearest = apart
@@ -138,7 +138,7 @@ def offsets_of_borders(element: Element, normal: FloatArray) -> tuple[float, ...
     return (math.copysign(element.line_width, towards),)
 
 
-def _nearest(part: Part, place: FloatArray) -> tuple[FloatArray, FloatArray]:
+def _closest_point_on_part(part: Part, place: FloatArray) -> tuple[FloatArray, FloatArray]:
     """The point of a part that is nearest to a place, and the direction there."""
     if isinstance(part, Line):
         start, end = np.array(part.start), np.array(part.end)
@@ -151,12 +151,12 @@ def _nearest(part: Part, place: FloatArray) -> tuple[FloatArray, FloatArray]:
     out = place - centre
     angle = math.atan2(float(out @ aside), float(out @ ahead))
     if isinstance(part, Arc):
-        angle = _within(angle, part)
+        angle = _clamp_angle_to_arc(angle, part)
     point = centre + part.radius * (math.cos(angle) * ahead + math.sin(angle) * aside)
     return point, -math.sin(angle) * ahead + math.cos(angle) * aside
 
 
-def _within(angle: float, arc: Arc) -> float:
+def _clamp_angle_to_arc(angle: float, arc: Arc) -> float:
     """The angle of an arc that is nearest to an angle."""
     turned = arc.start_rad + (angle - arc.start_rad) % (2 * math.pi)
     if turned <= arc.end_rad:

@@ -17,21 +17,21 @@ from procc_annotator.field.appearance import (
     TONES,
     Appearance,
 )
-from procc_annotator.field.geometry import Arc, Circle, Geometry, Line, Spot, Vector, on_plane
-from procc_annotator.field.values import Values
-from procc_annotator.field.words import printed
+from procc_annotator.field.geometry import Arc, Circle, Geometry, Line, Spot, Vector, is_on_ground
+from procc_annotator.field.values import FieldFileValues
+from procc_annotator.field.words import short_repr
 
-_LOOKS = ("tone", "paint_colour")
-_OF_LINES = {"line_width", "measured", *_LOOKS}
-_OF_BARS = {"diameter", *_LOOKS}
-PAINT_KEYS = _OF_LINES | _OF_BARS | {"inside", "seen_as"}  # of an element
-_MEASURED = ("centre", "outer")
-_WIDEST_M = 2.0
-_ON_LINE_M = 1e-6
+_APPEARANCE_KEYS = ("tone", "paint_colour")
+_LINE_KEYS = {"line_width", "measured", *_APPEARANCE_KEYS}
+_BAR_KEYS = {"diameter", *_APPEARANCE_KEYS}
+MARKING_KEYS = _LINE_KEYS | _BAR_KEYS | {"inside", "seen_as"}  # of an element
+_MEASURED_AT = ("centre", "outer")
+_MAX_WIDTH_M = 2.0
+_ON_LINE_TOLERANCE_M = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
-class PaintTerms:
+class MarkingProperties:
     """See `Element`."""
 
     line_width: float
@@ -39,7 +39,7 @@ class PaintTerms:
     appearance: Appearance
 
 
-class PaintReader:
+class MarkingReader:
     """What a file says of all its elements, and of each.
 
     Args:
@@ -51,25 +51,25 @@ class PaintReader:
         FieldError: names the place of what is wrong.
     """
 
-    def __init__(self, values: Values, lines: Mapping[str, Any], bars: Mapping[str, Any]) -> None:
+    def __init__(self, values: FieldFileValues, lines: Mapping[str, Any], bars: Mapping[str, Any]) -> None:
         self._values = values
         self._lines, self._bars = lines, bars
         # A mistake in what holds for all elements is told here, not at the first of them.
-        values.keys("paint", dict(lines), _OF_LINES, {"line_width"} if lines else set())
-        values.keys("bars", dict(bars), _OF_BARS, set())
+        values.keys("paint", dict(lines), _LINE_KEYS, {"line_width"} if lines else set())
+        values.keys("bars", dict(bars), _BAR_KEYS, set())
         for place, table in (("paint", lines), ("bars", bars)):
             self._width(f"{place}.line_width", table.get("line_width", 0.0))
             self._width(f"{place}.diameter", table.get("diameter", 0.0))
-            self._one_of(f"{place}.measured", table.get("measured", "centre"), _MEASURED)
+            self._one_of(f"{place}.measured", table.get("measured", "centre"), _MEASURED_AT)
             self._look(place, LINE, 0.0, table, {})
 
-    def of(self, place: str, geometry: Geometry, entry: Mapping[str, Any]) -> PaintTerms:
+    def of(self, place: str, geometry: Geometry, entry: Mapping[str, Any]) -> MarkingProperties:
         """What an element's own table says, and what is said of all such elements.
 
         Raises:
             FieldError: names the place of what is wrong.
         """
-        spot, on_ground = isinstance(geometry, Spot), on_plane(geometry)
+        spot, on_ground = isinstance(geometry, Spot), is_on_ground(geometry)
         usual = self._lines if on_ground and not spot else {}
         width = entry.get("line_width", usual.get("line_width", 0.0))
         width = self._width(f"{place}.line_width", width)
@@ -82,20 +82,20 @@ class PaintReader:
             raise self._values.error(f"{place}.diameter", 'is of use only with seen_as = "bar"')
         elif width == 0:
             usual = {}  # nothing is painted: it looks as it likes
-        return PaintTerms(width, inside, self._look(place, kind, width, entry, usual))
+        return MarkingProperties(width, inside, self._look(place, kind, width, entry, usual))
 
     def _inside(
         self, place: str, geometry: Geometry, entry: Mapping[str, Any], usual: Mapping[str, Any]
     ) -> Vector | None:
         """A place on the side the paint lies on; None where it lies on both."""
         measured = entry.get("measured", usual.get("measured", "centre"))
-        if self._one_of(f"{place}.measured", measured, _MEASURED) == "centre":
+        if self._one_of(f"{place}.measured", measured, _MEASURED_AT) == "centre":
             if "inside" in entry:
                 raise self._values.error(
                     f"{place}.inside", 'is of use only with measured = "outer"'
                 )
             return None
-        inside = _usual_inside(geometry)
+        inside = _default_inside(geometry)
         if "inside" in entry:
             inside = self._values.vector(f"{place}.inside", entry["inside"])
         if _lies_on(geometry, inside):
@@ -114,7 +114,7 @@ class PaintReader:
         entry: Mapping[str, Any],
         usual: Mapping[str, Any],
     ) -> Appearance:
-        tone, colour = (entry.get(key, usual.get(key, ANY)) for key in _LOOKS)
+        tone, colour = (entry.get(key, usual.get(key, ANY)) for key in _APPEARANCE_KEYS)
         tone = self._one_of(f"{place}.tone", tone, TONES)
         colour = self._one_of(f"{place}.paint_colour", colour, COLOURS)
         if kind == BAR:
@@ -124,19 +124,19 @@ class PaintReader:
 
     def _width(self, place: str, value: object) -> float:
         width = self._values.number(place, value)
-        if not 0 <= width <= _WIDEST_M:
-            raise self._values.error(place, f"expected 0 to {_WIDEST_M:g} m, found {width:g}")
+        if not 0 <= width <= _MAX_WIDTH_M:
+            raise self._values.error(place, f"expected 0 to {_MAX_WIDTH_M:g} m, found {width:g}")
         return width
 
     def _one_of(self, place: str, value: object, allowed: tuple[str, ...]) -> str:
         if not isinstance(value, str) or value not in allowed:
             raise self._values.error(
-                place, f"expected one of {', '.join(allowed)}, found {printed(value)}"
+                place, f"expected one of {', '.join(allowed)}, found {short_repr(value)}"
             )
         return value
 
 
-def _usual_inside(geometry: Geometry) -> Vector:
+def _default_inside(geometry: Geometry) -> Vector:
     """Of a round element its own centre, else the centre of the field."""
     return geometry.centre if isinstance(geometry, Arc | Circle) else (0.0, 0.0, 0.0)
 
@@ -146,4 +146,4 @@ def _lies_on(geometry: Geometry, place: Vector) -> bool:
         return False
     (ax, ay, _), (bx, by, _) = geometry.start, geometry.end
     twice_area = (bx - ax) * (place[1] - ay) - (by - ay) * (place[0] - ax)
-    return abs(twice_area) < _ON_LINE_M
+    return abs(twice_area) < _ON_LINE_TOLERANCE_M

@@ -19,12 +19,12 @@ from procc_annotator.field.geometry import (
     Line,
     ends_of,
 )
-from procc_annotator.field.model import MIDDLE, Element, Field
-from procc_annotator.field.paint import normal_of_paint, offsets_of_borders
-from procc_annotator.field.sideways import corner_of, ended_at, moved_sideways
+from procc_annotator.field.model import MIDDLE_LINE, Element, Field
+from procc_annotator.field.paint import marking_normal, border_offsets
+from procc_annotator.field.sideways import extended_corner, with_end_at, offset_parts
 
 
-def at_middle_of_paint(field: Field) -> Field:
+def with_centred_markings(field: Field) -> Field:
     """The field with each element in the middle of its paint, if it is measured at an edge of it.
 
     Lines that shared an end, as at the corner of a court, end where their middles cross.
@@ -34,34 +34,34 @@ def at_middle_of_paint(field: Field) -> Field:
     Args:
         field: any; one that went through here comes back as it is.
     """
-    if field.lines == MIDDLE:
+    if field.lines == MIDDLE_LINE:
         return field
-    elements = [_at_middle(element) for element in field.elements]
-    _meet_at_corners(field.elements, elements)
-    return replace(field, elements=tuple(elements), lines=MIDDLE)
+    elements = [_centred_element(element) for element in field.elements]
+    _rejoin_corners(field.elements, elements)
+    return replace(field, elements=tuple(elements), lines=MIDDLE_LINE)
 
 
-def can_be_at_middle(field: Field) -> bool:
+def has_off_centre_markings(field: Field) -> bool:
     """Whether it makes a difference to a field, or has made one."""
-    return field.lines == MIDDLE or any(_at_middle(e) is not e for e in field.elements)
+    return field.lines == MIDDLE_LINE or any(_centred_element(e) is not e for e in field.elements)
 
 
-def _at_middle(element: Element) -> Element:
+def _centred_element(element: Element) -> Element:
     """The same element if it lies there already, or if nothing tells where its paint is."""
     if element.inside is None or element.line_width <= 0 or element.is_spot:
         return element
-    normal = normal_of_paint(element)
+    normal = marking_normal(element)
     if normal is None:
         return element
-    (border,) = offsets_of_borders(element, normal)
-    parts = moved_sideways(element.geometry, normal, border / 2)
-    geometry = _joined(element.geometry, [p for p in parts if isinstance(p, Line | Arc | Circle)])
+    (border,) = border_offsets(element, normal)
+    parts = offset_parts(element.geometry, normal, border / 2)
+    geometry = _join_parts(element.geometry, [p for p in parts if isinstance(p, Line | Arc | Circle)])
     if geometry is None:
         return element
     return replace(element, geometry=geometry, inside=None)
 
 
-def _joined(geometry: Geometry, parts: Sequence[Line | Arc | Circle]) -> Geometry | None:
+def _join_parts(geometry: Geometry, parts: Sequence[Line | Arc | Circle]) -> Geometry | None:
     """Moved parts as one geometry; None where one of them is gone."""
     if not isinstance(geometry, Chain):
         return parts[0] if parts else None
@@ -69,7 +69,7 @@ def _joined(geometry: Geometry, parts: Sequence[Line | Arc | Circle]) -> Geometr
     return Chain(kept) if len(kept) == len(geometry.parts) else None
 
 
-def _meet_at_corners(before: Sequence[Element], moved: list[Element]) -> None:
+def _rejoin_corners(before: Sequence[Element], moved: list[Element]) -> None:
     """Let lines and arcs of the ground that were moved and shared an end, share one again."""
     ended = {
         i: (ends, now.geometry)
@@ -81,12 +81,12 @@ def _meet_at_corners(before: Sequence[Element], moved: list[Element]) -> None:
         course = own
         for last, end in enumerate(own_ends):
             corners = (
-                corner_of((own, bool(last)), (other, bool(other_last)))
+                extended_corner((own, bool(last)), (other, bool(other_last)))
                 for j, (other_ends, other) in ended.items()
                 if i != j
                 for other_last, other_end in enumerate(other_ends)
                 if math.dist(end, other_end) < SAME_PLACE_M
             )
             if (corner := next(filter(None, corners), None)) is not None:
-                course = ended_at(course, bool(last), corner)
+                course = with_end_at(course, bool(last), corner)
         moved[i] = replace(moved[i], geometry=course)

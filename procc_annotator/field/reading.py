@@ -8,17 +8,17 @@ from pathlib import Path
 from typing import Any
 
 from procc_annotator.errors import FieldError
-from procc_annotator.field.dimensions import Dimension, broken_relation, read_relations
-from procc_annotator.field.model import LINES, MEASURED, CameraPlaces, Element, Field, Symmetry
-from procc_annotator.field.paint_reading import PAINT_KEYS, PaintReader
+from procc_annotator.field.dimensions import Dimension, violated_relation, read_relations
+from procc_annotator.field.model import LINE_POSITIONS, MEASURED_LINE, CameraPlacement, Element, Field, Symmetry
+from procc_annotator.field.paint_reading import MARKING_KEYS, MarkingReader
 from procc_annotator.field.shapes import GEOMETRY_KEYS, read_geometry
 from procc_annotator.field.symmetry import NoPartnerError, find_symmetry
-from procc_annotator.field.values import FARTHEST_M, Values
-from procc_annotator.field.words import did_you_mean, printed
+from procc_annotator.field.values import MAX_COORDINATE_M, FieldFileValues
+from procc_annotator.field.words import did_you_mean, short_repr
 
-_REQUIRED = {"name", "title", "elements"}
-_ALLOWED = {
-    *_REQUIRED,
+_REQUIRED_KEYS = {"name", "title", "elements"}
+_ALLOWED_KEYS = {
+    *_REQUIRED_KEYS,
     "rules",
     "dimensions",
     "relations",
@@ -32,11 +32,11 @@ _ALLOWED = {
 }
 _ELEMENT_TEXTS = ("name", "title", "group", "colour", "shortcut")
 _DIMENSION_NUMBERS = ("nominal", "minimum", "maximum")
-_MOST_ELEMENTS = 200
-_MOST_SYMMETRIES = 8
-_OWN_FILE = "a field file of your own may allow it"
-_NAME = re.compile(r"[\w-]+\Z")
-_COLOUR = re.compile(r"#[0-9a-fA-F]{6}\Z")
+_MAX_ELEMENTS = 200
+_MAX_SYMMETRIES = 8
+_OWN_FILE_ADVICE = "a field file of your own may allow it"
+_NAME_PATTERN = re.compile(r"[\w-]+\Z")
+_COLOUR_PATTERN = re.compile(r"#[0-9a-fA-F]{6}\Z")
 
 
 def read_field(
@@ -62,19 +62,19 @@ class _Reader:
     def __init__(self, path: Path, data: dict[str, Any], chosen: Mapping[str, float]) -> None:
         self.data = data
         self.chosen = chosen
-        self.values = Values(path)
+        self.values = FieldFileValues(path)
 
     def read(self, related: bool) -> Field:
         values, data = self.values, self.data
-        values.keys("", data, _ALLOWED, _REQUIRED)
+        values.keys("", data, _ALLOWED_KEYS, _REQUIRED_KEYS)
         dimensions = tuple(self._dimensions())
         for dimension in dimensions:
             values.define(f"dimensions.{dimension.name}", dimension.name, dimension.value)
         relations = read_relations(values, data.get("relations", []), dimensions)
         if related and (
-            broken := broken_relation(relations, {d.name: d.value for d in dimensions})
+            broken := violated_relation(relations, {d.name: d.value for d in dimensions})
         ):
-            raise self._refused(broken, _OWN_FILE)
+            raise self._refused(broken, _OWN_FILE_ADVICE)
         formulas = self._table("formulas")
         values.announce(formulas)
         for name, formula in formulas.items():
@@ -97,18 +97,18 @@ class _Reader:
 
     def _name(self) -> str:
         name = self.values.text("name", self.data["name"])
-        if not _NAME.match(name):
+        if not _NAME_PATTERN.match(name):
             raise self._error(
-                "name", f"expected letters, digits, _ and - alone, found {printed(name)}"
+                "name", f"expected letters, digits, _ and - alone, found {short_repr(name)}"
             )
         return name
 
     def _lines(self) -> str:
         """Where elements are to lie; those read here lie where the file has them."""
-        lines = self.data.get("lines", MEASURED)
-        if lines not in LINES:
+        lines = self.data.get("lines", MEASURED_LINE)
+        if lines not in LINE_POSITIONS:
             raise self._error(
-                "lines", f"expected one of {', '.join(LINES)}, found {printed(lines)}"
+                "lines", f"expected one of {', '.join(LINE_POSITIONS)}, found {short_repr(lines)}"
             )
         return str(lines)
 
@@ -124,7 +124,7 @@ class _Reader:
         seen = {e.name.strip() for e in elements}
         for i, name in enumerate(extra):
             if self.values.text(f"{place}[{i}]", name).strip() in seen:
-                raise self._error(f"{place}[{i}]", f"{printed(name)} is used twice")
+                raise self._error(f"{place}[{i}]", f"{short_repr(name)} is used twice")
             seen.add(name.strip())
         return tuple(extra)
 
@@ -134,11 +134,11 @@ class _Reader:
             if name not in table:
                 hint = did_you_mean(name, table)
                 known = "" if hint or not table else f"there are {', '.join(table)}"
-                raise self._refused(f"no dimension {printed(name)}{hint}", known)
+                raise self._refused(f"no dimension {short_repr(name)}{hint}", known)
         for name, entry in table.items():
             place = f"dimensions.{name}"
             if not isinstance(entry, dict):
-                own = f"; {name} stands above the first [table]" if name in _ALLOWED else ""
+                own = f"; {name} stands above the first [table]" if name in _ALLOWED_KEYS else ""
                 raise self._error(
                     place, f"expected a table with title, nominal, minimum, maximum{own}"
                 )
@@ -147,8 +147,8 @@ class _Reader:
             numbers = {k: values.number(f"{place}.{k}", entry[k]) for k in _DIMENSION_NUMBERS}
             if not 0 < numbers["minimum"] <= numbers["nominal"] <= numbers["maximum"]:
                 raise self._error(place, "expected 0 < minimum <= nominal <= maximum")
-            if numbers["maximum"] > 2 * FARTHEST_M:
-                raise self._error(place, f"expected at most {2 * FARTHEST_M:g} m")
+            if numbers["maximum"] > 2 * MAX_COORDINATE_M:
+                raise self._error(place, f"expected at most {2 * MAX_COORDINATE_M:g} m")
             value = self._value(name, numbers)
             title = values.text(f"{place}.title", entry["title"])
             yield Dimension(name, title, value, **numbers)
@@ -166,11 +166,11 @@ class _Reader:
             return value
         if least == most:
             raise self._refused(
-                f"{name} cannot be {value:g} m: the rules fix it at {least:g} m", _OWN_FILE
+                f"{name} cannot be {value:g} m: the rules fix it at {least:g} m", _OWN_FILE_ADVICE
             )
         raise self._refused(
             f"{name}: {value:g} m is outside the range of the rules, {least:g} to {most:g} m",
-            _OWN_FILE,
+            _OWN_FILE_ADVICE,
         )
 
     def _refused(self, problem: str, advice: str) -> FieldError:
@@ -185,16 +185,16 @@ class _Reader:
             )
         if not isinstance(entries, list) or not entries:
             raise self._error("elements", "expected at least one [[elements]] table")
-        if len(entries) > _MOST_ELEMENTS:
+        if len(entries) > _MAX_ELEMENTS:
             raise self._error(
-                "elements", f"expected at most {_MOST_ELEMENTS}, found {len(entries)}"
+                "elements", f"expected at most {_MAX_ELEMENTS}, found {len(entries)}"
             )
-        paint = PaintReader(self.values, self._table("paint"), self._table("bars"))
+        paint = MarkingReader(self.values, self._table("paint"), self._table("bars"))
         seen: dict[str, dict[str, Element]] = {"name": {}, "shortcut": {}}
         for number, entry in enumerate(entries, 1):
             name = entry.get("name") if isinstance(entry, dict) else None
             named = isinstance(name, str) and name
-            place = f"element {printed(name) if named else number}"
+            place = f"element {short_repr(name) if named else number}"
             if not isinstance(entry, dict):
                 raise self._error(place, "expected a table")
             element = self._element(place, entry, paint)
@@ -203,25 +203,25 @@ class _Reader:
                 ("shortcut", element.shortcut.casefold()),  # keys have no case
             ):
                 if used and (other := seen[key].get(used)) is not None:
-                    by = f", by {printed(other.name)} too" if key == "shortcut" else ""
-                    raise self._error(f"{place}.{key}", f"{printed(entry[key])} is used twice{by}")
+                    by = f", by {short_repr(other.name)} too" if key == "shortcut" else ""
+                    raise self._error(f"{place}.{key}", f"{short_repr(entry[key])} is used twice{by}")
                 seen[key][used] = element
             yield element
 
-    def _element(self, place: str, entry: Mapping[str, Any], paint: PaintReader) -> Element:
+    def _element(self, place: str, entry: Mapping[str, Any], paint: MarkingReader) -> Element:
         kind = entry.get("kind")
         if not isinstance(kind, str) or kind not in GEOMETRY_KEYS:
             kinds = ", ".join(GEOMETRY_KEYS)
-            raise self._error(f"{place}.kind", f"expected one of {kinds}, found {printed(kind)}")
+            raise self._error(f"{place}.kind", f"expected one of {kinds}, found {short_repr(kind)}")
         needed, more = GEOMETRY_KEYS[kind]
         required = {*_ELEMENT_TEXTS, "kind", *needed}
-        self.values.keys(place, entry, {*required, *more, *PAINT_KEYS, "optional"}, required)
+        self.values.keys(place, entry, {*required, *more, *MARKING_KEYS, "optional"}, required)
         texts = {
             k: self.values.text(f"{place}.{k}", entry[k], may_be_empty=k == "shortcut")
             for k in _ELEMENT_TEXTS
         }
-        if not _COLOUR.match(texts["colour"]):
-            found = printed(texts["colour"])
+        if not _COLOUR_PATTERN.match(texts["colour"]):
+            found = short_repr(texts["colour"])
             raise self._error(f"{place}.colour", f"expected #rrggbb, found {found}")
         optional = self.values.flag(f"{place}.optional", entry.get("optional", False))
         geometry = read_geometry(self.values, place, kind, entry)
@@ -242,7 +242,7 @@ class _Reader:
 
     def _symmetries(self, elements: tuple[Element, ...]) -> Iterable[Symmetry]:
         turns = self.data.get("symmetries", [])
-        if not isinstance(turns, list) or len(turns) > _MOST_SYMMETRIES:
+        if not isinstance(turns, list) or len(turns) > _MAX_SYMMETRIES:
             raise self._error(
                 "symmetries", "expected a list of turns in degrees, as [180]; [] for none"
             )
@@ -261,7 +261,7 @@ class _Reader:
                     f"a turn by {degrees:g} degrees does not take the field to itself: {error}",
                 ) from error
 
-    def _cameras(self) -> CameraPlaces | None:
+    def _cameras(self) -> CameraPlacement | None:
         if "cameras" not in self.data:
             return None
         table = self._table("cameras")
@@ -269,19 +269,19 @@ class _Reader:
             "cameras", table, {"distance", "height", "ceiling"}, {"distance", "height"}
         )
         ceiling = self.values.number("cameras.ceiling", table.get("ceiling", 0.0))
-        if not 0 <= ceiling <= FARTHEST_M:
+        if not 0 <= ceiling <= MAX_COORDINATE_M:
             raise self._error(
-                "cameras.ceiling", f"expected 0 to {FARTHEST_M:g} m, found {ceiling:g}"
+                "cameras.ceiling", f"expected 0 to {MAX_COORDINATE_M:g} m, found {ceiling:g}"
             )
-        return CameraPlaces(self._three("distance"), self._three("height"), ceiling)
+        return CameraPlacement(self._three("distance"), self._three("height"), ceiling)
 
     def _three(self, key: str) -> tuple[float, float, float]:
         place, three = f"cameras.{key}", self.data["cameras"][key]
         if not isinstance(three, list) or len(three) != 3:
             raise self._error(place, "expected three lengths in metres, [least, usual, most]")
         least, usual, most = (self.values.number(f"{place}[{i}]", v) for i, v in enumerate(three))
-        if not 0 <= least <= usual <= most <= FARTHEST_M:
-            raise self._error(place, f"expected 0 <= least <= usual <= most <= {FARTHEST_M:g} m")
+        if not 0 <= least <= usual <= most <= MAX_COORDINATE_M:
+            raise self._error(place, f"expected 0 <= least <= usual <= most <= {MAX_COORDINATE_M:g} m")
         return least, usual, most
 
     def _error(self, place: str, problem: str) -> FieldError:

@@ -16,7 +16,7 @@ from procc_annotator.field.geometry import (
     Line,
     Spot,
     angles_of,
-    at_angles,
+    points_at_angles,
     is_closed,
 )
 from procc_annotator.field.model import Field
@@ -27,8 +27,8 @@ STRAIGHT_SPACING_M = 0.9
 CURVE_SPACING_M = 0.2
 # The official spacing is one for large circles: of a basket's rim it would leave seven points. No
 # curve that the official evaluation knows is so small that this reaches it.
-_WIDEST_OFFICIAL_STEP_RAD = 0.1
-_WIDEST_STEP_RAD = math.radians(15.0)
+_MAX_OFFICIAL_STEP_RAD = 0.1
+_MAX_STEP_RAD = math.radians(15.0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,7 +54,7 @@ class FieldSamples:
 
 @lru_cache(maxsize=16)
 def _official_cached(key: tuple[tuple[str, Geometry], ...]) -> FieldSamples:
-    return _collect(key, [_official(geometry) for _, geometry in key], closed_curves=False)
+    return _collect_samples(key, [_official_samples(geometry) for _, geometry in key], closed_curves=False)
 
 
 def sample_official(field: Field) -> FieldSamples:
@@ -73,7 +73,7 @@ def sample_official(field: Field) -> FieldSamples:
     return _official_cached(tuple((e.name, e.geometry) for e in field.elements))
 
 
-def sample_every(field: Field, spacing_m: float) -> FieldSamples:
+def sample_evenly(field: Field, spacing_m: float) -> FieldSamples:
     """Evenly spaced samples, ends exact, circles closed (the last point equals the first).
 
     Args:
@@ -87,13 +87,13 @@ def sample_every(field: Field, spacing_m: float) -> FieldSamples:
     if not (math.isfinite(spacing_m) and spacing_m > 0):
         raise ValueError(f"expected a positive spacing in metres, found {spacing_m!r}")
     key = tuple((e.name, e.geometry) for e in field.elements)
-    return _collect(key, [_even(geometry, spacing_m) for _, geometry in key], closed_curves=True)
+    return _collect_samples(key, [_even_samples(geometry, spacing_m) for _, geometry in key], closed_curves=True)
 
 
-def _official(geometry: Geometry) -> FloatArray:
+def _official_samples(geometry: Geometry) -> FloatArray:
     if isinstance(geometry, Chain):
         # Each part as if it stood alone; a joint is one sample.
-        parts = [_official(part) for part in geometry.parts]
+        parts = [_official_samples(part) for part in geometry.parts]
         return np.concatenate([parts[0], *(part[1:] for part in parts[1:])])
     if isinstance(geometry, Spot):
         return np.array([geometry.position])
@@ -103,7 +103,7 @@ def _official(geometry: Geometry) -> FloatArray:
         steps = np.arange(1, int(length / STRAIGHT_SPACING_M - 1) + 1) * STRAIGHT_SPACING_M
         between = start + steps[:, None] * ((end - start) / length)
         return np.vstack([start, between, end])
-    spacing = min(CURVE_SPACING_M, _WIDEST_OFFICIAL_STEP_RAD * geometry.radius)
+    spacing = min(CURVE_SPACING_M, _MAX_OFFICIAL_STEP_RAD * geometry.radius)
     step = spacing / geometry.radius
     if isinstance(geometry, Circle):
         count = int(2 * math.pi * geometry.radius / spacing)
@@ -114,12 +114,12 @@ def _official(geometry: Geometry) -> FloatArray:
             geometry.start_rad + np.arange(int(arc_length / spacing) + 1, dtype=np.float64) * step
         )
         angles = np.append(inner, np.float64(geometry.end_rad))
-    return at_angles(geometry, angles)
+    return points_at_angles(geometry, angles)
 
 
-def _even(geometry: Geometry, spacing_m: float) -> FloatArray:
+def _even_samples(geometry: Geometry, spacing_m: float) -> FloatArray:
     if isinstance(geometry, Chain):
-        parts = [_even(part, spacing_m) for part in geometry.parts]
+        parts = [_even_samples(part, spacing_m) for part in geometry.parts]
         points = np.concatenate([parts[0], *(part[1:] for part in parts[1:])])
         if is_closed(geometry):
             points[-1] = points[0]
@@ -133,15 +133,15 @@ def _even(geometry: Geometry, spacing_m: float) -> FloatArray:
         return np.asarray(start * (1 - t) + end * t)
     first, last = angles_of(geometry)
     # A hoop is smaller than the spacing of long lines, and no triangle.
-    fewest = max(3, math.ceil((last - first) / _WIDEST_STEP_RAD - 1e-9))
+    fewest = max(3, math.ceil((last - first) / _MAX_STEP_RAD - 1e-9))
     gaps = max(fewest, math.ceil((last - first) * geometry.radius / spacing_m - 1e-9))
-    points = at_angles(geometry, np.linspace(first, last, gaps + 1))
+    points = points_at_angles(geometry, np.linspace(first, last, gaps + 1))
     if isinstance(geometry, Circle):
         points[-1] = points[0]
     return points
 
 
-def _collect(
+def _collect_samples(
     key: tuple[tuple[str, Geometry], ...], parts: list[FloatArray], *, closed_curves: bool
 ) -> FieldSamples:
     points = np.concatenate(parts) if parts else np.zeros((0, 3))

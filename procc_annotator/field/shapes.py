@@ -21,7 +21,7 @@ from procc_annotator.field.geometry import (
     ends_of,
     vector_of,
 )
-from procc_annotator.field.values import FARTHEST_M, Values
+from procc_annotator.field.values import MAX_COORDINATE_M, FieldFileValues
 
 # Keys that a kind of geometry must and may have.
 GEOMETRY_KEYS: dict[str, tuple[set[str], set[str]]] = {
@@ -32,14 +32,14 @@ GEOMETRY_KEYS: dict[str, tuple[set[str], set[str]]] = {
     "chain": ({"parts"}, set()),
     "point": ({"position"}, set()),
 }
-_PART_KINDS = ("line", "arc")
-_SMALLEST_RADIUS_M = 0.01
-_MOST_PARTS = 64
+_CHAIN_PART_KINDS = ("line", "arc")
+_MIN_RADIUS_M = 0.01
+_MAX_PARTS = 64
 # Parts of a chain that are given in centimetres may fail to meet by a rounding.
-_JOINT_M = 0.001
+_JOINT_TOLERANCE_M = 0.001
 
 
-def read_geometry(values: Values, place: str, kind: str, entry: Mapping[str, Any]) -> Geometry:
+def read_geometry(values: FieldFileValues, place: str, kind: str, entry: Mapping[str, Any]) -> Geometry:
     """The geometry of an element.
 
     Args:
@@ -51,10 +51,10 @@ def read_geometry(values: Values, place: str, kind: str, entry: Mapping[str, Any
     Raises:
         FieldError: names the place and what was expected.
     """
-    return _READERS[kind](values, place, entry)
+    return _GEOMETRY_READERS[kind](values, place, entry)
 
 
-def _line(values: Values, place: str, entry: Mapping[str, Any]) -> Line:
+def _read_line(values: FieldFileValues, place: str, entry: Mapping[str, Any]) -> Line:
     line = Line(
         values.vector(f"{place}.start", entry["start"]),
         values.vector(f"{place}.end", entry["end"]),
@@ -64,40 +64,40 @@ def _line(values: Values, place: str, entry: Mapping[str, Any]) -> Line:
     return line
 
 
-def _spot(values: Values, place: str, entry: Mapping[str, Any]) -> Spot:
+def _read_spot(values: FieldFileValues, place: str, entry: Mapping[str, Any]) -> Spot:
     return Spot(values.vector(f"{place}.position", entry["position"]))
 
 
-def _circle(values: Values, place: str, entry: Mapping[str, Any]) -> Circle:
-    return Circle(*_round(values, place, entry), *_plane(values, place, entry))
+def _read_circle(values: FieldFileValues, place: str, entry: Mapping[str, Any]) -> Circle:
+    return Circle(*_read_round(values, place, entry), *_read_plane(values, place, entry))
 
 
-def _arc(values: Values, place: str, entry: Mapping[str, Any]) -> Arc:
+def _read_arc(values: FieldFileValues, place: str, entry: Mapping[str, Any]) -> Arc:
     start = values.number(f"{place}.start", entry["start"])
     end = values.number(f"{place}.end", entry["end"])
     if not start < end < start + 2 * math.pi:
         raise values.error(f"{place}.end", "an arc runs from a smaller to a larger angle")
-    return Arc(*_round(values, place, entry), start, end, *_plane(values, place, entry))
+    return Arc(*_read_round(values, place, entry), start, end, *_read_plane(values, place, entry))
 
 
-def _arc_either_way(values: Values, place: str, entry: Mapping[str, Any]) -> Arc:
+def _read_chain_arc(values: FieldFileValues, place: str, entry: Mapping[str, Any]) -> Arc:
     """An arc of a chain may also run towards smaller angles: then its plane is turned over."""
     start = values.number(f"{place}.start", entry["start"])
     end = values.number(f"{place}.end", entry["end"])
     if not 0 < abs(end - start) < 2 * math.pi:
         raise values.error(f"{place}.end", "expected two angles less than a full turn apart")
-    centre, radius = _round(values, place, entry)
-    ahead, aside = _plane(values, place, entry)
+    centre, radius = _read_round(values, place, entry)
+    ahead, aside = _read_plane(values, place, entry)
     if end < start:
         x, y, z = aside
         return Arc(centre, radius, -start, -end, ahead, (-x + 0.0, -y + 0.0, -z + 0.0))
     return Arc(centre, radius, start, end, ahead, aside)
 
 
-def _polyline(values: Values, place: str, entry: Mapping[str, Any]) -> Chain:
+def _read_polyline(values: FieldFileValues, place: str, entry: Mapping[str, Any]) -> Chain:
     points = entry["points"]
-    if not isinstance(points, list) or not 2 <= len(points) <= _MOST_PARTS + 1:
-        raise values.error(f"{place}.points", f"expected 2 to {_MOST_PARTS + 1} places [x, y, z]")
+    if not isinstance(points, list) or not 2 <= len(points) <= _MAX_PARTS + 1:
+        raise values.error(f"{place}.points", f"expected 2 to {_MAX_PARTS + 1} places [x, y, z]")
     places = [values.vector(f"{place}.points[{i}]", p) for i, p in enumerate(points)]
     for i, (one, other) in enumerate(pairwise(places), 1):
         if math.dist(one, other) < SAME_PLACE_M:
@@ -105,33 +105,33 @@ def _polyline(values: Values, place: str, entry: Mapping[str, Any]) -> Chain:
     return Chain(tuple(Line(a, b) for a, b in pairwise(places)))
 
 
-def _chain(values: Values, place: str, entry: Mapping[str, Any]) -> Chain:
+def _read_chain(values: FieldFileValues, place: str, entry: Mapping[str, Any]) -> Chain:
     parts = entry["parts"]
-    if not isinstance(parts, list) or not 2 <= len(parts) <= _MOST_PARTS:
+    if not isinstance(parts, list) or not 2 <= len(parts) <= _MAX_PARTS:
         raise values.error(
-            f"{place}.parts", f"expected a list of 2 to {_MOST_PARTS} tables with a kind"
+            f"{place}.parts", f"expected a list of 2 to {_MAX_PARTS} tables with a kind"
         )
     found: list[Line | Arc] = []
     for i, part in enumerate(parts):
         here = f"{place}.parts[{i}]"
         kind = part.get("kind") if isinstance(part, dict) else None
-        if kind not in _PART_KINDS:
-            raise values.error(here, f"expected a table with kind = {' or '.join(_PART_KINDS)}")
+        if kind not in _CHAIN_PART_KINDS:
+            raise values.error(here, f"expected a table with kind = {' or '.join(_CHAIN_PART_KINDS)}")
         required, more = GEOMETRY_KEYS[kind]
         values.keys(here, part, {"kind", *required, *more}, {"kind", *required})
-        one = _line(values, here, part) if kind == "line" else _arc_either_way(values, here, part)
+        one = _read_line(values, here, part) if kind == "line" else _read_chain_arc(values, here, part)
         if found:
             _check_joint(values, here, found[-1], one)
         found.append(one)
     return Chain(tuple(found))
 
 
-def _check_joint(values: Values, place: str, before: Line | Arc, part: Line | Arc) -> None:
+def _check_joint(values: FieldFileValues, place: str, before: Line | Arc, part: Line | Arc) -> None:
     last, first = ends_of(before), ends_of(part)
     if last is None or first is None:
         raise values.error(place, "an arc of a chain cannot be a full turn")
     apart = math.dist(last[1], first[0])
-    if apart > _JOINT_M:
+    if apart > _JOINT_TOLERANCE_M:
         ended = ", ".join(f"{v:.4g}" for v in last[1])
         begins = ", ".join(f"{v:.4g}" for v in first[0])
         raise values.error(
@@ -139,20 +139,20 @@ def _check_joint(values: Values, place: str, before: Line | Arc, part: Line | Ar
         )
 
 
-def _round(values: Values, place: str, entry: Mapping[str, Any]) -> tuple[Vector, float]:
+def _read_round(values: FieldFileValues, place: str, entry: Mapping[str, Any]) -> tuple[Vector, float]:
     centre = values.vector(f"{place}.centre", entry["centre"])
     radius = values.number(f"{place}.radius", entry["radius"])
     if radius <= 0:
         raise values.error(f"{place}.radius", f"expected a positive radius, found {radius:g}")
-    if not _SMALLEST_RADIUS_M <= radius <= FARTHEST_M:
+    if not _MIN_RADIUS_M <= radius <= MAX_COORDINATE_M:
         raise values.error(
             f"{place}.radius",
-            f"expected {_SMALLEST_RADIUS_M:g} to {FARTHEST_M:g} m, found {radius:g}",
+            f"expected {_MIN_RADIUS_M:g} to {MAX_COORDINATE_M:g} m, found {radius:g}",
         )
     return centre, radius
 
 
-def _plane(values: Values, place: str, entry: Mapping[str, Any]) -> tuple[Vector, Vector]:
+def _read_plane(values: FieldFileValues, place: str, entry: Mapping[str, Any]) -> tuple[Vector, Vector]:
     """``ahead`` and ``aside`` of a curve: horizontal unless the file names a normal."""
     if "normal" not in entry:
         if "zero" in entry:
@@ -175,11 +175,11 @@ def _plane(values: Values, place: str, entry: Mapping[str, Any]) -> tuple[Vector
     return vector_of(ahead), vector_of(np.cross(normal, ahead))
 
 
-_READERS: dict[str, Callable[[Values, str, Mapping[str, Any]], Geometry]] = {
-    "line": _line,
-    "arc": _arc,
-    "circle": _circle,
-    "polyline": _polyline,
-    "chain": _chain,
-    "point": _spot,
+_GEOMETRY_READERS: dict[str, Callable[[FieldFileValues, str, Mapping[str, Any]], Geometry]] = {
+    "line": _read_line,
+    "arc": _read_arc,
+    "circle": _read_circle,
+    "polyline": _read_polyline,
+    "chain": _read_chain,
+    "point": _read_spot,
 }

@@ -25,10 +25,10 @@ from procc_annotator.field.geometry import (
 
 FloatArray = NDArray[np.float64]
 
-_TOGETHER_M = 1e-6
+_SAME_CORNER_M = 1e-6
 
 
-def moved_sideways(geometry: Geometry, normal: FloatArray, offset: float) -> list[Part | None]:
+def offset_parts(geometry: Geometry, normal: FloatArray, offset: float) -> list[Part | None]:
     """The parts of a geometry, moved in their plane; corners of a chain stay corners.
 
     Args:
@@ -39,7 +39,7 @@ def moved_sideways(geometry: Geometry, normal: FloatArray, offset: float) -> lis
     Returns:
         None for a part of which nothing is left: an arc moved beyond its centre, a spot.
     """
-    parts = [_moved(part, normal, offset) for part in parts_of(geometry)]
+    parts = [_offset_part(part, normal, offset) for part in parts_of(geometry)]
     if isinstance(geometry, Chain):
         joints = list(pairwise(range(len(parts))))
         if is_closed(geometry):
@@ -48,14 +48,14 @@ def moved_sideways(geometry: Geometry, normal: FloatArray, offset: float) -> lis
             one, other = parts[before], parts[after]
             if not (isinstance(one, Line | Arc) and isinstance(other, Line | Arc)):
                 continue
-            corner = corner_of((one, True), (other, False))
+            corner = extended_corner((one, True), (other, False))
             if corner is not None:
-                parts[before] = ended_at(one, True, corner)
-                parts[after] = ended_at(other, False, corner)
+                parts[before] = with_end_at(one, True, corner)
+                parts[after] = with_end_at(other, False, corner)
     return parts
 
 
-def corner_of(one: tuple[Line | Arc, bool], other: tuple[Line | Arc, bool]) -> Vector | None:
+def extended_corner(one: tuple[Line | Arc, bool], other: tuple[Line | Arc, bool]) -> Vector | None:
     """Where an end of one shape and an end of another would meet if they went on as they run.
 
     Args:
@@ -67,19 +67,19 @@ def corner_of(one: tuple[Line | Arc, bool], other: tuple[Line | Arc, bool]) -> V
         passes an arc by, and for two arcs.
     """
     (first, first_last), (second, second_last) = one, other
-    here, there = _end(first, first_last), _end(second, second_last)
-    if math.dist(here, there) < _TOGETHER_M:
+    here, there = _end_point(first, first_last), _end_point(second, second_last)
+    if math.dist(here, there) < _SAME_CORNER_M:
         return None
     if isinstance(first, Line) and isinstance(second, Line):
-        return _crossing(first, second)
+        return _intersection(first, second)
     if isinstance(first, Line) and isinstance(second, Arc):
-        return _crossing_of_arc(first, second, there)
+        return _line_arc_intersection(first, second, there)
     if isinstance(first, Arc) and isinstance(second, Line):
-        return _crossing_of_arc(second, first, here)
+        return _line_arc_intersection(second, first, here)
     return None
 
 
-def ended_at(part: Line | Arc, last: bool, place: Vector) -> Line | Arc:
+def with_end_at(part: Line | Arc, last: bool, place: Vector) -> Line | Arc:
     """A line or an arc that ends at another place of its course.
 
     Args:
@@ -96,14 +96,14 @@ def ended_at(part: Line | Arc, last: bool, place: Vector) -> Line | Arc:
     return replace(part, end_rad=angle) if last else replace(part, start_rad=angle)
 
 
-def _end(part: Line | Arc, last: bool) -> Vector:
+def _end_point(part: Line | Arc, last: bool) -> Vector:
     ends = ends_of(part)
     if ends is None:
         raise TypeError("a full turn has no ends")
     return ends[last]
 
 
-def _moved(part: Part, normal: FloatArray, offset: float) -> Part | None:
+def _offset_part(part: Part, normal: FloatArray, offset: float) -> Part | None:
     if isinstance(part, Spot):
         return None
     if isinstance(part, Line):
@@ -117,7 +117,7 @@ def _moved(part: Part, normal: FloatArray, offset: float) -> Part | None:
     return replace(part, radius=radius) if radius > 0 else None
 
 
-def _crossing(one: Line, other: Line) -> Vector | None:
+def _intersection(one: Line, other: Line) -> Vector | None:
     start, begin = np.array(one.start), np.array(other.start)
     along, way = np.array(one.end) - start, np.array(other.end) - begin
     shares, _, rank, _ = np.linalg.lstsq(np.stack([along, -way], axis=1), begin - start, rcond=1e-6)
@@ -126,7 +126,7 @@ def _crossing(one: Line, other: Line) -> Vector | None:
     return vector_of(start + shares[0] * along)
 
 
-def _crossing_of_arc(line: Line, arc: Arc, near: Vector) -> Vector | None:
+def _line_arc_intersection(line: Line, arc: Arc, near: Vector) -> Vector | None:
     """Where a line crosses the circle of an arc, near a place."""
     start, centre = np.array(line.start), np.array(arc.centre)
     way = np.array(line.end) - start

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from procc_annotator.field.landmarks import field_at
-from procc_annotator.field.load import resized
+from procc_annotator.field.load import with_dimensions
 from procc_annotator.field.model import Field, Stadiums
 
 
@@ -19,11 +19,11 @@ def with_stadiums(field: Field, stadiums: Stadiums | None) -> Field:
         return field if field.stadiums is None else replace(field, stadiums=None)
     sized = replace(field, stadiums=stadiums)
     for stadium in stadiums.dimensions:
-        field_of_stadium(sized, stadium)
+        field_for_stadium(sized, stadium)
     return sized
 
 
-def field_of_stadium(field: Field, stadium: str | None) -> Field:
+def field_for_stadium(field: Field, stadium: str | None) -> Field:
     """The field with a stadium's dimensions; those that it does not name are the field's own.
 
     Args:
@@ -37,7 +37,7 @@ def field_of_stadium(field: Field, stadium: str | None) -> Field:
     known = field.of_stadiums.get(stadium)
     if known is None:
         own = {d.name: d.value for d in field.dimensions if d.value != d.nominal}
-        known = resized(field, {**own, **field.stadiums.dimensions[stadium]})
+        known = with_dimensions(field, {**own, **field.stadiums.dimensions[stadium]})
         known = field.of_stadiums[stadium] = replace(known, stadiums=None)
     return known
 
@@ -47,8 +47,8 @@ def stadium_of(field: Field, frame: str) -> str | None:
     return None if field.stadiums is None else field.stadiums.frames.get(frame)
 
 
-def field_of_frame(field: Field, frame: str) -> Field:
+def field_for_frame(field: Field, frame: str) -> Field:
     """The field as it is in a frame: with the dimensions of its stadium, and with its landmarks
     where they are then; itself where a frame has nothing of its own."""
-    own = field_of_stadium(field, stadium_of(field, frame))
+    own = field_for_stadium(field, stadium_of(field, frame))
     return field_at(own, field.instants.get(frame)) if field.instants else own

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from procc_annotator.field.geometry import same_place, turned
+from procc_annotator.field.geometry import same_geometry, rotated
 from procc_annotator.field.model import Element, Symmetry
 
 
@@ -34,8 +34,8 @@ def find_symmetry(elements: Sequence[Element], turn_degrees: float) -> Symmetry:
     free = dict.fromkeys(range(len(elements)))
     partner: dict[str, str] = {}
     for element in elements:
-        there = turned(element.geometry, turn)
-        twin = next((i for i in free if same_place(elements[i].geometry, there)), None)
+        there = rotated(element.geometry, turn)
+        twin = next((i for i in free if same_geometry(elements[i].geometry, there)), None)
         if twin is None:
             raise NoPartnerError(element)
         del free[twin]

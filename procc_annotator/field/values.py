@@ -8,18 +8,18 @@ from pathlib import Path
 from typing import Any
 
 from procc_annotator.errors import FieldError
-from procc_annotator.field.formula import FormulaError, Formulas, UnknownWordError
+from procc_annotator.field.formula import FormulaError, Formulas, UnknownNameError
 from procc_annotator.field.geometry import Vector
-from procc_annotator.field.words import did_you_mean, printable_place, printed
+from procc_annotator.field.words import did_you_mean, printable_place, short_repr
 
 # Far beyond any sports field. Samples lie centimetres apart: without a limit a slip of the pen (or
 # a hostile file) would fill the memory with them.
-FARTHEST_M = 1000.0
+MAX_COORDINATE_M = 1000.0
 # Names stand in tables, on terminals and in tooltips.
-_LONGEST_TEXT = 200
+_MAX_TEXT_LENGTH = 200
 
 
-class Values:
+class FieldFileValues:
     """What formulas of one file may name, and the file's path for errors."""
 
     def __init__(self, path: Path) -> None:
@@ -36,10 +36,10 @@ class Values:
         """Make a name known to the formulas that follow; a second meaning would hide the first."""
         if not name.isidentifier():
             raise self.error(
-                place, f"{printed(name)} cannot be used in formulas; expected a plain word"
+                place, f"{short_repr(name)} cannot be used in formulas; expected a plain word"
             )
         if name in self._names:
-            raise self.error(place, f"the name {printed(name)} is taken already")
+            raise self.error(place, f"the name {short_repr(name)} is taken already")
         self._names[name] = value
 
     def vector(self, place: str, value: object) -> Vector:
@@ -51,9 +51,9 @@ class Values:
 
     def _coordinate(self, place: str, value: object) -> float:
         number = self.number(place, value)
-        if abs(number) > FARTHEST_M:
+        if abs(number) > MAX_COORDINATE_M:
             raise self.error(
-                place, f"expected at most {FARTHEST_M:g} m from the centre, found {number:g}"
+                place, f"expected at most {MAX_COORDINATE_M:g} m from the centre, found {number:g}"
             )
         return number
 
@@ -62,7 +62,7 @@ class Values:
         if isinstance(value, str):
             value = self._evaluated(place, value)
         if isinstance(value, bool) or not isinstance(value, int | float):
-            raise self.error(place, f"expected a number or a formula, found {printed(value)}")
+            raise self.error(place, f"expected a number or a formula, found {short_repr(value)}")
         try:
             number = float(value)
         except OverflowError as error:
@@ -78,7 +78,7 @@ class Values:
             raise self.error(place, f"{error}{self._hint(place, error)}") from error
 
     def _hint(self, place: str, error: FormulaError) -> str:
-        if not isinstance(error, UnknownWordError):
+        if not isinstance(error, UnknownNameError):
             return ""
         if error.word not in self._coming:
             return did_you_mean(error.word, error.known)
@@ -89,18 +89,18 @@ class Values:
     def text(self, place: str, value: object, *, may_be_empty: bool = False) -> str:
         """A text that says something."""
         if not isinstance(value, str) or not (value.strip() or (may_be_empty and not value)):
-            raise self.error(place, f"expected text, found {printed(value)}")
-        if not value.isprintable() or len(value) > _LONGEST_TEXT:
+            raise self.error(place, f"expected text, found {short_repr(value)}")
+        if not value.isprintable() or len(value) > _MAX_TEXT_LENGTH:
             raise self.error(
                 place,
-                f"expected a line of at most {_LONGEST_TEXT} letters, found {printed(value)}",
+                f"expected a line of at most {_MAX_TEXT_LENGTH} letters, found {short_repr(value)}",
             )
         return value
 
     def flag(self, place: str, value: object) -> bool:
         """true or false."""
         if not isinstance(value, bool):
-            raise self.error(place, f"expected true or false, found {printed(value)}")
+            raise self.error(place, f"expected true or false, found {short_repr(value)}")
         return value
 
     def table(self, place: str, value: object) -> dict[str, Any]:

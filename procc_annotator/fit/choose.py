@@ -13,48 +13,48 @@ from procc_annotator.camera.fisheye import FisheyeCamera
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.fit.one_model import find_model_steps, result_of
+from procc_annotator.fit.one_model import fit_model_steps, fit_result_from
 from procc_annotator.fit.result import FitResult
-from procc_annotator.fit.solving.barrel import is_demanded, perhaps_barrel
-from procc_annotator.fit.solving.covariance import covariance_of, error_of_points
-from procc_annotator.fit.solving.cut_out import is_cut_out, perhaps_cut_out
-from procc_annotator.fit.solving.final_fit import MINIMUM_ELEMENTS, FoundCamera, fit_models
+from procc_annotator.fit.solving.barrel import is_negative_k1_supported, try_negative_k1
+from procc_annotator.fit.solving.covariance import parameter_covariance, point_error_sd
+from procc_annotator.fit.solving.cut_out import is_cropped, try_cropped
+from procc_annotator.fit.solving.final_fit import MIN_ELEMENTS, CameraSolution, fit_models
 from procc_annotator.fit.solving.models import (
     KAPPA,
-    strong_vector_from_camera,
+    wide_angle_vector_from_camera,
     vector_from_camera,
 )
-from procc_annotator.fit.solving.observations import Observations, PictureFrame, observe
-from procc_annotator.fit.solving.plausible import missing, objection
-from procc_annotator.fit.solving.search import believed
-from procc_annotator.fit.solving.solver import Steps
+from procc_annotator.fit.solving.observations import Observations, ImageFrame, build_observations
+from procc_annotator.fit.solving.plausible import insufficient_reason, implausible_reason
+from procc_annotator.fit.solving.search import inlier_elements_near
+from procc_annotator.fit.solving.solver import SolveSteps
 from procc_annotator.fit.solving.starts import (
-    side_of,
+    camera_side,
     wide_prior,
 )
 from procc_annotator.fit.solving.strong_lens import (
-    explains_more,
-    perhaps_strong,
-    plain_lens_near,
-    refine_strong,
+    wide_angle_explains_more,
+    try_wide_angle,
+    single_coefficient_vector,
+    refine_wide_angle,
 )
-from procc_annotator.fit.solving.surroundings import surroundings_of
-from procc_annotator.language import said, said_joined
+from procc_annotator.fit.solving.surroundings import camera_placement_prior
+from procc_annotator.language import translatable, translatable_joined
 
 # So many deviations from 0 the radial coefficient is out of question: no need to fit without it.
-_CLEARLY = 4.0
-_CUT_OUT = said(
+_CLEAR_SIGNIFICANCE_SD = 4.0
+_CROPPED_REASON = translatable(
     "the principal point is far from the centre of the picture, which seems cut out of a larger one"
 )
 
 
-def fit_simplest_steps(
+def select_model_steps(
     annotation: FrameAnnotation,
     field: Field,
     *,
     size: tuple[int, int],
     start: Camera | None = None,
-) -> Steps[FitResult]:
+) -> SolveSteps[FitResult]:
     """Fit the simplest of the models P, R and R+ that the points support; R2 or F where lines are
     bent as none of these explains; step by step.
 
@@ -76,32 +76,32 @@ def fit_simplest_steps(
     """
     if min(size) < 2:
         raise UsageError(f"the picture's size {size[0]}x{size[1]} is too small")
-    frame = PictureFrame(size)
-    seen = observe(annotation, field, frame)
-    problem = missing(seen, needed=MINIMUM_ELEMENTS, planar=False)
+    frame = ImageFrame(size)
+    seen = build_observations(annotation, field, frame)
+    problem = insufficient_reason(seen, needed=MIN_ELEMENTS, planar=False)
     if seen is None or problem is not None:
         return FitResult("auto", size, None, problem)
-    strong = _still_strong(seen, field, frame, start)
+    strong = _refit_wide_angle(seen, field, frame, start)
     if strong is not None:
-        return _strong_result(*strong, field, frame, warm=True)
-    fits, warm = yield from _fits(seen, field, frame, start)
-    found = perhaps_strong(fits["R+"], seen, field, frame)
+        return _wide_angle_result(*strong, field, frame, warm=True)
+    fits, warm = yield from _candidate_fits(seen, field, frame, start)
+    found = try_wide_angle(fits["R+"], seen, field, frame)
     if found is not None:
-        return _strong_result(*found, fits["R+"], field, frame, warm=False)
-    error_px = error_of_points(fits["R+"])
-    evidence = {model: _evidence(found, error_px) for model, found in fits.items()}
-    around = surroundings_of(field)
-    likely = [m for m, found in fits.items() if not objection(found.vector, around)] or list(fits)
+        return _wide_angle_result(*found, fits["R+"], field, frame, warm=False)
+    error_px = point_error_sd(fits["R+"])
+    evidence = {model: _log_evidence(found, error_px) for model, found in fits.items()}
+    around = camera_placement_prior(field)
+    likely = [m for m, found in fits.items() if not implausible_reason(found.vector, around)] or list(fits)
     chosen = max(likely, key=lambda model: evidence[model])
-    result = result_of(fits[chosen], field, frame, chosen, warm)
+    result = fit_result_from(fits[chosen], field, frame, chosen, warm)
     if result.camera is None:
         return replace(result, model="auto")
-    return replace(result, chosen_because=_reason(chosen, fits, frame))
+    return replace(result, chosen_because=_choice_reason(chosen, fits, frame))
 
 
-def _still_strong(
-    seen: Observations, field: Field, frame: PictureFrame, start: Camera | None
-) -> tuple[FoundCamera, str, FoundCamera] | None:
+def _refit_wide_angle(
+    seen: Observations, field: Field, frame: ImageFrame, start: Camera | None
+) -> tuple[CameraSolution, str, CameraSolution] | None:
     """The strong lens that was there before, its model, and the R+ nearest to it that explains
     clearly less; None where there is none, or it is not supported any more."""
     if isinstance(start, FisheyeCamera):
@@ -110,27 +110,27 @@ def _still_strong(
         model = "R2"
     else:
         return None
-    vector = strong_vector_from_camera(start, frame)
+    vector = wide_angle_vector_from_camera(start, frame)
     if not np.isfinite(vector).all():
         return None
-    found = refine_strong(seen, field, frame, vector)
-    if found.is_stale or not found.is_consistent or objection(found.vector, surroundings_of(field)):
+    found = refine_wide_angle(seen, field, frame, vector)
+    if found.has_stale_start or not found.is_consistent or implausible_reason(found.vector, camera_placement_prior(field)):
         return None
-    near = plain_lens_near(found.vector)
+    near = single_coefficient_vector(found.vector)
     plain = fit_models(found.seen, field, frame, near, found.left_out, ("R+",))["R+"]
-    return (found, model, plain) if explains_more(found, plain) else None
+    return (found, model, plain) if wide_angle_explains_more(found, plain) else None
 
 
-def _strong_result(
-    found: FoundCamera,
+def _wide_angle_result(
+    found: CameraSolution,
     model: str,
-    plain: FoundCamera,
+    plain: CameraSolution,
     field: Field,
-    frame: PictureFrame,
+    frame: ImageFrame,
     *,
     warm: bool,
 ) -> FitResult:
-    result = result_of(found, field, frame, model, warm)
+    result = fit_result_from(found, field, frame, model, warm)
     if result.camera is None:
         return replace(result, model="auto")
     without, with_lens = (f"{_mean_px(one) / frame.scale:.2f}" for one in (plain, found))
@@ -139,68 +139,68 @@ def _strong_result(
     return replace(result, chosen_because=because)
 
 
-def _fits(
-    seen: Observations, field: Field, frame: PictureFrame, start: Camera | None
-) -> Steps[tuple[dict[str, FoundCamera], bool]]:
+def _candidate_fits(
+    seen: Observations, field: Field, frame: ImageFrame, start: Camera | None
+) -> SolveSteps[tuple[dict[str, CameraSolution], bool]]:
     """Fits of the models that come into question, the simplest first; whether from the start."""
-    fits = _fits_from(seen, field, frame, start)
-    if fits is not None and is_cut_out(fits["R+"]) and _serves(fits["R+"], field):
+    fits = _candidate_fits_from_start(seen, field, frame, start)
+    if fits is not None and is_cropped(fits["R+"]) and _is_acceptable_start_fit(fits["R+"], field):
         return {"R+": fits["R+"]}, True
-    warm = fits is not None and all(_serves(found, field) for found in fits.values())
+    warm = fits is not None and all(_is_acceptable_start_fit(found, field) for found in fits.values())
     if fits is None or not warm:
         # What changes who is mistaken may still be nearly right; what is stale is not.
-        known = None if fits is not None and fits["R"].is_stale else start
-        first, warm = yield from find_model_steps(seen, field, frame, "R", known)
+        known = None if fits is not None and fits["R"].has_stale_start else start
+        first, warm = yield from fit_model_steps(seen, field, frame, "R", known)
     else:
-        first = perhaps_barrel(fits["R"], field, frame)
+        first = try_negative_k1(fits["R"], field, frame)
     if fits is None or first is not fits["R"]:
         fits = fit_models(seen, field, frame, first.vector, first.left_out, ("R", "R+"))
-    cut_out = perhaps_cut_out(fits["R+"], field, frame)
-    if is_cut_out(cut_out):
+    cut_out = try_cropped(fits["R+"], field, frame)
+    if is_cropped(cut_out):
         # Its principal point lies where the other models have none: they explain other elements.
         return {"R+": cut_out}, warm
     with_lens = fits["R"]
-    if _bends_clearly(with_lens):
+    if _has_significant_k1(with_lens):
         return fits, warm
     plain = fit_models(seen, field, frame, with_lens.vector, with_lens.left_out, ("P",))
     return {**plain, **fits}, warm
 
 
-def _fits_from(
-    seen: Observations, field: Field, frame: PictureFrame, start: Camera | None
-) -> dict[str, FoundCamera] | None:
+def _candidate_fits_from_start(
+    seen: Observations, field: Field, frame: ImageFrame, start: Camera | None
+) -> dict[str, CameraSolution] | None:
     """Fits of R and R+ from a start, good or not; None if it is no pinhole."""
     if not isinstance(start, PinholeCamera):
         return None
     vector = vector_from_camera(start, frame)
     if not np.isfinite(vector).all():
         return None
-    vector, left_out = believed(seen, field, frame, vector, "R+")
+    vector, left_out = inlier_elements_near(seen, field, frame, vector, "R+")
     fits = fit_models(seen, field, frame, vector, left_out, ("R", "R+"))
-    if is_demanded(fits["R"]):
+    if is_negative_k1_supported(fits["R"]):
         return fits
     vector[KAPPA] = 0.0
     return fit_models(seen, field, frame, vector, left_out, ("R", "R+"))
 
 
-def _serves(found: FoundCamera, field: Field) -> bool:
+def _is_acceptable_start_fit(found: CameraSolution, field: Field) -> bool:
     """Whether a fit from a start need not be looked for anew."""
-    around = surroundings_of(field)
+    around = camera_placement_prior(field)
     # Its prior is that of the side the start stands on.
-    moved = wide_prior(np.array([side_of(found.vector, around)]), around, found.prior.mean.shape[1])
+    moved = wide_prior(np.array([camera_side(found.vector, around)]), around, found.prior.mean.shape[1])
     same_side = np.array_equal(moved.mean, found.prior.mean)
-    plausible = not objection(found.vector, around)
-    return same_side and plausible and found.is_consistent and not found.is_stale
+    plausible = not implausible_reason(found.vector, around)
+    return same_side and plausible and found.is_consistent and not found.has_stale_start
 
 
-def _bends_clearly(found: FoundCamera) -> bool:
+def _has_significant_k1(found: CameraSolution) -> bool:
     """Whether the radial coefficient is so many deviations from 0 that it need not be compared."""
-    error_px = error_of_points(found)
-    deviation = math.sqrt(covariance_of(found, error_px)[KAPPA, KAPPA])
-    return bool(abs(found.vector[KAPPA]) > _CLEARLY * deviation)
+    error_px = point_error_sd(found)
+    deviation = math.sqrt(parameter_covariance(found, error_px)[KAPPA, KAPPA])
+    return bool(abs(found.vector[KAPPA]) > _CLEAR_SIGNIFICANCE_SD * deviation)
 
 
-def _evidence(found: FoundCamera, error_px: float) -> float:
+def _log_evidence(found: CameraSolution, error_px: float) -> float:
     """Logarithm of the evidence, less what all models share."""
     precision = found.prior.inverse_sd[0]
     off = (found.vector[: len(precision)] - found.prior.mean[0]) * precision
@@ -214,39 +214,39 @@ def _evidence(found: FoundCamera, error_px: float) -> float:
     return one_sided - data_cost - prior_cost - float(sharpened)
 
 
-def _reason(chosen: str, fits: dict[str, FoundCamera], frame: PictureFrame) -> str:
+def _choice_reason(chosen: str, fits: dict[str, CameraSolution], frame: ImageFrame) -> str:
     if fits.keys() == {"R+"}:
-        return _CUT_OUT
+        return _CROPPED_REASON
     mean = {model: f"{_mean_px(found) / frame.scale:.2f}" for model, found in fits.items()}
     if chosen == "P":
-        return said(
+        return translatable(
             "without lens distortion the points are {without} px off, with it {with_it} px: not"
             " clearly better",
             without=mean["P"],
             with_it=mean["R"],
         )
     if chosen == "R+":
-        return said(
+        return translatable(
             "aspect ratio and principal point bring the points from {before} to {after} px, more"
             " than three parameters would by chance",
             before=mean["R"],
             after=mean["R+"],
         )
     bent = (
-        said(
+        translatable(
             "lens distortion brings the points from {before} to {after} px",
             before=mean["P"],
             after=mean["R"],
         )
         if "P" in mean
-        else said("the points show lens distortion clearly and are {px} px off", px=mean["R"])
+        else translatable("the points show lens distortion clearly and are {px} px off", px=mean["R"])
     )
-    further = said(
+    further = translatable(
         "with aspect ratio and principal point {px} px: not clearly better", px=mean["R+"]
     )
-    return said_joined("; ", (bent, further))
+    return translatable_joined("; ", (bent, further))
 
 
-def _mean_px(found: FoundCamera) -> float:
+def _mean_px(found: CameraSolution) -> float:
     counted = ~found.left_out[found.seen.element_of_point]
-    return float(found.shown_distances[counted].mean())
+    return float(found.image_distances[counted].mean())

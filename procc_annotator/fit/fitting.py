@@ -9,21 +9,21 @@ from procc_annotator.annotation import FrameAnnotation, Point, pixel_like
 from procc_annotator.camera.base import Camera
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.fit.choose import fit_simplest_steps
-from procc_annotator.fit.one_model import find_model_steps, result_of
+from procc_annotator.fit.choose import select_model_steps
+from procc_annotator.fit.one_model import fit_model_steps, fit_result_from
 from procc_annotator.fit.result import FitResult
-from procc_annotator.fit.solving.final_fit import MINIMUM_ELEMENTS
+from procc_annotator.fit.solving.final_fit import MIN_ELEMENTS
 from procc_annotator.fit.solving.models import MODELS
-from procc_annotator.fit.solving.observations import PictureFrame, observe
-from procc_annotator.fit.solving.plausible import missing
-from procc_annotator.fit.solving.side_by_side import walked_together
-from procc_annotator.fit.solving.solver import Steps, walked
-from procc_annotator.language import said
+from procc_annotator.fit.solving.observations import ImageFrame, build_observations
+from procc_annotator.fit.solving.plausible import insufficient_reason
+from procc_annotator.fit.solving.side_by_side import run_batched
+from procc_annotator.fit.solving.solver import SolveSteps, run_steps
+from procc_annotator.language import translatable
 
 DEFAULT_SIZE = (960, 540)
 AUTO = "auto"
-ToFit = tuple[FrameAnnotation, Field, tuple[int, int]]  # the elements; width and height, px
-CHOICES = (*MODELS, AUTO)
+FitRequest = tuple[FrameAnnotation, Field, tuple[int, int]]  # the elements; width and height, px
+MODEL_CHOICES = (*MODELS, AUTO)
 
 
 def fit_camera(
@@ -61,10 +61,10 @@ def fit_camera(
     Raises:
         UsageError: no such model, or a size without pixels.
     """
-    return walked(_steps(annotation, field, size, model, start))
+    return run_steps(_fit_steps(annotation, field, size, model, start))
 
 
-def fit_cameras(given: Sequence[ToFit], *, model: str = "R") -> list[FitResult]:
+def fit_cameras(given: Sequence[FitRequest], *, model: str = "R") -> list[FitResult]:
     """Fit a camera to each of several frames, without starts: the same as `fit_camera`, in less
     time, since what is worked out for one frame is for the others at once.
 
@@ -75,48 +75,48 @@ def fit_cameras(given: Sequence[ToFit], *, model: str = "R") -> list[FitResult]:
     Raises:
         UsageError: no such model, or a size without pixels.
     """
-    return walked_together([_steps(*frame, model, None) for frame in given])
+    return run_batched([_fit_steps(*frame, model, None) for frame in given])
 
 
-def _steps(
+def _fit_steps(
     annotation: FrameAnnotation,
     field: Field,
     size: tuple[int, int],
     model: str,
     start: Camera | None,
-) -> Steps[FitResult]:
-    check_model(model)
+) -> SolveSteps[FitResult]:
+    require_known_model(model)
     if min(size) < 2:
         raise UsageError(f"the picture's size {size[0]}x{size[1]} is too small")
     strange = pixel_like(annotation)
     if strange is not None:
-        return FitResult(model, size, None, pixels_words(strange))
+        return FitResult(model, size, None, pixel_coordinates_error(strange))
     if model == AUTO:
-        return (yield from fit_simplest_steps(annotation, field, size=size, start=start))
-    frame = PictureFrame(size)
+        return (yield from select_model_steps(annotation, field, size=size, start=start))
+    frame = ImageFrame(size)
     planar = model == "H"
-    seen = observe(annotation, field, frame, ground_only=planar)
-    problem = missing(seen, needed=MINIMUM_ELEMENTS, planar=planar)
+    seen = build_observations(annotation, field, frame, ground_only=planar)
+    problem = insufficient_reason(seen, needed=MIN_ELEMENTS, planar=planar)
     if seen is None or problem is not None:
         return FitResult(model, size, None, problem)
-    found, warm = yield from find_model_steps(seen, field, frame, model, start)
-    return result_of(found, field, frame, model, warm)
+    found, warm = yield from fit_model_steps(seen, field, frame, model, start)
+    return fit_result_from(found, field, frame, model, warm)
 
 
-def pixels_words(point: Point) -> str:
+def pixel_coordinates_error(point: Point) -> str:
     """What is wrong with an annotation in pixels, of which this is a point."""
-    return said(
+    return translatable(
         "coordinates look like pixels, expected 0 to 1 (x = {x:g}, y = {y:g})", x=point.u, y=point.v
     )
 
 
-def check_model(model: object) -> None:
+def require_known_model(model: object) -> None:
     """Raises UsageError unless `fit_camera` knows this model."""
     if not isinstance(model, str):
-        raise UsageError(f"unknown camera model {model!r}; choose one of {', '.join(CHOICES)}")
-    if model in CHOICES:
+        raise UsageError(f"unknown camera model {model!r}; choose one of {', '.join(MODEL_CHOICES)}")
+    if model in MODEL_CHOICES:
         return
-    names = {name.lower(): name for name in CHOICES}
+    names = {name.lower(): name for name in MODEL_CHOICES}
     close = difflib.get_close_matches(model.lower(), names, n=1)
-    hint = f"did you mean {names[close[0]]}?" if close else f"choose one of {', '.join(CHOICES)}"
+    hint = f"did you mean {names[close[0]]}?" if close else f"choose one of {', '.join(MODEL_CHOICES)}"
     raise UsageError(f"unknown camera model {model!r}; {hint}")

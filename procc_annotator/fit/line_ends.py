@@ -8,17 +8,17 @@ import numpy as np
 
 from procc_annotator.annotation import FloatArray
 
-Size = tuple[int, int]
+ImageSize = tuple[int, int]
 
 # Lines at less than about six degrees have no corner that two clicks could tell.
-_LEAST_SINE = 0.1
+_MIN_CROSSING_SINE = 0.1
 
 
-def belongs_at(
+def expected_line_end(
     end: FloatArray,
     inner: FloatArray,
     lines: Sequence[FloatArray],
-    size: Size | None,
+    size: ImageSize | None,
     reach_px: float,
 ) -> FloatArray | None:
     """Where the end of a straight element belongs.
@@ -38,22 +38,22 @@ def belongs_at(
     if length < 1e-6:
         return None
     along = along / length
-    corners = [corner for line in lines if (corner := _meeting_point(end, along, line)) is not None]
+    corners = [corner for line in lines if (corner := _segment_intersection(end, along, line)) is not None]
     near = [c for c in corners if np.hypot(*(c - end)) <= reach_px]
     if near:
         return min(near, key=lambda c: float(np.hypot(*(c - end))))
-    edge = None if size is None else edge_point(end, along, size)
+    edge = None if size is None else image_edge_point(end, along, size)
     return edge if edge is not None and np.hypot(*(edge - end)) <= reach_px else None
 
 
-def _meeting_point(end: FloatArray, along: FloatArray, line: FloatArray) -> FloatArray | None:
+def _segment_intersection(end: FloatArray, along: FloatArray, line: FloatArray) -> FloatArray | None:
     """Where the ray's line meets the end segment of another polyline that is nearer, px."""
     first = np.hypot(*(line[0] - end)) <= np.hypot(*(line[-1] - end))
     begin, other = (line[0], line[1]) if first else (line[-1], line[-2])
     across = other - begin
     determinant = along[0] * -across[1] + along[1] * across[0]
     # Not "<": two clicks in one place have no direction.
-    if abs(determinant) <= _LEAST_SINE * float(np.hypot(*across)):
+    if abs(determinant) <= _MIN_CROSSING_SINE * float(np.hypot(*across)):
         return None
     offset = begin - end
     distance = (offset[0] * -across[1] + offset[1] * across[0]) / determinant
@@ -61,7 +61,7 @@ def _meeting_point(end: FloatArray, along: FloatArray, line: FloatArray) -> Floa
     return found
 
 
-def edge_point(end: FloatArray, along: FloatArray, size: Size) -> FloatArray | None:
+def image_edge_point(end: FloatArray, along: FloatArray, size: ImageSize) -> FloatArray | None:
     """Where the ray from a place in the picture leaves it; None from outside.
 
     Args:
@@ -72,11 +72,11 @@ def edge_point(end: FloatArray, along: FloatArray, size: Size) -> FloatArray | N
     limits = np.array(size, dtype=np.float64) - 1
     if (end < 0).any() or (end > limits).any():
         return None
-    found: FloatArray = end + steps_to_edge(end, along, limits) * along
+    found: FloatArray = end + steps_to_image_edge(end, along, limits) * along
     return np.clip(found, 0.0, limits)
 
 
-def steps_to_edge(place: FloatArray, step: FloatArray, limits: FloatArray) -> float:
+def steps_to_image_edge(place: FloatArray, step: FloatArray, limits: FloatArray) -> float:
     """How many steps lead from a place to the picture's edge.
 
     Args:

@@ -22,20 +22,20 @@ from procc_annotator.fit.solving.observations import FloatArray, IntArray
 Vector = tuple[float, float, float]
 
 _ITERATIONS = 30
-_SETTLED_PX = 1e-3
-_LONGEST_STEP = 0.5  # rad, and of the logarithm of the focal length
-_ALONG_M = 1e-3
+_SOLVER_CONVERGED_PX = 1e-3
+_MAX_STEP = 0.5  # rad, and of the logarithm of the focal length
+_DIRECTION_STEP_M = 1e-3
 # Standard deviations that leave a peg where it was put, and of what else turns or zooms, where
 # pegs do not say.
-_PEG_PX = 0.03
-_TURN_RAD, _ZOOM, _ROLL_RAD = 10.0, 0.3, 0.03
-_MOST_ZOOM = 3.0  # of the logarithm of the focal length, from what it began with
-_TURNS, _ZOOM_ROW = [0, 1, 3], 2
-_VIEW = np.array([0.0, 0.0, 1.0])
+_CONTROL_POINT_SD_PX = 0.03
+_ROTATION_PRIOR_RAD, _ZOOM_PRIOR, _ROLL_PRIOR_RAD = 10.0, 0.3, 0.03
+_MAX_ZOOM = 3.0  # of the logarithm of the focal length, from what it began with
+_ROTATION_ROWS, _ZOOM_ROW = [0, 1, 3], 2
+_OPTICAL_AXIS = np.array([0.0, 0.0, 1.0])
 
 
 @dataclass(frozen=True, slots=True)
-class Peg:
+class ControlPoint:
     """A place of the field that somebody put where it belongs in the picture.
 
     Attributes:
@@ -52,7 +52,7 @@ class Peg:
     sd_px: float = 1.0
 
 
-def pegged(camera: PinholeCamera, pegs: Sequence[Peg], hand: Peg | None = None) -> PinholeCamera:
+def fit_control_points(camera: PinholeCamera, pegs: Sequence[ControlPoint], hand: ControlPoint | None = None) -> PinholeCamera:
     """The camera nearest to one that shows all pegs where they are.
 
     Args:
@@ -68,31 +68,31 @@ def pegged(camera: PinholeCamera, pegs: Sequence[Peg], hand: Peg | None = None) 
     every = [*pegs, hand] if hand is not None else list(pegs)
     if not every:
         return camera
-    seen = _Pegs.of(camera, every, with_hand=hand is not None)
+    seen = _ControlPointArrays.of(camera, every, with_hand=hand is not None)
     free = 2 if len(every) == 1 else 4
     change = np.zeros(4)
-    inverse_sd = 1 / np.array([_TURN_RAD, _TURN_RAD, _ZOOM, _ROLL_RAD])[:free]
+    inverse_sd = 1 / np.array([_ROTATION_PRIOR_RAD, _ROTATION_PRIOR_RAD, _ZOOM_PRIOR, _ROLL_PRIOR_RAD])[:free]
     for _ in range(_ITERATIONS):
         found = seen.residuals(camera, change)
         if found is None or not np.isfinite(found[0]).all():
             return camera
         off, by = found[0], found[1][:, :free]
-        step = _step(off, by, seen.exact, inverse_sd, change[:free])
+        step = _constrained_step(off, by, seen.exact, inverse_sd, change[:free])
         # A hand that pulls far is followed by and by: turns and zoom are not linear.
-        step /= max(1.0, float(np.abs(step).max()) / _LONGEST_STEP)
+        step /= max(1.0, float(np.abs(step).max()) / _MAX_STEP)
         change[:free] += step
-        if abs(change[2]) > _MOST_ZOOM:
+        if abs(change[2]) > _MAX_ZOOM:
             return camera
-        if float(np.abs(by @ step).max()) < _SETTLED_PX:
-            return turned_camera(camera, change)
+        if float(np.abs(by @ step).max()) < _SOLVER_CONVERGED_PX:
+            return rotated_camera(camera, change)
     return camera
 
 
-def misses(camera: PinholeCamera, pegs: Sequence[Peg]) -> FloatArray:
+def control_point_errors(camera: PinholeCamera, pegs: Sequence[ControlPoint]) -> FloatArray:
     """(n,) px that a camera shows pegs beside their places; infinite where it does not show one."""
     world = np.array([peg.world for peg in pegs])
     along = np.array([peg.along or (0.0, 0.0, 0.0) for peg in pegs])
-    px, shown = camera.project(np.concatenate([world, world + _ALONG_M * along]))
+    px, shown = camera.project(np.concatenate([world, world + _DIRECTION_STEP_M * along]))
     count = len(pegs)
     off = np.array([peg.px for peg in pegs]) - px[:count]
     ahead = (px[count:] - px[:count]).T
@@ -103,7 +103,7 @@ def misses(camera: PinholeCamera, pegs: Sequence[Peg]) -> FloatArray:
     return np.asarray(np.where(shown[:count], away, np.inf))
 
 
-def turned_camera(camera: PinholeCamera, change: FloatArray) -> PinholeCamera:
+def rotated_camera(camera: PinholeCamera, change: FloatArray) -> PinholeCamera:
     """A camera turned and zoomed where it stands; its lens bends the picture as before.
 
     Args:
@@ -129,7 +129,7 @@ def turned_camera(camera: PinholeCamera, change: FloatArray) -> PinholeCamera:
 
 
 @dataclass(frozen=True, eq=False)
-class _Pegs:
+class _ControlPointArrays:
     """n pegs as arrays. A lens bends the picture the same way however far it is zoomed in: so pegs
     are compared where a lens without distortion would show them.
 
@@ -149,14 +149,14 @@ class _Pegs:
     exact: int
 
     @classmethod
-    def of(cls, camera: PinholeCamera, pegs: Sequence[Peg], *, with_hand: bool) -> _Pegs:
+    def of(cls, camera: PinholeCamera, pegs: Sequence[ControlPoint], *, with_hand: bool) -> _ControlPointArrays:
         places = np.array([peg.world for peg in pegs]) - camera.position_world
         along = np.array([peg.along or (0.0, 0.0, 0.0) for peg in pegs])
         lines = np.array([peg.along is not None for peg in pegs])
         if with_hand:
             lines[-1] = False
         rays = rays_cam(camera, np.array([peg.px for peg in pegs], dtype=np.float64))
-        world = np.concatenate([places, places + _ALONG_M * along]).T
+        world = np.concatenate([places, places + _DIRECTION_STEP_M * along]).T
         px = (rays[:2] / rays[2]).T * camera.focal_px
         across, both = np.flatnonzero(lines), np.flatnonzero(~lines)
         return cls(world, px, across, both, 2 if with_hand else 0)
@@ -179,14 +179,14 @@ class _Pegs:
         # Each angle turns the camera about an axis; places turn the other way.
         rolled = camera.roll_rad + roll
         level = np.array([np.cos(rolled), -np.sin(rolled), 0.0])
-        axes = np.stack([turn[:, 2], level, _VIEW])[:, :, None]
+        axes = np.stack([turn[:, 2], level, _OPTICAL_AXIS])[:, :, None]
         at = place[:, :count] / depth[:count]
         moved = np.empty((4, 2, count))
-        turns = moved[_TURNS]  # what (at x axis) does, less what it does to the depth
+        turns = moved[_ROTATION_ROWS]  # what (at x axis) does, less what it does to the depth
         turns[:, 0] = at[1] * axes[:, 2] - axes[:, 1]
         turns[:, 1] = axes[:, 0] - at[0] * axes[:, 2]
         turns -= at[:2] * (at[0] * axes[:, 1] - at[1] * axes[:, 0])[:, None]
-        moved[_TURNS] = focal * turns
+        moved[_ROTATION_ROWS] = focal * turns
         moved[_ZOOM_ROW] = shown[:, :count]
         off = self.px - shown[:, :count].T
         ahead = (shown[:, count:] - shown[:, :count])[:, self.across]
@@ -200,12 +200,12 @@ class _Pegs:
         )
 
 
-def _step(
+def _constrained_step(
     off: FloatArray, by: FloatArray, exact: int, inverse_sd: FloatArray, change: FloatArray
 ) -> FloatArray:
     """The step that takes the pegs to their places, and the rest back to where it began."""
     free, soft = len(inverse_sd), len(off) - exact
-    told, pull = by[:soft] / _PEG_PX, off[:soft] / _PEG_PX
+    told, pull = by[:soft] / _CONTROL_POINT_SD_PX, off[:soft] / _CONTROL_POINT_SD_PX
     system = np.zeros((free + exact, free + exact))
     system[:free, :free] = told.T @ told + np.diag(inverse_sd**2)
     system[:free, free:], system[free:, :free] = by[soft:].T, by[soft:]

@@ -8,13 +8,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from procc_annotator.camera.base import projects_only_ground
-from procc_annotator.camera.sight_line import projection_slopes
+from procc_annotator.camera.sight_line import projection_jacobian
 from procc_annotator.field.geometry import Covariance, Vector
-from procc_annotator.fit.triangulation import GATE, MOST_NOISE, View, spread_px, triangulate
+from procc_annotator.fit.triangulation import GATE_SD, MAX_NOISE, ClickedView, click_covariance_px, triangulate
 
 
 @dataclass(frozen=True)
-class PlaceAgreement:
+class SurveyAgreement:
     """How clicks agree with a place that is known.
 
     Attributes:
@@ -28,13 +28,13 @@ class PlaceAgreement:
     astray: tuple[str, ...] = ()
 
 
-def agreement_of_views(
-    views: Sequence[View],
+def compare_with_survey(
+    views: Sequence[ClickedView],
     position: Vector,
     covariance: Covariance | None = None,
     *,
     estimate_noise: bool = True,
-) -> PlaceAgreement:
+) -> SurveyAgreement:
     """Compare a place that was surveyed with its clicks.
 
     Args:
@@ -45,20 +45,20 @@ def agreement_of_views(
             they are off.
     """
     able = [view for view in views if not projects_only_ground(view.camera)]
-    noise = min(max(triangulate(able, estimate_noise=estimate_noise).noise, 1.0), MOST_NOISE)
+    noise = min(max(triangulate(able, estimate_noise=estimate_noise).noise, 1.0), MAX_NOISE)
     place = np.array([position], dtype=np.float64)
     residuals: list[tuple[str, float]] = []
     astray: list[str] = []
     for view in able:
-        px, slopes = projection_slopes(view.camera, place)
+        px, slopes = projection_jacobian(view.camera, place)
         off = px[0] - view.point_px
         if not np.isfinite(slopes).all():
             astray.append(view.name)
             continue
         residuals.append((view.name, float(np.hypot(*off))))
-        spread = noise**2 * spread_px(view, place)[0]
+        spread = noise**2 * click_covariance_px(view, place)[0]
         if covariance is not None:
             spread = spread + slopes[0] @ np.array(covariance) @ slopes[0].T
-        if float(off @ np.linalg.solve(spread, off)) > GATE**2:
+        if float(off @ np.linalg.solve(spread, off)) > GATE_SD**2:
             astray.append(view.name)
-    return PlaceAgreement(tuple(residuals), tuple(astray))
+    return SurveyAgreement(tuple(residuals), tuple(astray))

@@ -9,16 +9,16 @@ from dataclasses import dataclass
 import numpy as np
 
 from procc_annotator.camera.base import BoolArray, Camera
-from procc_annotator.camera.sight_line import projection_slopes
+from procc_annotator.camera.sight_line import projection_jacobian
 from procc_annotator.field.geometry import Covariance, Vector
 from procc_annotator.fit.solving.observations import FloatArray
 
-LEVEL_95 = math.sqrt(-2 * math.log(0.05))
+ELLIPSE_SCALE_95 = math.sqrt(-2 * math.log(0.05))
 """Standard deviations that hold 95 % of a normal distribution in the plane."""
 
 
 @dataclass(frozen=True, eq=False)
-class PictureEllipse:
+class ErrorEllipse:
     """An ellipse in a picture.
 
     Attributes:
@@ -42,14 +42,14 @@ class PictureEllipse:
         return np.asarray(points)
 
 
-def projected_ellipses(
+def project_error_ellipses(
     camera: Camera,
     positions: Sequence[Vector],
     covariances: Sequence[Covariance | None],
     *,
     camera_covariances: FloatArray | None = None,
-    level: float = LEVEL_95,
-) -> list[PictureEllipse | None]:
+    level: float = ELLIPSE_SCALE_95,
+) -> list[ErrorEllipse | None]:
     """Where a view shows places, to first order.
 
     Args:
@@ -65,7 +65,7 @@ def projected_ellipses(
     """
     if not positions:
         return []
-    px, slopes = projection_slopes(camera, np.array(positions))
+    px, slopes = projection_jacobian(camera, np.array(positions))
     finite = np.isfinite(np.hstack((px, slopes.reshape(-1, 6)))).all(axis=1)
     shown: BoolArray = np.asarray(finite, dtype=bool)
     known = np.array([np.zeros((3, 3)) if c is None else np.array(c) for c in covariances])
@@ -77,6 +77,6 @@ def projected_ellipses(
     axes = level * np.sqrt(np.maximum(values, 0.0))
     angles = np.arctan2(vectors[:, 1, 1], vectors[:, 0, 1])
     return [
-        PictureEllipse(centre, (float(pair[1]), float(pair[0])), float(angle)) if seen else None
+        ErrorEllipse(centre, (float(pair[1]), float(pair[0])), float(angle)) if seen else None
         for centre, pair, angle, seen in zip(px, axes, angles, shown, strict=True)
     ]

@@ -10,8 +10,8 @@ from procc_annotator.annotation import Polyline
 from procc_annotator.camera.fisheye import FisheyeCamera
 from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.camera.pinhole import PinholeCamera
-from procc_annotator.fit.solving.covariance import projected_covariance, worst_sd
-from procc_annotator.fit.solving.observations import FloatArray, PictureFrame, used_points
+from procc_annotator.fit.solving.covariance import projected_covariance, max_direction_sd
+from procc_annotator.fit.solving.observations import FloatArray, ImageFrame, used_point_indices
 
 PosedCamera = PinholeCamera | FisheyeCamera
 
@@ -59,14 +59,14 @@ class ElementResidual:
         Returns:
             Nothing for another polyline, which has more points or fewer.
         """
-        places = used_points(polyline, PictureFrame(size)).tolist()
+        places = used_point_indices(polyline, ImageFrame(size)).tolist()
         if len(places) != len(self.distances_px):
             return {}
         return dict(zip(places, self.distances_px, strict=True))
 
 
 @dataclass(frozen=True, slots=True)
-class PoseDeviations:
+class PoseStandardDeviations:
     """Standard deviations of a fitted camera with a pose: rad, metres, px of the picture."""
 
     pan_rad: float
@@ -109,7 +109,7 @@ class FitResult:
     camera: PosedCamera | HomographyCamera | None
     failure: str | None = None
     elements: tuple[ElementResidual, ...] = ()
-    deviations: PoseDeviations | None = None
+    deviations: PoseStandardDeviations | None = None
     error_px: float | None = None
     parameters: tuple[str, ...] = ()
     covariance: FloatArray | None = None
@@ -145,7 +145,7 @@ class FitResult:
         """
         if self.covariance is None or self.vector is None:
             return np.full((len(points_world), 2, 2), np.nan)
-        frame = PictureFrame(self.size)
+        frame = ImageFrame(self.size)
         found = projected_covariance(
             self.vector, self.basis, frame.half_diagonal, self.covariance, points_world
         )
@@ -166,6 +166,6 @@ class FitResult:
         """
         covariance = self.projected_covariance(points_world)
         if normals is None:
-            return worst_sd(covariance)
+            return max_direction_sd(covariance)
         squares = np.einsum("ni,nij,nj->n", normals, covariance, normals)
         return np.asarray(np.sqrt(np.maximum(squares, 0.0)))

@@ -19,35 +19,35 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.camera.base import Camera, projects_only_ground
-from procc_annotator.camera.sight_line import SightLine, projection_slopes, sight_line
+from procc_annotator.camera.sight_line import ViewingRay, projection_jacobian, viewing_ray
 from procc_annotator.field.geometry import Covariance, Vector
-from procc_annotator.field.values import FARTHEST_M
-from procc_annotator.fit.click_noise import noise_of
+from procc_annotator.field.values import MAX_COORDINATE_M
+from procc_annotator.fit.click_noise import noise_factor
 from procc_annotator.fit.solving.observations import FloatArray
-from procc_annotator.language import said
+from procc_annotator.language import translatable
 
 BoolArray = NDArray[np.bool_]
 CameraCovariance = Callable[[FloatArray], FloatArray]
 
-USUAL_CLICK_PX = 1.5
+DEFAULT_CLICK_SD_PX = 1.5
 """What a click is off by along each axis of a picture 960 px wide, where nobody says."""
-LEAST_ANGLE_DEGREES = 1.0
+MIN_ANGLE_DEGREES = 1.0
 """Lines of sight that meet at less say next to nothing of the distance."""
 
-_USUAL_WIDTH = 960
+_REFERENCE_WIDTH_PX = 960
 # Beyond so many standard deviations a click is on another place, or its camera is wrong; of honest
 # ones 1 in 3000 is.
-GATE = 4.0
-_MEDIAN = 1.1774  # of the length of a vector whose two parts have a standard deviation of 1
-MOST_NOISE = 3.0
-_MOST_PAIRS = 400
-_ROUNDS = 50
-_REPEATS = 5
-_SETTLED_M = 1e-9
+GATE_SD = 4.0
+_RAYLEIGH_MEDIAN = 1.1774  # of the length of a vector whose two parts have a standard deviation of 1
+MAX_NOISE = 3.0
+_MAX_PAIRS = 400
+_REFINEMENT_ITERATIONS = 50
+_OUTLIER_ROUNDS = 5
+_CONVERGED_M = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
-class View:
+class ClickedView:
     """A click on the place in one view.
 
     Attributes:
@@ -67,7 +67,7 @@ class View:
 
 
 @dataclass(frozen=True)
-class Triangulated:
+class Triangulation:
     """A place, or the reason why there is none.
 
     Attributes:
@@ -101,14 +101,14 @@ class Triangulated:
         return x, y, z
 
 
-def usual_click_px(width: int) -> float:
+def default_click_sd_px(width: int) -> float:
     """What a click is usually off by along each axis of a picture that many px wide."""
-    return USUAL_CLICK_PX * width / _USUAL_WIDTH
+    return DEFAULT_CLICK_SD_PX * width / _REFERENCE_WIDTH_PX
 
 
 def triangulate(
-    views: Sequence[View], *, estimate_noise: bool = True, noise: float | None = None
-) -> Triangulated:
+    views: Sequence[ClickedView], *, estimate_noise: bool = True, noise: float | None = None
+) -> Triangulation:
     """Find the place that was clicked in several views.
 
     Robust: with three views and more those that contradict the majority are left out and named.
@@ -123,53 +123,53 @@ def triangulate(
         The position with its covariance, or why there is none: fewer than two views with a camera
         that can tell, lines of sight that are nearly parallel, meet behind a camera or do not meet.
     """
-    lines: list[SightLine] = []
-    usable: list[View] = []
+    lines: list[ViewingRay] = []
+    usable: list[ClickedView] = []
     for view in views:
         if projects_only_ground(view.camera):
             continue
-        line = sight_line(view.camera, view.point_px)
+        line = viewing_ray(view.camera, view.point_px)
         if line is not None:
             lines.append(line)
             usable.append(view)
     if len(usable) < 2:
-        return Triangulated(failure=_too_few(views, usable))
+        return Triangulation(failure=_too_few_views_reason(views, usable))
     known = 1.0 if not estimate_noise else noise
-    return _Search(usable, lines, known).run()
+    return _RobustTriangulation(usable, lines, known).run()
 
 
-def _too_few(views: Sequence[View], usable: Sequence[View]) -> str:
+def _too_few_views_reason(views: Sequence[ClickedView], usable: Sequence[ClickedView]) -> str:
     ground = sum(projects_only_ground(view.camera) for view in views)
     if len(views) < 2:
         if views:
-            return said("clicked in one view only")
-        return said("clicked in no view that has a camera")
+            return translatable("clicked in one view only")
+        return translatable("clicked in no view that has a camera")
     if ground and len(views) - ground < 2:
-        return said("cameras that know only the ground (homographies) tell no place in space")
-    return said(
+        return translatable("cameras that know only the ground (homographies) tell no place in space")
+    return translatable(
         "{count} of {total} clicks lie where the camera shows nothing",
         count=len(views) - len(usable),
         total=len(views),
     )
 
 
-class _Search:
+class _RobustTriangulation:
     """One triangulation of n views."""
 
-    def __init__(self, views: list[View], lines: list[SightLine], noise: float | None) -> None:
+    def __init__(self, views: list[ClickedView], lines: list[ViewingRay], noise: float | None) -> None:
         self.views = views
         self.lines = lines
         self.noise = noise  # None: to be estimated
 
-    def run(self) -> Triangulated:
-        starts = _meeting_points(self.lines)
+    def run(self) -> Triangulation:
+        starts = _ray_intersections(self.lines)
         if not len(starts):
-            return Triangulated(failure=_parallel(_largest_angle(self.lines)))
+            return Triangulation(failure=_parallel_rays_reason(_max_ray_angle(self.lines)))
         place = self._best(starts)
         if place is None:
-            return Triangulated(failure=self._behind(starts))
+            return Triangulation(failure=self._behind(starts))
         used = self._agreeing(place)
-        for _ in range(_REPEATS):
+        for _ in range(_OUTLIER_ROUNDS):
             place = self._refined(place, used)
             now = self._agreeing(place)
             if (now == used).all():
@@ -177,7 +177,7 @@ class _Search:
             used = now
         return self._judged(place, used)
 
-    def _judged(self, place: FloatArray, used: BoolArray) -> Triangulated:
+    def _judged(self, place: FloatArray, used: BoolArray) -> Triangulation:
         names = [view.name for view in self.views]
         away_px, away, covariances = self._residuals(place[None])
         residuals = tuple(zip(names, away_px[:, 0].tolist(), strict=True))
@@ -186,29 +186,29 @@ class _Search:
         if agreeing < least:
             far = " and ".join(f"{px:.1f}" for _, px in residuals[:4])
             more = " ..." if len(names) > 4 else ""
-            return Triangulated(
+            return Triangulation(
                 residuals_px=residuals,
-                failure=said(
+                failure=translatable(
                     "the views do not agree: {far} px off (is it the same place in all of them, and"
                     " are the cameras right?)",
                     far=far + more,
                 ),
             )
-        if float(np.abs(place).max()) > FARTHEST_M:
-            far_off = said("would be farther than {metres:g} m from the field", metres=FARTHEST_M)
-            return Triangulated(failure=far_off)
-        slopes = np.array([projection_slopes(v.camera, place[None])[1][0] for v in self.views])
-        angle = _largest_angle([SightLine(place, np.linalg.svd(s)[2][2]) for s in slopes[used]])
-        if angle < LEAST_ANGLE_DEGREES:
-            return Triangulated(residuals_px=residuals, failure=_parallel(angle))
+        if float(np.abs(place).max()) > MAX_COORDINATE_M:
+            far_off = translatable("would be farther than {metres:g} m from the field", metres=MAX_COORDINATE_M)
+            return Triangulation(failure=far_off)
+        slopes = np.array([projection_jacobian(v.camera, place[None])[1][0] for v in self.views])
+        angle = _max_ray_angle([ViewingRay(place, np.linalg.svd(s)[2][2]) for s in slopes[used]])
+        if angle < MIN_ANGLE_DEGREES:
+            return Triangulation(residuals_px=residuals, failure=_parallel_rays_reason(angle))
         squares, spare = float((away[used, 0] ** 2).sum()), 2 * int(used.sum()) - 3
-        noise = noise_of(squares, spare) if self.noise is None else self.noise
+        noise = noise_factor(squares, spare) if self.noise is None else self.noise
         grown = self._grown(covariances[:, 0], noise)[used]
         information = np.einsum("nki,nkl,nlj->ij", slopes[used], np.linalg.inv(grown), slopes[used])
         covariance = np.linalg.inv(information)
         x, y, z = place.tolist()
         a, b, c = ((covariance + covariance.T) / 2).tolist()
-        return Triangulated(
+        return Triangulation(
             (x, y, z),
             (tuple(a), tuple(b), tuple(c)),
             residuals,
@@ -234,7 +234,7 @@ class _Search:
         """The meeting point that most views agree with; None where none is in front of two."""
         _, away, _ = self._residuals(starts)
         seen = np.isfinite(away)
-        cost = np.where(seen, np.minimum(away, 4 * GATE) ** 2, (8 * GATE) ** 2).sum(axis=0)
+        cost = np.where(seen, np.minimum(away, 4 * GATE_SD) ** 2, (8 * GATE_SD) ** 2).sum(axis=0)
         cost[seen.sum(axis=0) < 2] = np.inf
         best = int(np.argmin(cost))
         return starts[best] if np.isfinite(cost[best]) else None
@@ -243,7 +243,7 @@ class _Search:
         _, away, _ = self._residuals(starts)
         hidden = [v.name for v, row in zip(self.views, away, strict=True) if np.isnan(row).any()]
         names = ", ".join(hidden[:3])
-        return said("the lines of sight meet behind the camera of {names}", names=names)
+        return translatable("the lines of sight meet behind the camera of {names}", names=names)
 
     def _agreeing(self, place: FloatArray) -> BoolArray:
         """(n,) whether each view agrees with a place; the nearest two have a say anyhow."""
@@ -258,12 +258,12 @@ class _Search:
         """
         count = len(away)
         if self.noise is not None:
-            return GATE * min(max(self.noise, 1.0), MOST_NOISE)
+            return GATE_SD * min(max(self.noise, 1.0), MAX_NOISE)
         if count < 3:
-            return GATE
+            return GATE_SD
         fitted = math.sqrt(2 * count / (2 * count - 3))
-        noise = float(np.nanmedian(away)) / _MEDIAN * fitted
-        return GATE * min(max(noise, 1.0), MOST_NOISE)
+        noise = float(np.nanmedian(away)) / _RAYLEIGH_MEDIAN * fitted
+        return GATE_SD * min(max(noise, 1.0), MAX_NOISE)
 
     def _residuals(self, places: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Of n views and P places: (n, P) px, (n, P) standard deviations, (n, P, 2, 2) px^2; NaN
@@ -274,7 +274,7 @@ class _Search:
         for i, view in enumerate(self.views):
             px, shown = view.camera.project(places)
             shown = shown & np.isfinite(px).all(axis=1)
-            covariances[i] = spread_px(view, places)
+            covariances[i] = click_covariance_px(view, places)
             off = px - view.point_px
             weighted = np.einsum("pi,pij,pj->p", off, np.linalg.inv(covariances[i]), off)
             away_px[i] = np.where(shown, np.hypot(off[:, 0], off[:, 1]), np.nan)
@@ -284,10 +284,10 @@ class _Search:
     def _refined(self, place: FloatArray, used: BoolArray) -> FloatArray:
         """Levenberg and Marquardt's method on the views that have a say."""
         views = [view for view, counts in zip(self.views, used, strict=True) if counts]
-        weights = [np.linalg.inv(np.linalg.cholesky(spread_px(v, place[None])[0])) for v in views]
+        weights = [np.linalg.inv(np.linalg.cholesky(click_covariance_px(v, place[None])[0])) for v in views]
 
         def linear(at: FloatArray) -> tuple[FloatArray, FloatArray]:
-            parts = [projection_slopes(v.camera, at[None]) for v in views]
+            parts = [projection_jacobian(v.camera, at[None]) for v in views]
             off = [
                 w @ (p[0][0] - v.point_px) for w, p, v in zip(weights, parts, views, strict=True)
             ]
@@ -296,7 +296,7 @@ class _Search:
 
         off, slopes = linear(place)
         damping = 1e-6
-        for _ in range(_ROUNDS):
+        for _ in range(_REFINEMENT_ITERATIONS):
             if not np.isfinite(slopes).all():
                 return place
             normal = slopes.T @ slopes
@@ -306,7 +306,7 @@ class _Search:
             if float(tried @ tried) <= float(off @ off):  # False for NaN
                 place, off, slopes = place + step, tried, tried_slopes
                 damping = max(damping / 10, 1e-12)
-                if float(np.abs(step).max()) < _SETTLED_M:
+                if float(np.abs(step).max()) < _CONVERGED_M:
                     break
             else:
                 damping *= 10
@@ -315,7 +315,7 @@ class _Search:
         return place
 
 
-def spread_px(view: View, places: FloatArray) -> FloatArray:
+def click_covariance_px(view: ClickedView, places: FloatArray) -> FloatArray:
     """(P, 2, 2) px^2 of a click against where the camera shows places."""
     own = np.broadcast_to(view.click_px**2 * np.eye(2), (len(places), 2, 2))
     if view.covariance is None:
@@ -324,18 +324,18 @@ def spread_px(view: View, places: FloatArray) -> FloatArray:
     return own + np.where(np.isfinite(camera), camera, 0.0)
 
 
-def _meeting_points(lines: Sequence[SightLine]) -> FloatArray:
+def _ray_intersections(lines: Sequence[ViewingRay]) -> FloatArray:
     """(P, 3) metres: where pairs of lines are nearest to each other; nearly parallel ones left out.
 
     Of very many pairs an even choice is taken.
     """
     pairs = list(combinations(range(len(lines)), 2))
-    pairs = pairs[:: max(1, -(-len(pairs) // _MOST_PAIRS))]
+    pairs = pairs[:: max(1, -(-len(pairs) // _MAX_PAIRS))]
     found = []
     for i, j in pairs:
         one, other = lines[i], lines[j]
         cross = np.cross(one.direction, other.direction)
-        if float(np.linalg.norm(cross)) < np.sin(np.radians(LEAST_ANGLE_DEGREES)) / 2:
+        if float(np.linalg.norm(cross)) < np.sin(np.radians(MIN_ANGLE_DEGREES)) / 2:
             continue
         along = np.column_stack((one.direction, -other.direction))
         ways = np.linalg.lstsq(along, other.place - one.place, rcond=None)[0]
@@ -345,17 +345,17 @@ def _meeting_points(lines: Sequence[SightLine]) -> FloatArray:
     return np.array(found).reshape(-1, 3)
 
 
-def _largest_angle(lines: Sequence[SightLine]) -> float:
+def _max_ray_angle(lines: Sequence[ViewingRay]) -> float:
     """Degrees, the largest angle between any two lines."""
     directions = np.array([line.direction for line in lines])
     least = float(np.abs(directions @ directions.T).min())
     return float(np.degrees(np.arccos(min(least, 1.0))))
 
 
-def _parallel(angle_degrees: float) -> str:
-    return said(
+def _parallel_rays_reason(angle_degrees: float) -> str:
+    return translatable(
         "the views look at it from nearly the same direction ({degrees:.2f} degrees apart, at least"
         " {least:g} are needed)",
         degrees=angle_degrees,
-        least=LEAST_ANGLE_DEGREES,
+        least=MIN_ANGLE_DEGREES,
     )

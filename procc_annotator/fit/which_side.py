@@ -9,17 +9,17 @@ import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
-from procc_annotator.fit.determined import hardly_determined
+from procc_annotator.fit.determined import ill_conditioned_reason
 from procc_annotator.fit.labels.finding import LOOK, Finding, Remedy, RemedyKind, Rule, Severity
 from procc_annotator.fit.result import FitResult, PosedCamera
-from procc_annotator.fit.solving.models import CENTRE
-from procc_annotator.fit.solving.surroundings import surroundings_of
-from procc_annotator.fit.together.sides import on_other_side
-from procc_annotator.language import said, said_count
+from procc_annotator.fit.solving.models import POSITION_SLICE
+from procc_annotator.fit.solving.surroundings import camera_placement_prior
+from procc_annotator.fit.together.sides import find_opposite_side_frames
+from procc_annotator.language import translatable, translatable_count
 
 
 @dataclass(frozen=True, slots=True)
-class Stand:
+class FittedPosition:
     """Where the camera of a frame's own fit stands.
 
     Attributes:
@@ -35,17 +35,17 @@ class Stand:
     is_sure: bool
 
 
-def stand_of(fit: FitResult) -> Stand | None:
+def fitted_position(fit: FitResult) -> FittedPosition | None:
     """Where a fit has its camera; None without one, and for a homography."""
     if not isinstance(fit.camera, PosedCamera) or fit.of_clicks is None:
         return None
-    covariance = fit.of_clicks[CENTRE, CENTRE].tolist()
-    sure = not hardly_determined(fit)
-    return Stand(fit.camera.position_world, tuple(map(tuple, covariance)), fit.model, sure)
+    covariance = fit.of_clicks[POSITION_SLICE, POSITION_SLICE].tolist()
+    sure = not ill_conditioned_reason(fit)
+    return FittedPosition(fit.camera.position_world, tuple(map(tuple, covariance)), fit.model, sure)
 
 
 @dataclass(frozen=True, slots=True)
-class OnOtherSide:
+class OppositeSideFrame:
     """A frame whose camera stands on the other side from the rest.
 
     Attributes:
@@ -57,10 +57,10 @@ class OnOtherSide:
 
     opposite: int
     frames: int
-    stand: Stand
+    stand: FittedPosition
 
 
-def frames_on_other_side(stands: Mapping[str, Stand], field: Field) -> dict[str, OnOtherSide]:
+def find_opposite_frames(stands: Mapping[str, FittedPosition], field: Field) -> dict[str, OppositeSideFrame]:
     """The frames of a set whose camera stands on the other side from the rest.
 
     Args:
@@ -73,15 +73,15 @@ def frames_on_other_side(stands: Mapping[str, Stand], field: Field) -> dict[str,
     names = list(stands)
     positions = np.array([stand.position_m for stand in stands.values()])
     covariances = np.array([stand.covariance for stand in stands.values()])
-    found = on_other_side(positions, covariances, surroundings_of(field))
-    opposite = {**dict.fromkeys(sorted(found.rare), 0), **found.turned}
+    found = find_opposite_side_frames(positions, covariances, camera_placement_prior(field))
+    opposite = {**dict.fromkeys(sorted(found.minority), 0), **found.turned}
     return {
-        names[i]: OnOtherSide(count, len(names), stands[names[i]]) for i, count in opposite.items()
+        names[i]: OppositeSideFrame(count, len(names), stands[names[i]]) for i, count in opposite.items()
     }
 
 
-def other_side_finding(
-    annotation: FrameAnnotation, field: Field, found: OnOtherSide
+def opposite_side_finding(
+    annotation: FrameAnnotation, field: Field, found: OppositeSideFrame
 ) -> Finding | None:
     """What to tell of a frame on the other side; None where its labels say which side it is of.
 
@@ -98,14 +98,14 @@ def other_side_finding(
     pairs = tuple((name, turn.name_of(name)) for name in names if turn.name_of(name) != name)
     if not pairs:
         return None
-    remedy = Remedy(RemedyKind.RELABEL, said("turn the labels by half a turn"), pairs)
+    remedy = Remedy(RemedyKind.RELABEL, translatable("turn the labels by half a turn"), pairs)
     if found.opposite:
         severity = Severity.ERROR if found.stand.is_sure else Severity.WARNING
         return Finding(
             Rule.OTHER_SIDE,
             severity,
             tuple(names),
-            said_count(
+            translatable_count(
                 found.opposite,
                 "the camera stands on the other side of the field from the rest; with its labels"
                 " turned by half a turn it stands where that of {n} frame does",
@@ -119,7 +119,7 @@ def other_side_finding(
         Rule.OTHER_SIDE,
         Severity.HINT,
         tuple(names),
-        said_count(
+        translatable_count(
             found.frames,
             "the camera stands on a side of the field where hardly any other of {n} frame does: a"
             " camera of its own, or labels turned by half a turn",

@@ -12,8 +12,8 @@ from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QLabel, QMainWindow, QSplitter, QStackedWidget, QVBoxLayout, QWidget
 
 from procc_annotator.errors import FieldError
-from procc_annotator.field.checks import Remark, RemarkSeverity, check_field
-from procc_annotator.field.load import load_field, resized
+from procc_annotator.field.checks import FieldWarning, WarningSeverity, validate_field
+from procc_annotator.field.load import load_field, with_dimensions
 from procc_annotator.field.model import Field
 from procc_annotator.gui.languages import take_up
 from procc_annotator.gui.latest import Latest
@@ -35,7 +35,7 @@ class _Read:
     """What a description holds: a field with what is doubtful about it, or what is wrong."""
 
     field: Field | None = None
-    remarks: tuple[Remark, ...] = ()
+    remarks: tuple[FieldWarning, ...] = ()
     problem: str = ""
 
 
@@ -130,7 +130,7 @@ class FieldPreview(QMainWindow):
         name = Path(self._source).name
         self.setWindowTitle(f"{tr(read.field.title)} – {name}")
         self.facts.setText(_facts(read.field))
-        told = [str(r) for r in read.remarks if r.severity is not RemarkSeverity.NOTE]
+        told = [str(r) for r in read.remarks if r.severity is not WarningSeverity.NOTE]
         more = len(told) - _MOST_REMARKS
         shown = told[:_MOST_REMARKS] + ([tr("... and {n} more", n=more)] if more > 0 else [])
         show_note(self.remarks, "\n".join(shown))
@@ -141,10 +141,10 @@ def _read(
 ) -> _Read:
     try:
         field = load_field(source)
-        field = resized(field, dimensions) if dimensions else field
+        field = with_dimensions(field, dimensions) if dimensions else field
     except FieldError as error:
         return _Read(problem=str(error))
-    return _Read(field, check_field(field, taken_keys))
+    return _Read(field, validate_field(field, taken_keys))
 
 
 def _facts(field: Field) -> str:

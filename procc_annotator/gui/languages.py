@@ -48,7 +48,7 @@ def take_up(app: QCoreApplication, chosen: str) -> None:
     """
     while _taken_up:
         app.removeTranslator(_taken_up.pop())
-    language.speak(None)
+    language.set_translator(None)
     name = of_system() if chosen == SYSTEM else chosen
     if name == ENGLISH:
         return
@@ -58,7 +58,7 @@ def take_up(app: QCoreApplication, chosen: str) -> None:
         if translator.load(str(file)):
             app.installTranslator(translator)
             _taken_up.append(translator)
-    language.speak(_look_up)
+    language.set_translator(_look_up)
 
 
 def _look_up(text: str, about: str, count: int) -> str:

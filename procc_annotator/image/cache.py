@@ -11,10 +11,10 @@ from pathlib import Path
 from procc_annotator.errors import ImageError
 from procc_annotator.image.decode import PixelArray, decode_bgra
 
-_KEPT_AT_LEAST = 3  # the frame on screen and the two that may come next
+_MIN_KEPT = 3  # the frame on screen and the two that may come next
 
 
-_Stamp = tuple[int, int]  # of a file: when it was written, in ns, and its bytes
+_FileStamp = tuple[int, int]  # of a file: when it was written, in ns, and its bytes
 
 
 class FrameCache:
@@ -25,11 +25,11 @@ class FrameCache:
     was repaired meanwhile is read again; so is one whose file was replaced, by `get`.
     """
 
-    def __init__(self, max_bytes: int, kept_at_least: int = _KEPT_AT_LEAST) -> None:
+    def __init__(self, max_bytes: int, kept_at_least: int = _MIN_KEPT) -> None:
         self._max_bytes = max_bytes
         self._kept_at_least = kept_at_least
         self._pictures: OrderedDict[Path, PixelArray] = OrderedDict()
-        self._stamps: dict[Path, _Stamp | None] = {}
+        self._stamps: dict[Path, _FileStamp | None] = {}
         self._bytes = 0
         self._decoding: set[Path] = set()
         self._queue: deque[Path] = deque()
@@ -47,7 +47,7 @@ class FrameCache:
         Raises:
             ImageError: it is not a readable picture.
         """
-        stamp = _stamp_of(path)
+        stamp = _file_stamp(path)
         with self._changed:
             self._changed.wait_for(lambda: path not in self._decoding)
             picture = self._touch(path)
@@ -106,7 +106,7 @@ class FrameCache:
     def _decode(self, path: Path) -> PixelArray:
         """Decode a path that the caller has put into `_decoding`."""
         picture: PixelArray | None = None
-        stamp = _stamp_of(path)  # before it is read: what is written meanwhile is read again
+        stamp = _file_stamp(path)  # before it is read: what is written meanwhile is read again
         try:
             picture = decode_bgra(path)
         finally:
@@ -117,7 +117,7 @@ class FrameCache:
                 self._changed.notify_all()
         return picture
 
-    def _store(self, path: Path, picture: PixelArray, stamp: _Stamp | None) -> None:
+    def _store(self, path: Path, picture: PixelArray, stamp: _FileStamp | None) -> None:
         if (older := self._pictures.pop(path, None)) is not None:
             self._bytes -= older.nbytes
         self._pictures[path] = picture
@@ -144,7 +144,7 @@ class FrameCache:
                 continue  # told when somebody asks for this picture
 
 
-def _stamp_of(path: Path) -> _Stamp | None:
+def _file_stamp(path: Path) -> _FileStamp | None:
     """None for what is out of reach, and for a frame of a video."""
     try:
         found = path.stat()

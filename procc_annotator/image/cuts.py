@@ -15,11 +15,11 @@ from procc_annotator.image.pixels import PixelArray
 Values = NDArray[np.float32]
 
 STEP_PX = 0.5  # between the samples of a cut
-_FLAGS = cv2.INTER_LINEAR | cv2.WARP_INVERSE_MAP
+_REMAP_FLAGS = cv2.INTER_LINEAR | cv2.WARP_INVERSE_MAP
 
 
 @dataclass(frozen=True, eq=False)
-class Patch:
+class ImagePatch:
     """A position and its surroundings.
 
     Attributes:
@@ -33,7 +33,7 @@ class Patch:
     @classmethod
     def around(
         cls, picture: PixelArray, point: tuple[float, float], reach_px: float, shrink: int = 1
-    ) -> Patch:
+    ) -> ImagePatch:
         """What lies within a distance, at the picture's border less; so many times smaller."""
         x, y = point
         reach = math.ceil(reach_px) + 2
@@ -49,10 +49,10 @@ class Patch:
         centre = (x - inwards) / shrink, (y - inwards) / shrink
         return cls(np.asarray(small, dtype=np.uint8), centre)
 
-    def across(self, angle: float, offset_px: float) -> Patch:
+    def across(self, angle: float, offset_px: float) -> ImagePatch:
         """The same pixels around a place across a direction from the position."""
         x, y = self.centre
-        return Patch(
+        return ImagePatch(
             self.pixels, (x - offset_px * math.sin(angle), y + offset_px * math.cos(angle))
         )
 
@@ -87,7 +87,7 @@ class Patch:
                 turned,
                 (width, count),
                 dst=found[:, i],
-                flags=_FLAGS,
+                flags=_REMAP_FLAGS,
                 borderMode=cv2.BORDER_REFLECT,
             )
         return found

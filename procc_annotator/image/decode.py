@@ -16,14 +16,14 @@ import cv2
 import numpy as np
 
 from procc_annotator.errors import ImageError
-from procc_annotator.image.header import check_shape, is_cut_off, size_in_header
+from procc_annotator.image.header import require_valid_size, is_truncated_png, header_size
 from procc_annotator.image.pixels import PixelArray as PixelArray
-from procc_annotator.image.pixels import bgra, check_size
-from procc_annotator.image.video import frame_of, open_shared
+from procc_annotator.image.pixels import bgra_from_bgr, require_decodable_size
+from procc_annotator.image.video import video_frame_of_path, open_shared_video
 from procc_annotator.regular_file import open_regular
 
 # Decoding at a fraction is 3-6 times faster for JPEG, where it skips most of the inverse DCT.
-_REDUCED = {
+_REDUCED_FLAGS = {
     8: cv2.IMREAD_REDUCED_COLOR_8,
     4: cv2.IMREAD_REDUCED_COLOR_4,
     2: cv2.IMREAD_REDUCED_COLOR_2,
@@ -32,7 +32,7 @@ _REDUCED = {
 
 
 _JPEG = frozenset({".jpg", ".jpeg"})
-_LARGE_PIXELS = 1_000_000  # of what takes a hand's time to decode
+_HALF_SIZE_MIN_PIXELS = 1_000_000  # of what takes a hand's time to decode
 
 
 def decode_bgra(path: Path) -> PixelArray:
@@ -41,11 +41,11 @@ def decode_bgra(path: Path) -> PixelArray:
     Raises:
         ImageError: it is not a readable picture, or has more than 100 megapixels.
     """
-    video_frame = frame_of(path)
+    video_frame = video_frame_of_path(path)
     if video_frame is not None:
         video, number = video_frame
-        return open_shared(video).frame(number)
-    return bgra(_decode(path, _read(path), cv2.IMREAD_COLOR))
+        return open_shared_video(video).frame(number)
+    return bgra_from_bgr(_decode(path, _read(path), cv2.IMREAD_COLOR))
 
 
 def decode_for_camera(path: Path) -> PixelArray:
@@ -55,12 +55,12 @@ def decode_for_camera(path: Path) -> PixelArray:
         ImageError: as there, or it has no shape for that.
     """
     picture = decode_bgra(path)
-    check_shape(path, picture.shape[1], picture.shape[0])
+    require_valid_size(path, picture.shape[1], picture.shape[0])
     return picture
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class HalfPicture:
+class HalfSizeImage:
     """A picture at half its size, to be looked at until the whole one is there.
 
     Attributes:
@@ -72,22 +72,22 @@ class HalfPicture:
     size: tuple[int, int]
 
 
-def decode_half(path: Path) -> HalfPicture | None:
+def decode_half_size(path: Path) -> HalfSizeImage | None:
     """A large JPEG at half its size, in a third of the time; None for any other picture, and for
     one that `decode_bgra` would refuse."""
-    if path.suffix.lower() not in _JPEG or frame_of(path) is not None:
+    if path.suffix.lower() not in _JPEG or video_frame_of_path(path) is not None:
         return None
     try:
         data = _read(path)
-        width, height = size_in_header(data.data) or (0, 0)
-        if width * height < _LARGE_PIXELS:
+        width, height = header_size(data.data) or (0, 0)
+        if width * height < _HALF_SIZE_MIN_PIXELS:
             return None
-        pixels = bgra(_decode(path, data, _REDUCED[2]))
+        pixels = bgra_from_bgr(_decode(path, data, _REDUCED_FLAGS[2]))
     except ImageError:
         return None
     for size in ((width, height), (height, width)):  # it may be stored lying on its side
         if pixels.shape[:2] == ((size[1] + 1) // 2, (size[0] + 1) // 2):
-            return HalfPicture(pixels, size)
+            return HalfSizeImage(pixels, size)
     return None
 
 
@@ -97,17 +97,17 @@ def decode_thumbnail(path: Path, max_side: int = 160) -> PixelArray:
     Raises:
         ImageError: it is not a readable picture.
     """
-    if frame_of(path) is not None:
-        small = np.ascontiguousarray(shrink(decode_bgra(path), max_side))
+    if video_frame_of_path(path) is not None:
+        small = np.ascontiguousarray(downscale_to(decode_bgra(path), max_side))
         small.flags.writeable = False
         return small
     data = _read(path)
-    short, long = sorted(size_in_header(data.data) or (0, 0))
+    short, long = sorted(header_size(data.data) or (0, 0))
     factor = next((f for f in (8, 4, 2) if long >= f * max_side and short >= f), 1)
-    return bgra(shrink(_decode(path, data, _REDUCED[factor]), max_side))
+    return bgra_from_bgr(downscale_to(_decode(path, data, _REDUCED_FLAGS[factor]), max_side))
 
 
-def shrink(pixels: PixelArray, max_side: int) -> PixelArray:
+def downscale_to(pixels: PixelArray, max_side: int) -> PixelArray:
     """(h, w, c) of a (H, W, c) picture, its longer side at most ``max_side`` px; never enlarged."""
     height, width = pixels.shape[:2]
     scale = max_side / max(height, width)
@@ -123,9 +123,9 @@ def read_size(path: Path) -> tuple[int, int]:
     Raises:
         ImageError: it is not a readable picture.
     """
-    video_frame = frame_of(path)
+    video_frame = video_frame_of_path(path)
     if video_frame is not None:
-        return open_shared(video_frame[0]).size
+        return open_shared_video(video_frame[0]).size
     height, width = _decode(path, _read(path), cv2.IMREAD_GRAYSCALE).shape[:2]
     return width, height
 
@@ -143,20 +143,20 @@ def _read(path: Path) -> PixelArray:
 
 
 def _decode(path: Path, data: PixelArray, flags: int) -> PixelArray:
-    size = size_in_header(data.data)
+    size = header_size(data.data)
     if size is None:  # OpenCV reads more kinds, some of which unpack without any limit
-        raise _undecodable(path)
-    check_size(path, *size)
-    if is_cut_off(data.data):
+        raise _decode_error(path)
+    require_decodable_size(path, *size)
+    if is_truncated_png(data.data):
         raise ImageError(path, "the picture cannot be decoded: a part of the file is missing")
     try:
         pixels = cv2.imdecode(data, flags)
     except cv2.error as error:
         raise ImageError(path, f"the picture cannot be decoded: {error.err}") from error
     if pixels is None:
-        raise _undecodable(path)
+        raise _decode_error(path)
     return np.asarray(pixels, dtype=np.uint8)
 
 
-def _undecodable(path: Path) -> ImageError:
+def _decode_error(path: Path) -> ImageError:
     return ImageError(path, "the picture cannot be decoded: damaged, or not jpg, png, bmp, webp")

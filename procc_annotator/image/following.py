@@ -14,26 +14,26 @@ import cv2
 import numpy as np
 
 from procc_annotator.field.appearance import ANY, BAR, EDGE
-from procc_annotator.image.colour_step import fits
-from procc_annotator.image.cuts import STEP_PX, Patch, Values
-from procc_annotator.image.sought import Sought
+from procc_annotator.image.colour_step import matches_colour_step
+from procc_annotator.image.cuts import STEP_PX, ImagePatch, Values
+from procc_annotator.image.sought import LineTarget
 
-REACH_PX = 24.0  # along, to either side
-_EVERY_PX = 2.0
-_ASIDE_PX = 4.0  # how far it may bend away
-_TURN = 2  # steps across that it may move from one place to the next
-_BESIDE = 0.75, 2.75  # px from the band's edge: where the ground is looked at
-_LEAST_STEP = 10.0  # of 255
-_SAME_STEP = 0.4  # of the step at the middle
-_STRONGER_STEP = 1.8  # ... where paint may be lighter or darker: another band's
+MAX_TRACE_PX = 24.0  # along, to either side
+_STEP_ALONG_PX = 2.0
+_SEARCH_ASIDE_PX = 4.0  # how far it may bend away
+_MAX_TURN_STEPS = 2  # steps across that it may move from one place to the next
+_FLANK_RANGE = 0.75, 2.75  # px from the band's edge: where the ground is looked at
+_MIN_COLOUR_STEP = 10.0  # of 255
+_SAME_STEP_RATIO = 0.4  # of the step at the middle
+_STRONGER_STEP_RATIO = 1.8  # ... where paint may be lighter or darker: another band's
 _SAME_COLOUR = 0.8  # cosine
-_STAYS = 0.1  # of the usual step: for less it does not move across
-_BEGINS = 0, 4, -4  # places along
-_NEAR = 5  # over so many places to either side its turn is measured
+_SMOOTHNESS_PENALTY = 0.1  # of the usual step: for less it does not move across
+_START_OFFSETS = 0, 4, -4  # places along
+_REFERENCE_SAMPLES = 5  # over so many places to either side its turn is measured
 
 
 @dataclass(frozen=True, slots=True)
-class Course:
+class LineExtent:
     """How far a band goes on without a gap.
 
     Attributes:
@@ -44,12 +44,12 @@ class Course:
 
     length_px: float
     turn: float
-    begin_px: float
+    start_px: float
 
 
-def follow_course(
-    patch: Patch, angle: float, offset_px: float, width_px: float, sought: Sought
-) -> Iterator[Course]:
+def trace_line(
+    patch: ImagePatch, angle: float, offset_px: float, width_px: float, sought: LineTarget
+) -> Iterator[LineExtent]:
     """Follow a band or an edge both ways.
 
     Args:
@@ -63,46 +63,46 @@ def follow_course(
         How far it goes on from its middle, then from ahead and from back of it: at an end another
         line lies in its ground. Nothing where it does not stand out, or has another colour.
     """
-    left, right = _steps(patch.across(angle, offset_px), angle, width_px)
+    left, right = _colour_steps_along(patch.across(angle, offset_px), angle, width_px)
     if sought.looks.kind == EDGE:
         left = right = left - right  # from one side to the other
     middle = len(left) // 2
-    for begin in _BEGINS:
-        course = _course(left, right, middle + begin, sought)
+    for begin in _START_OFFSETS:
+        course = _extent_from(left, right, middle + begin, sought)
         if course is not None:
             yield course
 
 
-def _course(left: Values, right: Values, begin: int, sought: Sought) -> Course | None:
+def _extent_from(left: Values, right: Values, begin: int, sought: LineTarget) -> LineExtent | None:
     """From a place along, with the steps of colour there for the usual ones."""
     here, around = left.shape[1] // 2, slice(begin - 1, begin + 2)
     usual = (left[around, here] + right[around, here]).sum(axis=0) / 6
     size = math.sqrt(float(usual @ usual))
-    if size < _LEAST_STEP or not (sought.looks.kind == EDGE or fits(usual[None], sought)[0]):
+    if size < _MIN_COLOUR_STEP or not (sought.looks.kind == EDGE or matches_colour_step(usual[None], sought)[0]):
         return None
     bar = sought.looks.kind == BAR
-    found = _shares(left, right, usual / size, around, here, bar=bar)
+    found = _step_ratios(left, right, usual / size, around, here, bar=bar)
     if found is None:
         return None
     if sought.looks.tone == ANY:
-        found[found > _STRONGER_STEP] = 0.0
+        found[found > _STRONGER_STEP_RATIO] = 0.0
     shares = found.tolist()
-    ahead, back = _walk(shares[begin:], here), _walk(shares[begin::-1], here)
-    first, last = back[: _NEAR + 1], ahead[: _NEAR + 1]
-    across, along = (last[-1] - first[-1]) * STEP_PX, (len(first) + len(last) - 2) * _EVERY_PX
+    ahead, back = _track_band(shares[begin:], here), _track_band(shares[begin::-1], here)
+    first, last = back[: _REFERENCE_SAMPLES + 1], ahead[: _REFERENCE_SAMPLES + 1]
+    across, along = (last[-1] - first[-1]) * STEP_PX, (len(first) + len(last) - 2) * _STEP_ALONG_PX
     turn = math.atan2(across, along) if along else 0.0
-    length = _EVERY_PX * (len(ahead) + len(back) - 1)
-    return Course(length, turn, _EVERY_PX * (begin - len(left) // 2))
+    length = _STEP_ALONG_PX * (len(ahead) + len(back) - 1)
+    return LineExtent(length, turn, _STEP_ALONG_PX * (begin - len(left) // 2))
 
 
-def _steps(patch: Patch, angle: float, width_px: float) -> tuple[Values, Values]:
+def _colour_steps_along(patch: ImagePatch, angle: float, width_px: float) -> tuple[Values, Values]:
     """(n, m, 4) steps of colour from the left and the right ground to the band, at places along
     and offsets across."""
-    near, far = (round((width_px / 2 + beside) / STEP_PX) for beside in _BESIDE)
+    near, far = (round((width_px / 2 + beside) / STEP_PX) for beside in _FLANK_RANGE)
     inner = round(max(0.5, 0.3 * width_px) / STEP_PX)
-    aside = round(_ASIDE_PX / STEP_PX)
+    aside = round(_SEARCH_ASIDE_PX / STEP_PX)
     half = far + aside + 1
-    cuts = patch.cuts([angle], REACH_PX, _EVERY_PX, half)[:, 0]
+    cuts = patch.cuts([angle], MAX_TRACE_PX, _STEP_ALONG_PX, half)[:, 0]
 
     def means(samples: int) -> Values:
         """Of so many samples across and three cuts along."""
@@ -120,7 +120,7 @@ def _steps(patch: Patch, angle: float, width_px: float) -> tuple[Values, Values]
     )
 
 
-def _shares(
+def _step_ratios(
     left: Values, right: Values, direction: Values, around: slice, here: int, *, bar: bool
 ) -> Values | None:
     """(n, m) how much of the usual step there is; 0 where the colour is another one."""
@@ -131,7 +131,7 @@ def _shares(
         # Either side may be as bright as the bar for a while, never both.
         shares = np.maximum(on_left, on_right) / max(usual)
     else:
-        if min(usual) < _LEAST_STEP / 2:
+        if min(usual) < _MIN_COLOUR_STEP / 2:
             return None
         shares = np.minimum(on_left / usual[0], on_right / usual[1])
     both = (left + right).reshape(flat)
@@ -140,16 +140,16 @@ def _shares(
     return np.asarray(shares, dtype=np.float32)
 
 
-def _walk(shares: list[list[float]], here: int) -> list[int]:
+def _track_band(shares: list[list[float]], here: int) -> list[int]:
     """Where a band is at each place from the first one on, while it goes on, bending a little."""
     walked = [here]
     for row in shares[1:]:
-        low = max(0, here - _TURN)
-        near = row[low : here + _TURN + 1]
+        low = max(0, here - _MAX_TURN_STEPS)
+        near = row[low : here + _MAX_TURN_STEPS + 1]
         most = max(near)
-        if most < _SAME_STEP:
+        if most < _SAME_STEP_RATIO:
             break
-        if row[here] < most - _STAYS:
+        if row[here] < most - _SMOOTHNESS_PENALTY:
             here = low + near.index(most)
         walked.append(here)
     return walked

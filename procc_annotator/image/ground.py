@@ -13,19 +13,19 @@ from procc_annotator.image.pixels import PixelArray
 Mask = NDArray[np.uint8]
 Values = NDArray[np.float32]
 
-_WIDTH_PX = 320
-_DARKEST, _MOST_EDGE, _FLAT_SHARE = 30, 14, 0.55
+_MASK_WIDTH_PX = 320
+_MIN_BRIGHTNESS, _MAX_EDGE, _MIN_FLAT_SHARE = 30, 14, 0.55
 # Colours alike: their shares of red and blue, and the logarithm of their brightness.
-_SHARE_STEP, _BRIGHT_STEP, _SHARES, _BRIGHTS = 0.025, 0.25, 40, 9
-_DARK_LOG = 3.4
-_LIKE_SHARE, _LIKE_BRIGHT = 0.08, 0.8
-_COLOURS = 3  # a court has others than what surrounds it
-_ENOUGH, _LEAST_MORE = 0.4, 0.04  # of the picture: no other colour is looked for; another one's
-_TOUCHING = 0.02
-_PLAYER_PX, _ABOUT_PX = 25, 25
+_CHROMA_STEP, _BRIGHTNESS_STEP, _CHROMA_BINS, _BRIGHTNESS_BINS = 0.025, 0.25, 40, 9
+_MIN_LOG_BRIGHTNESS = 3.4
+_CHROMA_TOLERANCE, _BRIGHTNESS_TOLERANCE = 0.08, 0.8
+_FIELD_COLOURS = 3  # a court has others than what surrounds it
+_MIN_FIELD_SHARE, _MIN_ADDED_SHARE = 0.4, 0.04  # of the picture: no other colour is looked for; another one's
+_MIN_CONTACT_SHARE = 0.02
+_PLAYER_KERNEL_PX, _HULL_KERNEL_PX = 25, 25
 
 
-def ground_of(picture: PixelArray) -> Mask:
+def field_mask(picture: PixelArray) -> Mask:
     """The ground, players on it included.
 
     The most frequent colour of what is smooth, in its largest piece; where that is little of the
@@ -37,28 +37,28 @@ def ground_of(picture: PixelArray) -> Mask:
     Returns:
         (h, 320) 1 where the ground is; nothing but 0 if nothing is smooth.
     """
-    small = reduced(picture)
+    small = mask_scale_image(picture)
     ground = np.zeros(small.shape[:2], dtype=np.uint8)
     top = 0.0
-    for piece in pieces_of(small, _COLOURS):
+    for piece in colour_regions(small, _FIELD_COLOURS):
         rows = np.nonzero(piece)[0]
         if not ground.any():
             ground, top = piece, float(np.percentile(rows, 5))
-        elif belongs(piece, ground, top):
+        elif is_field_region(piece, ground, top):
             ground |= piece
-        if ground.mean() > _ENOUGH:
+        if ground.mean() > _MIN_FIELD_SHARE:
             break
-    return filled(ground)
+    return fill_holes(ground)
 
 
-def reduced(picture: PixelArray) -> PixelArray:
+def mask_scale_image(picture: PixelArray) -> PixelArray:
     """A picture (H, W, 3) made so small that a ground shows, and little else: (h, 320, 3)."""
     height, width = picture.shape[:2]
-    size = (_WIDTH_PX, max(round(height * _WIDTH_PX / width), 1))
+    size = (_MASK_WIDTH_PX, max(round(height * _MASK_WIDTH_PX / width), 1))
     return np.asarray(cv2.resize(picture, size, interpolation=cv2.INTER_AREA), dtype=np.uint8)
 
 
-def pieces_of(small: PixelArray, colours: int, calm: float = 0.0) -> Iterator[Mask]:
+def colour_regions(small: PixelArray, colours: int, calm: float = 0.0) -> Iterator[Mask]:
     """The largest piece of each of the most frequent colours of what is smooth.
 
     Args:
@@ -66,62 +66,62 @@ def pieces_of(small: PixelArray, colours: int, calm: float = 0.0) -> Iterator[Ma
         colours: so many at most.
         calm: share of what is about a place that must be flat; in a crowd less is.
     """
-    red, blue, bright = _colour(small)
-    flat = _flat(small)
-    smooth = (cv2.blur(flat, (9, 9)) > _FLAT_SHARE) & (small.max(axis=2) > _DARKEST)
-    quiet = cv2.blur(flat, (_ABOUT_PX, _ABOUT_PX)) >= calm
+    red, blue, bright = _chromaticity(small)
+    flat = _smooth_mask(small)
+    smooth = (cv2.blur(flat, (9, 9)) > _MIN_FLAT_SHARE) & (small.max(axis=2) > _MIN_BRIGHTNESS)
+    quiet = cv2.blur(flat, (_HULL_KERNEL_PX, _HULL_KERNEL_PX)) >= calm
     for _ in range(colours):
-        if smooth.mean() < 2 * _LEAST_MORE:
+        if smooth.mean() < 2 * _MIN_ADDED_SHARE:
             return
-        centre = _most_frequent(red[smooth], blue[smooth], bright[smooth], np.nonzero(smooth)[0])
-        alike = np.hypot(red - centre[0], blue - centre[1]) < _LIKE_SHARE
-        alike &= np.abs(bright - centre[2]) < _LIKE_BRIGHT
-        piece = _largest_piece(alike & quiet)
+        centre = _modal_colour(red[smooth], blue[smooth], bright[smooth], np.nonzero(smooth)[0])
+        alike = np.hypot(red - centre[0], blue - centre[1]) < _CHROMA_TOLERANCE
+        alike &= np.abs(bright - centre[2]) < _BRIGHTNESS_TOLERANCE
+        piece = _largest_component(alike & quiet)
         smooth &= ~alike
         if piece.any():
             yield piece
 
 
-def _colour(small: PixelArray) -> tuple[Values, Values, Values]:
+def _chromaticity(small: PixelArray) -> tuple[Values, Values, Values]:
     values = small.astype(np.float32) + 10
     total = values.sum(axis=2) + 20
     return values[..., 2] / total, values[..., 0] / total, np.log(values.max(axis=2))
 
 
-def _flat(small: PixelArray) -> Values:
+def _smooth_mask(small: PixelArray) -> Values:
     """(h, 320) 1 where there is no edge."""
     grey = cv2.cvtColor(small, cv2.COLOR_BGR2GRAY)
     edges = cv2.morphologyEx(grey, cv2.MORPH_GRADIENT, np.ones((3, 3), np.uint8))
-    return np.asarray(edges < _MOST_EDGE, dtype=np.float32)
+    return np.asarray(edges < _MAX_EDGE, dtype=np.float32)
 
 
-def _most_frequent(
+def _modal_colour(
     red: Values, blue: Values, bright: Values, below: NDArray[np.intp]
 ) -> tuple[float, float, float]:
     """The colour most pixels have, those below counting more: the sky is no ground."""
     places = (
-        np.clip((red / _SHARE_STEP).astype(np.intp), 0, _SHARES - 1),
-        np.clip((blue / _SHARE_STEP).astype(np.intp), 0, _SHARES - 1),
-        np.clip(((bright - _DARK_LOG) / _BRIGHT_STEP).astype(np.intp), 0, _BRIGHTS - 1),
+        np.clip((red / _CHROMA_STEP).astype(np.intp), 0, _CHROMA_BINS - 1),
+        np.clip((blue / _CHROMA_STEP).astype(np.intp), 0, _CHROMA_BINS - 1),
+        np.clip(((bright - _MIN_LOG_BRIGHTNESS) / _BRIGHTNESS_STEP).astype(np.intp), 0, _BRIGHTNESS_BINS - 1),
     )
-    shape = (_SHARES, _SHARES, _BRIGHTS)
+    shape = (_CHROMA_BINS, _CHROMA_BINS, _BRIGHTNESS_BINS)
     weight = 0.3 + below / max(int(below.max()), 1)
-    counts = np.bincount(np.ravel_multi_index(places, shape), weight, _SHARES**2 * _BRIGHTS)
+    counts = np.bincount(np.ravel_multi_index(places, shape), weight, _CHROMA_BINS**2 * _BRIGHTNESS_BINS)
     padded = np.pad(counts.reshape(shape), 1)
     rows = padded[:-2] + padded[1:-1] + padded[2:]
     both = rows[:, :-2] + rows[:, 1:-1] + rows[:, 2:]
     near = both[:, :, 1:-1] + (both[:, :, :-2] + both[:, :, 2:]) / 2
     first, second, third = np.unravel_index(int(near.argmax()), shape)
     return (
-        (float(first) + 0.5) * _SHARE_STEP,
-        (float(second) + 0.5) * _SHARE_STEP,
-        (float(third) + 0.5) * _BRIGHT_STEP + _DARK_LOG,
+        (float(first) + 0.5) * _CHROMA_STEP,
+        (float(second) + 0.5) * _CHROMA_STEP,
+        (float(third) + 0.5) * _BRIGHTNESS_STEP + _MIN_LOG_BRIGHTNESS,
     )
 
 
-def _largest_piece(alike: NDArray[np.bool_]) -> Mask:
+def _largest_component(alike: NDArray[np.bool_]) -> Mask:
     opened = cv2.morphologyEx(alike.astype(np.uint8), cv2.MORPH_OPEN, np.ones((3, 3), np.uint8))
-    closed = cv2.morphologyEx(opened, cv2.MORPH_CLOSE, _disc(7))
+    closed = cv2.morphologyEx(opened, cv2.MORPH_CLOSE, _disc_kernel(7))
     count, labels, figures, _ = cv2.connectedComponentsWithStats(closed)
     if count < 2:
         return np.zeros(alike.shape, dtype=np.uint8)
@@ -129,27 +129,27 @@ def _largest_piece(alike: NDArray[np.bool_]) -> Mask:
     return np.asarray(labels == largest, dtype=np.uint8)
 
 
-def belongs(piece: Mask, ground: Mask, top: float) -> bool:
+def is_field_region(piece: Mask, ground: Mask, top: float) -> bool:
     """Whether another colour is of the ground: it touches it, and is no wall above its top row."""
-    if piece.mean() < _LEAST_MORE or float(np.percentile(np.nonzero(piece)[0], 30)) < top:
+    if piece.mean() < _MIN_ADDED_SHARE or float(np.percentile(np.nonzero(piece)[0], 30)) < top:
         return False
     beside = (cv2.dilate(piece, np.ones((9, 9), np.uint8)) > 0) & (ground > 0)
-    return bool(beside.sum() >= _TOUCHING * piece.sum())
+    return bool(beside.sum() >= _MIN_CONTACT_SHARE * piece.sum())
 
 
-def filled(ground: Mask) -> Mask:
+def fill_holes(ground: Mask) -> Mask:
     """A ground with what is enclosed, and what players cut out of its edge."""
-    closed = cv2.morphologyEx(ground, cv2.MORPH_CLOSE, _disc(9))
+    closed = cv2.morphologyEx(ground, cv2.MORPH_CLOSE, _disc_kernel(9))
     outlines, _ = cv2.findContours(closed, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
     filled = np.zeros_like(ground)
     if outlines:
         largest = max(outlines, key=cv2.contourArea)
         cv2.drawContours(filled, [largest], -1, (1,), -1)
-    rim = _PLAYER_PX + 5
+    rim = _PLAYER_KERNEL_PX + 5
     padded = cv2.copyMakeBorder(filled, rim, rim, rim, rim, cv2.BORDER_REPLICATE)
-    padded = cv2.morphologyEx(padded, cv2.MORPH_CLOSE, _disc(_PLAYER_PX))
+    padded = cv2.morphologyEx(padded, cv2.MORPH_CLOSE, _disc_kernel(_PLAYER_KERNEL_PX))
     return np.ascontiguousarray(padded[rim:-rim, rim:-rim], dtype=np.uint8)
 
 
-def _disc(size: int) -> Mask:
+def _disc_kernel(size: int) -> Mask:
     return np.asarray(cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (size, size)), dtype=np.uint8)

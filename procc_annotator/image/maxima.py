@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.field.appearance import ANY, BAR, EDGE, LIGHTER, WHITE
-from procc_annotator.image.colour_step import fits
-from procc_annotator.image.cuts import STEP_PX, Patch, Values
+from procc_annotator.image.colour_step import matches_colour_step
+from procc_annotator.image.cuts import STEP_PX, ImagePatch, Values
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.image.profile import (
     ProfileBand,
@@ -22,42 +22,42 @@ from procc_annotator.image.profile import (
     curvature_kernel,
     edge_at,
     gradient_kernel,
-    middle_of_nine,
-    top_of_three,
+    median_of_nine,
+    parabola_peak,
 )
-from procc_annotator.image.sought import Sought
+from procc_annotator.image.sought import LineTarget
 
 FloatArray = NDArray[np.float64]
 
-BEYOND_PX = 14.0  # a profile goes this far beyond the reach: the widest line and its side
-TRIED = 8  # maxima looked at, the most convincing first
+MARGIN_PX = 14.0  # a profile goes this far beyond the reach: the widest line and its side
+MAX_CANDIDATES = 8  # maxima looked at, the most convincing first
 
-_LENGTH_PX = 8.0  # a profile is averaged at most this far along the line
-_CUTS_PX = 1.0  # between the cuts that it is averaged of
+_HALF_LENGTH_PX = 8.0  # a profile is averaged at most this far along the line
+_PROFILE_SPACING_PX = 1.0  # between the cuts that it is averaged of
 # Both ways; and one way only, since an element's ends lie where its line ends or meets another.
 _STRETCHES = np.column_stack(
     ([2, 3, 5, 6, 8, 10, 11, 13, 14], [*range(8, 17)], [*range(9)])
 )  # of 17 cuts
-_SIDES = np.array([1.0, 0.75, 0.75])  # a band that is seen on one side only counts less
-_BAR_LONGER = 2.0  # bars are straight: what is behind them averages out
-_ALONG = tuple(tuple(float(i) * _CUTS_PX - _LENGTH_PX for i in of) for of in _STRETCHES.T)
-_BAR_ALONG = tuple(tuple(_BAR_LONGER * px for px in of) for of in _ALONG)
-_NEARNESS_PX = 8.0  # a band at this distance counts less than half of one at none
-_LEAST_CONTRAST = 16.0  # of 255
+_STRETCH_WEIGHTS = np.array([1.0, 0.75, 0.75])  # a band that is seen on one side only counts less
+_BAR_LENGTH_FACTOR = 2.0  # bars are straight: what is behind them averages out
+_PROFILE_POSITIONS_PX = tuple(tuple(float(i) * _PROFILE_SPACING_PX - _HALF_LENGTH_PX for i in of) for of in _STRETCHES.T)
+_BAR_PROFILE_POSITIONS_PX = tuple(tuple(_BAR_LENGTH_FACTOR * px for px in of) for of in _PROFILE_POSITIONS_PX)
+_DISTANCE_SCALE_PX = 8.0  # a band at this distance counts less than half of one at none
+_MIN_BAND_CONTRAST = 16.0  # of 255
 # Of the grounds beside a band and of three samples in its middle: its step in one cut.
 _BAND_STEP = np.array([-1 / 2, 1 / 3, 1 / 3, 1 / 3, -1 / 2], dtype=np.float32)
 _EDGE_STEP = np.array([-1, 0, 0, 0, 1], dtype=np.float32)
-_SHOWN = 0.4  # of the contrast: what a cut must have to show the band
-_SUPPORT = 0.62  # share of the cuts that must show it
-_LEVEL = 0.7
-_BALANCED = 0.6
-_FRINGE_PX = 6.0  # from a band's edge: where a stronger one of the opposite tone may lie
-_STRONGER = 1.2
-_LOPSIDED, _STRONGER_BESIDE = 0.62, 1.0  # ... on the side to which most of a band's step leads
+_MIN_SEEN_CONTRAST = 0.4  # of the contrast: what a cut must have to show the band
+_MIN_SUPPORT = 0.62  # share of the cuts that must show it
+_MIN_LEVEL = 0.7
+_MIN_BALANCE = 0.6
+_HALO_WIDTH_PX = 6.0  # from a band's edge: where a stronger one of the opposite tone may lie
+_HALO_STRENGTH_RATIO = 1.2
+_MIN_BALANCE_EDGE, _MIN_RIVAL_RATIO = 0.62, 1.0  # ... on the side to which most of a band's step leads
 
 
 @dataclass(frozen=True, slots=True)
-class PatchBand:
+class LineBand:
     """A band through a patch: its direction, and where across the position it is, px.
 
     ``merit``: how sharp and near it is; comparable within one patch. ``along``: where along the
@@ -73,15 +73,15 @@ class PatchBand:
     @property
     def foot(self) -> tuple[float, float]:
         """From the position to the band's middle, px."""
-        return foot_of(self.angle, self.offset)
+        return closest_offset(self.angle, self.offset)
 
 
-def foot_of(angle: float, offset: float) -> tuple[float, float]:
+def closest_offset(angle: float, offset: float) -> tuple[float, float]:
     return -offset * math.sin(angle), offset * math.cos(angle)
 
 
 @dataclass(frozen=True, eq=False)
-class Maxima:
+class BandMaxima:
     """Where profiles in several directions curve most, and what is needed to look closer.
 
     Attributes:
@@ -101,34 +101,34 @@ class Maxima:
     near: int
     curved: Values
     strength: Values
-    sought: Sought
+    sought: LineTarget
     reach_px: float
 
     @classmethod
-    def of(cls, patch: Patch, angles: FloatArray, sought: Sought, reach_px: float) -> Maxima:
+    def of(cls, patch: ImagePatch, angles: FloatArray, sought: LineTarget, reach_px: float) -> BandMaxima:
         """Look for paint in several directions through a patch's position."""
         looks = sought.looks
         pale = looks.tone == LIGHTER and looks.colour in (WHITE, ANY) and looks.kind != EDGE
-        half = math.ceil((reach_px + BEYOND_PX) / STEP_PX)
+        half = math.ceil((reach_px + MARGIN_PX) / STEP_PX)
         offsets = np.arange(-half, half + 1, dtype=np.float64) * STEP_PX
-        longer = _BAR_LONGER if looks.kind == BAR else 1.0
-        along, every = longer * _LENGTH_PX, longer * _CUTS_PX
+        longer = _BAR_LENGTH_FACTOR if looks.kind == BAR else 1.0
+        along, every = longer * _HALF_LENGTH_PX, longer * _PROFILE_SPACING_PX
         all_cuts = patch.cuts(angles.tolist(), along, every, half)
         if pale:  # the smallest colour shows white paint on saturated ground best
             blue, green, red = (all_cuts[..., k : k + 1] for k in range(3))
             all_cuts = np.minimum(np.minimum(blue, green), red)
         cuts = all_cuts.take(_STRETCHES, axis=0).reshape(len(_STRETCHES), -1, *all_cuts.shape[2:])
-        profiles = middle_of_nine(cuts).astype(np.float32)
+        profiles = median_of_nine(cuts).astype(np.float32)
         near = half - math.ceil(reach_px / STEP_PX) - 2
         kernel = gradient_kernel() if looks.kind == EDGE else curvature_kernel()
-        curved = _filtered(profiles, kernel, near)
-        strength = curved[..., 0] if pale else _strength(curved, sought)
+        curved = _filter_profiles(profiles, kernel, near)
+        strength = curved[..., 0] if pale else _response_strength(curved, sought)
         return cls(angles, offsets, cuts, profiles, near, curved, strength, sought, reach_px)
 
     def ordered(self) -> Iterator[tuple[int, int, float, float]]:
         """Row, column, offset and merit of each maximum, the strongest and nearest first."""
         inner = self.strength[:, 1:-1]
-        merits = inner * _weights(len(self.angles), inner.shape[1], self.reach_px)
+        merits = inner * _distance_weights(len(self.angles), inner.shape[1], self.reach_px)
         peaks = (inner >= self.strength[:, :-2]) & (inner > self.strength[:, 2:]) & (merits > 0)
         rows, columns = peaks.nonzero()
         values = merits[rows, columns]
@@ -146,7 +146,7 @@ class Maxima:
     @property
     def along(self) -> tuple[tuple[float, ...], ...]:
         """Where the cuts of each stretch lie along the direction, px."""
-        return _BAR_ALONG if self.sought.looks.kind == BAR else _ALONG
+        return _BAR_PROFILE_POSITIONS_PX if self.sought.looks.kind == BAR else _PROFILE_POSITIONS_PX
 
     def stretch_of(self, row: int) -> int:
         """The stretch of a row: both ways, ahead, back."""
@@ -157,70 +157,70 @@ class Maxima:
         along = self.along[self.stretch_of(row)]
         return along[len(along) // 2]
 
-    def best(self) -> PatchBand | None:
+    def best(self) -> LineBand | None:
         """The strongest and nearest band."""
-        found = (self.band(row, column) for row, column, *_ in islice(self.ordered(), TRIED))
+        found = (self.band(row, column) for row, column, *_ in islice(self.ordered(), MAX_CANDIDATES))
         return next((band for band in found if band is not None), None)
 
-    def band(self, row: int, column: int) -> PatchBand | None:
+    def band(self, row: int, column: int) -> LineBand | None:
         """The band at a maximum, if there is one that looks like what is sought."""
         at = column - self.near
         colour = self.curved[row, at]
         colour = colour / math.sqrt(float(colour @ colour))
         looks, profile = self.sought.looks, (self.profiles[row] @ colour).tolist()
         band = (edge_at if looks.kind == EDGE else band_at)(profile, column)
-        if band is None or not _is_like(band, self.sought):
+        if band is None or not _matches_target(band, self.sought):
             return None
-        shown = _shown_in(band, self.cuts[:, row], colour, edge=looks.kind == EDGE)
-        if len(shown) < _SUPPORT * len(self.cuts):
+        shown = _profiles_with_band(band, self.cuts[:, row], colour, edge=looks.kind == EDGE)
+        if len(shown) < _MIN_SUPPORT * len(self.cuts):
             return None
-        if looks.tone == ANY and looks.kind != EDGE and _is_fringe(band, profile):
+        if looks.tone == ANY and looks.kind != EDGE and _is_sharpening_halo(band, profile):
             return None
         place = band.centre
         if place == column:
-            place += top_of_three(*self.strength[row, at - 1 : at + 2].tolist())
+            place += parabola_peak(*self.strength[row, at - 1 : at + 2].tolist())
         offset = float(self.offsets[0]) + place * STEP_PX
         if abs(offset) > self.reach_px:
             return None
         along = self.along[self.stretch_of(row)]
         middle = sum(along[cut] for cut in shown) / len(shown)
-        return PatchBand(self.angle_of(row), offset, 0.0, band.width_px, middle)
+        return LineBand(self.angle_of(row), offset, 0.0, band.width_px, middle)
 
 
 @lru_cache(maxsize=8)
-def _weights(directions: int, samples: int, reach_px: float) -> Values:
+def _distance_weights(directions: int, samples: int, reach_px: float) -> Values:
     """(3 A, T) how much a band counts by its distance and the stretch it is seen on."""
     offsets = (np.arange(samples) - samples // 2) * STEP_PX
-    near = np.exp(-((offsets / _NEARNESS_PX) ** 2))
+    near = np.exp(-((offsets / _DISTANCE_SCALE_PX) ** 2))
     near[np.abs(offsets) > reach_px + STEP_PX] = 0.0
-    return np.asarray(np.repeat(_SIDES, directions)[:, None] * near[None], dtype=np.float32)
+    return np.asarray(np.repeat(_STRETCH_WEIGHTS, directions)[:, None] * near[None], dtype=np.float32)
 
 
-def _is_like(band: ProfileBand, sought: Sought) -> bool:
+def _matches_target(band: ProfileBand, sought: LineTarget) -> bool:
     """Whether a band stands out, and is as wide as what is sought."""
     least, most = sought.width_px
     kind = sought.looks.kind
-    if band.contrast < _LEAST_CONTRAST or kind == EDGE:
-        return band.contrast >= _LEAST_CONTRAST
-    if not least <= band.width_px <= most or (kind == BAR and band.level < _LEVEL):
+    if band.contrast < _MIN_BAND_CONTRAST or kind == EDGE:
+        return band.contrast >= _MIN_BAND_CONTRAST
+    if not least <= band.width_px <= most or (kind == BAR and band.level < _MIN_LEVEL):
         return False
-    return band.balance >= _BALANCED or not sought.is_wide  # else a part of it
+    return band.balance >= _MIN_BALANCE or not sought.is_wide  # else a part of it
 
 
-def _shown_in(band: ProfileBand, cuts: PixelArray, colour: Values, *, edge: bool) -> list[int]:
+def _profiles_with_band(band: ProfileBand, cuts: PixelArray, colour: Values, *, edge: bool) -> list[int]:
     """The cuts across that show a band."""
     middle = round(band.centre)
     columns = np.array([band.left, middle - 1, middle, middle + 1, band.right])
     weights = (_EDGE_STEP if edge else _BAND_STEP)[:, None] * colour
     steps = cuts[:, columns].reshape(len(cuts), -1) @ weights.reshape(-1)
-    least = _SHOWN * band.contrast
+    least = _MIN_SEEN_CONTRAST * band.contrast
     return [cut for cut, step in enumerate(steps.tolist()) if step > least]
 
 
-def _is_fringe(band: ProfileBand, profile: Sequence[float]) -> bool:
+def _is_sharpening_halo(band: ProfileBand, profile: Sequence[float]) -> bool:
     """Whether a band is what sharpening makes of the ground beside a stronger one."""
     half = round(band.width_px / 2 / STEP_PX)
-    reach = round(_FRINGE_PX / STEP_PX)
+    reach = round(_HALO_WIDTH_PX / STEP_PX)
     first, last = (round(band.centre) + side * half for side in (-1, 1))
     begin = max(0, first - reach)
     left, right = profile[begin : max(0, first)], profile[last + 1 : last + reach]
@@ -231,22 +231,22 @@ def _is_fringe(band: ProfileBand, profile: Sequence[float]) -> bool:
         if not side:
             continue
         other = band_at(turned, start + side.index(min(side)))
-        stronger = _STRONGER if step < _LOPSIDED * sum(steps) else _STRONGER_BESIDE
+        stronger = _HALO_STRENGTH_RATIO if step < _MIN_BALANCE_EDGE * sum(steps) else _MIN_RIVAL_RATIO
         if other is not None and other.contrast > stronger * band.contrast:
             return True
     return False
 
 
-def _filtered(profiles: Values, kernel: Values, near: int) -> Values:
+def _filter_profiles(profiles: Values, kernel: Values, near: int) -> Values:
     """(R, N, K) each colour's profile, filtered; without so many columns at both ends."""
     rows, _, channels = profiles.shape
     curved = cv2.filter2D(profiles, -1, kernel, borderType=cv2.BORDER_REPLICATE)
     return np.asarray(curved, dtype=np.float32).reshape(rows, -1, channels)[:, near:-near]
 
 
-def _strength(curved: Values, sought: Sought) -> Values:
+def _response_strength(curved: Values, sought: LineTarget) -> Values:
     colours = curved.reshape(-1, curved.shape[-1])
     lengths = np.sqrt(np.einsum("nk,nk->n", colours, colours))
     if sought.looks.kind != EDGE:
-        lengths[~fits(colours, sought)] = 0.0
+        lengths[~matches_colour_step(colours, sought)] = 0.0
     return np.asarray(lengths.reshape(curved.shape[:-1]), dtype=np.float32)

@@ -14,22 +14,22 @@ from procc_annotator.image.pixels import PixelArray
 FloatArray = NDArray[np.float64]
 BoolArray = NDArray[np.bool_]
 
-_SIDE = 960  # pictures are matched with their longer side reduced to this
-_CELLS = (16, 9)
-_KEPT_IN_CELL = 14
-_REACH_PX = 2.5  # of the consensus among matches, at the reduced size
-_FINE_REACH_PX = 1.2  # of the consensus among tracked points
-_STILL_PX = 1.5  # a match that moves less could belong to a graphic
-_GRAPHIC_PX = 4.0  # what moves so far and yet looks the same where it was is a graphic
-_FINE_STILL_PX = 0.35  # the same of a tracked point
-_LEAST_MATCHES = 12  # whatever their share: tracking shows whether they were right
-_LEAST_TRACKED = 24
-_LEAST_CELLS = 8
-_LEAST_SHARE = 0.3
+_WORKING_SIDE_PX = 960  # pictures are matched with their longer side reduced to this
+_GRID_CELLS = (16, 9)
+_FEATURES_PER_CELL = 14
+_INLIER_PX = 2.5  # of the consensus among matches, at the reduced size
+_FINE_INLIER_PX = 1.2  # of the consensus among tracked points
+_STATIC_PX = 1.5  # a match that moves less could belong to a graphic
+_OVERLAY_GRAPHIC_PX = 4.0  # what moves so far and yet looks the same where it was is a graphic
+_FINE_STATIC_PX = 0.35  # the same of a tracked point
+_MIN_MATCHES = 12  # whatever their share: tracking shows whether they were right
+_MIN_TRACKED = 24
+_MIN_CELLS = 8
+_MIN_SHARE = 0.3
 
 
 @dataclass(frozen=True, eq=False)
-class Motion:
+class CameraMotion:
     """The motion of a camera between two pictures, as far as it turns and zooms in one place."""
 
     current_from_previous: FloatArray  # (3, 3) homography of pixels
@@ -38,7 +38,7 @@ class Motion:
 
 
 @dataclass(frozen=True, eq=False)
-class _Fine:
+class _RefinedHomography:
     """A homography of the reduced pictures, and how many tracked points agree with it."""
 
     homography: FloatArray
@@ -46,7 +46,7 @@ class _Fine:
     tracked: int
 
 
-def estimate_motion(previous: PixelArray, current: PixelArray) -> Motion | None:
+def estimate_motion(previous: PixelArray, current: PixelArray) -> CameraMotion | None:
     """Where the previous picture's points are in the current picture.
 
     Players are left out, and graphics that stay in place while the rest moves do not count.
@@ -58,43 +58,43 @@ def estimate_motion(previous: PixelArray, current: PixelArray) -> Motion | None:
     Returns:
         None if there is no motion to be trusted: another camera, or too little in common.
     """
-    before, scale_before = _reduced(previous)
-    now, scale_now = _reduced(current)
-    still_before, still_now = _background(before), _background(now)
+    before, scale_before = _working_image(previous)
+    now, scale_now = _working_image(current)
+    still_before, still_now = _static_mask(before), _static_mask(now)
     grey_before, grey_now = _grey(before), _grey(now)
-    matches = _matches(grey_before, still_before, grey_now, still_now)
-    starts = list(_agreed(*matches, grey_now.shape, _REACH_PX, _STILL_PX))
+    matches = _match_features(grey_before, still_before, grey_now, still_now)
+    starts = list(_consensus_homographies(*matches, grey_now.shape, _INLIER_PX, _STATIC_PX))
     if len(starts) == 2 and 3 * starts[0][1] < starts[1][1]:
         starts.reverse()  # hardly anything moved
     for start, count in starts:
         fine = None
-        if count >= _LEAST_MATCHES:
-            fine = _refined(start, grey_before, still_before, grey_now, still_now)
+        if count >= _MIN_MATCHES:
+            fine = _refine_by_tracking(start, grey_before, still_before, grey_now, still_now)
         if fine is not None:
             full = np.linalg.inv(scale_now) @ fine.homography @ scale_before
-            return Motion(full / full[2, 2], fine.inliers, fine.tracked)
+            return CameraMotion(full / full[2, 2], fine.inliers, fine.tracked)
     return None
 
 
-def carried_points(motion: Motion, points: FloatArray) -> FloatArray:
+def transfer_points(motion: CameraMotion, points: FloatArray) -> FloatArray:
     """(N, 2) px of the current picture for (N, 2) px of the previous one.
 
     A point that the motion takes behind the camera becomes NaN.
     """
-    return _moved(motion.current_from_previous, np.asarray(points, dtype=np.float64))
+    return _apply_homography(motion.current_from_previous, np.asarray(points, dtype=np.float64))
 
 
-def _moved(homography: FloatArray, points: FloatArray) -> FloatArray:
+def _apply_homography(homography: FloatArray, points: FloatArray) -> FloatArray:
     image = points @ homography[:, :2].T + homography[:, 2]
     depth = np.where(image[:, 2:] > 1e-9, image[:, 2:], np.nan)
     return np.asarray(image[:, :2] / depth, dtype=np.float64)
 
 
-def _reduced(picture: PixelArray) -> tuple[PixelArray, FloatArray]:
+def _working_image(picture: PixelArray) -> tuple[PixelArray, FloatArray]:
     """(H, W, 3) BGR of the working size, and (3, 3) its pixels from those of the picture."""
     height, width = picture.shape[:2]
-    scale = _SIDE / max(width, height)
-    size = max(_CELLS[0], round(width * scale)), max(_CELLS[1], round(height * scale))
+    scale = _WORKING_SIDE_PX / max(width, height)
+    size = max(_GRID_CELLS[0], round(width * scale)), max(_GRID_CELLS[1], round(height * scale))
     shrinks = scale < 1
     small = cv2.resize(picture, size, interpolation=cv2.INTER_AREA if shrinks else cv2.INTER_LINEAR)
     sx, sy = size[0] / width, size[1] / height
@@ -107,7 +107,7 @@ def _grey(picture: PixelArray) -> PixelArray:
     return np.asarray(cv2.cvtColor(picture, cv2.COLOR_BGR2GRAY), dtype=np.uint8)
 
 
-def _background(picture: PixelArray) -> PixelArray:
+def _static_mask(picture: PixelArray) -> PixelArray:
     """(H, W) 255 where nothing moves by itself, 0 on small things on the grass, lines excepted."""
     half = picture[::2, ::2]
     hue, saturation, value = cv2.split(cv2.cvtColor(half, cv2.COLOR_BGR2HSV))
@@ -127,28 +127,28 @@ def _background(picture: PixelArray) -> PixelArray:
     return np.asarray((still > 127) * np.uint8(255), dtype=np.uint8)
 
 
-def _spread(points: FloatArray, strength: FloatArray, shape: tuple[int, ...]) -> NDArray[np.int64]:
+def _strongest_per_cell(points: FloatArray, strength: FloatArray, shape: tuple[int, ...]) -> NDArray[np.int64]:
     """Indices of the strongest points of every cell: a crowd must not be all that is looked at."""
     order = np.argsort(-strength, kind="stable")
-    cell = _cells(points[order], shape)
+    cell = _cell_indices(points[order], shape)
     by_cell = np.argsort(cell, kind="stable")
     ordered = cell[by_cell]
     rank = np.arange(len(ordered)) - np.searchsorted(ordered, ordered)
-    return np.sort(order[by_cell[rank < _KEPT_IN_CELL]])
+    return np.sort(order[by_cell[rank < _FEATURES_PER_CELL]])
 
 
-def _cells(points: FloatArray, shape: tuple[int, ...]) -> NDArray[np.int64]:
+def _cell_indices(points: FloatArray, shape: tuple[int, ...]) -> NDArray[np.int64]:
     size = np.array([shape[1], shape[0]])
-    cell = np.clip((points + 0.5) / size * _CELLS, 0, np.array(_CELLS) - 1).astype(np.int64)
-    return np.asarray(cell[:, 1] * _CELLS[0] + cell[:, 0], dtype=np.int64)
+    cell = np.clip((points + 0.5) / size * _GRID_CELLS, 0, np.array(_GRID_CELLS) - 1).astype(np.int64)
+    return np.asarray(cell[:, 1] * _GRID_CELLS[0] + cell[:, 0], dtype=np.int64)
 
 
-def _matches(
+def _match_features(
     before: PixelArray, still_before: PixelArray, now: PixelArray, still_now: PixelArray
 ) -> tuple[FloatArray, FloatArray]:
     """Points that look alike, (N, 2) and (N, 2) px."""
-    points_before, described_before = _features(before, still_before)
-    points_now, described_now = _features(now, still_now)
+    points_before, described_before = _detect_features(before, still_before)
+    points_now, described_now = _detect_features(now, still_now)
     if described_before is None or described_now is None:
         return np.empty((0, 2)), np.empty((0, 2))
     found = cv2.BFMatcher(cv2.NORM_HAMMING, crossCheck=True).match(described_before, described_now)
@@ -158,18 +158,18 @@ def _matches(
     )
 
 
-def _features(grey: PixelArray, still: PixelArray) -> tuple[FloatArray, PixelArray | None]:
+def _detect_features(grey: PixelArray, still: PixelArray) -> tuple[FloatArray, PixelArray | None]:
     detector = cv2.ORB.create(nfeatures=4000, scaleFactor=1.2, nlevels=5, fastThreshold=6)
     found = detector.detect(grey, still)
     if not found:
         return np.empty((0, 2)), None
     points = np.array([point.pt for point in found])
-    kept = _spread(points, np.array([point.response for point in found]), grey.shape)
+    kept = _strongest_per_cell(points, np.array([point.response for point in found]), grey.shape)
     chosen, described = detector.compute(grey, [found[i] for i in kept])
     return np.array([point.pt for point in chosen]), np.asarray(described, dtype=np.uint8)
 
 
-def _agreed(
+def _consensus_homographies(
     before: FloatArray, now: FloatArray, shape: tuple[int, ...], reach: float, still_px: float
 ) -> Iterator[tuple[FloatArray, int]]:
     """Homographies that what moved agrees on, then everything; each with for how many points.
@@ -179,18 +179,18 @@ def _agreed(
     """
     moved = np.hypot(*(now - before).T) > still_px
     for chosen in (moved, np.ones(len(moved), dtype=bool)):
-        found = _robust(before[chosen], now[chosen], reach)
+        found = _ransac_homography(before[chosen], now[chosen], reach)
         if found is None:
             continue
         homography, agree = found
-        if len(np.unique(_cells(now[chosen][agree], shape))) >= _LEAST_CELLS:
+        if len(np.unique(_cell_indices(now[chosen][agree], shape))) >= _MIN_CELLS:
             yield homography, int(agree.sum())
 
 
-def _robust(
+def _ransac_homography(
     before: FloatArray, now: FloatArray, reach: float
 ) -> tuple[FloatArray, BoolArray] | None:
-    if len(before) < _LEAST_MATCHES:
+    if len(before) < _MIN_MATCHES:
         return None
     homography, agree = cv2.findHomography(
         before, now, cv2.USAC_MAGSAC, reach, maxIters=4000, confidence=0.999
@@ -200,26 +200,26 @@ def _robust(
     return np.asarray(homography, dtype=np.float64), agree.ravel().astype(bool)
 
 
-def _refined(
+def _refine_by_tracking(
     start: FloatArray,
     before: PixelArray,
     still_before: PixelArray,
     now: PixelArray,
     still_now: PixelArray,
-) -> _Fine | None:
+) -> _RefinedHomography | None:
     """A better homography, from points tracked over what ``start`` leaves.
 
     None if too few points are where ``start`` says: then it was chance.
     """
-    warped = _warped(before, start, now.shape)
-    seen = np.minimum(_warped(still_before, start, now.shape), still_now)
-    points = _corners(warped, seen)
-    origin = _moved(np.asarray(np.linalg.inv(start)), points)
-    graphic = _unchanged(before, now)
-    overlaid = _at(graphic, points) | _at(graphic, origin)
-    scene = ~(overlaid & (np.hypot(*(points - origin).T) > _GRAPHIC_PX))
+    warped = _warp(before, start, now.shape)
+    seen = np.minimum(_warp(still_before, start, now.shape), still_now)
+    points = _detect_corners(warped, seen)
+    origin = _apply_homography(np.asarray(np.linalg.inv(start)), points)
+    graphic = _unchanged_mask(before, now)
+    overlaid = _mask_values_at(graphic, points) | _mask_values_at(graphic, origin)
+    scene = ~(overlaid & (np.hypot(*(points - origin).T) > _OVERLAY_GRAPHIC_PX))
     points, origin = points[scene], origin[scene]
-    if len(points) < _LEAST_TRACKED:
+    if len(points) < _MIN_TRACKED:
         return None
     guess = points.astype(np.float32).reshape(-1, 1, 2)
     tracked, done, _ = cv2.calcOpticalFlowPyrLK(
@@ -227,29 +227,29 @@ def _refined(
     )
     followed = np.asarray(done).ravel() == 1
     after = np.asarray(tracked, dtype=np.float64).reshape(-1, 2)[followed]
-    for homography, inliers in _agreed(
-        origin[followed], after, now.shape, _FINE_REACH_PX, _FINE_STILL_PX
+    for homography, inliers in _consensus_homographies(
+        origin[followed], after, now.shape, _FINE_INLIER_PX, _FINE_STATIC_PX
     ):
-        enough = inliers >= max(_LEAST_TRACKED, _LEAST_SHARE * len(points))
-        if enough and _plausible(homography, (now.shape[1], now.shape[0])):
-            return _Fine(homography, inliers, len(points))
+        enough = inliers >= max(_MIN_TRACKED, _MIN_SHARE * len(points))
+        if enough and _is_plausible_homography(homography, (now.shape[1], now.shape[0])):
+            return _RefinedHomography(homography, inliers, len(points))
     return None
 
 
-def _corners(grey: PixelArray, seen: PixelArray) -> FloatArray:
+def _detect_corners(grey: PixelArray, seen: PixelArray) -> FloatArray:
     """(N, 2) px where there is something to track."""
     inner = cv2.erode(seen, np.ones((9, 9), np.uint8), borderValue=0)
     found = cv2.goodFeaturesToTrack(grey, 2000, 0.002, 6, mask=inner)
     points = np.asarray([] if found is None else found, dtype=np.float64).reshape(-1, 2)
     # They come strongest first.
-    return points[_spread(points, -np.arange(len(points), dtype=np.float64), grey.shape)]
+    return points[_strongest_per_cell(points, -np.arange(len(points), dtype=np.float64), grey.shape)]
 
 
-def _warped(grey: PixelArray, homography: FloatArray, shape: tuple[int, ...]) -> PixelArray:
+def _warp(grey: PixelArray, homography: FloatArray, shape: tuple[int, ...]) -> PixelArray:
     return np.asarray(cv2.warpPerspective(grey, homography, (shape[1], shape[0])), dtype=np.uint8)
 
 
-def _unchanged(before: PixelArray, now: PixelArray) -> BoolArray:
+def _unchanged_mask(before: PixelArray, now: PixelArray) -> BoolArray:
     """(H, W) where there is something to see, and both pictures show the same there."""
     if before.shape != now.shape:
         return np.zeros(now.shape, dtype=np.bool_)
@@ -261,17 +261,17 @@ def _unchanged(before: PixelArray, now: PixelArray) -> BoolArray:
     return np.asarray((spread > 10) & (changed < 0.3 * spread), dtype=np.bool_)
 
 
-def _at(mask: BoolArray, points: FloatArray) -> BoolArray:
+def _mask_values_at(mask: BoolArray, points: FloatArray) -> BoolArray:
     limit = np.array([mask.shape[1], mask.shape[0]]) - 1
     x, y = np.clip(np.round(points), 0, limit).astype(np.int64).T
     return np.asarray(mask[y, x], dtype=np.bool_)
 
 
-def _plausible(homography: FloatArray, size: tuple[int, int]) -> bool:
+def _is_plausible_homography(homography: FloatArray, size: tuple[int, int]) -> bool:
     """Whether no part is turned over and the zoom is between a half and two where both see."""
     x, y = np.meshgrid(np.linspace(0, size[0] - 1, 9), np.linspace(0, size[1] - 1, 7))
     points = np.column_stack([x.ravel(), y.ravel()])
-    ends = [_moved(homography, points + step) for step in ((0, 0), (1, 0), (0, 1))]
+    ends = [_apply_homography(homography, points + step) for step in ((0, 0), (1, 0), (0, 1))]
     here, right, down = ends
     area = (right - here)[:, 0] * (down - here)[:, 1] - (right - here)[:, 1] * (down - here)[:, 0]
     seen = ((here >= 0) & (here <= np.array(size) - 1)).all(axis=1)

@@ -17,47 +17,47 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.field.appearance import ANY, BAR, EDGE, LINE, NOTHING, WHITE
-from procc_annotator.image.cuts import Patch
-from procc_annotator.image.following import REACH_PX as FOLLOWED_PX
-from procc_annotator.image.following import Course, follow_course
-from procc_annotator.image.maxima import BEYOND_PX, TRIED, Maxima, PatchBand, foot_of
+from procc_annotator.image.cuts import ImagePatch
+from procc_annotator.image.following import MAX_TRACE_PX as FOLLOWED_PX
+from procc_annotator.image.following import LineExtent, trace_line
+from procc_annotator.image.maxima import MARGIN_PX, MAX_CANDIDATES, BandMaxima, LineBand, closest_offset
 from procc_annotator.image.pixels import PixelArray
-from procc_annotator.image.sought import ANYTHING, Sought
+from procc_annotator.image.sought import ANY_LINE_TARGET, LineTarget
 
 FloatArray = NDArray[np.float64]
 
-REACH_PX = 6.0
+SNAP_RADIUS_PX = 6.0
 
 _DIRECTIONS = 12
-_FAN = np.array([-1.6, -0.8, -0.4, 0.0, 0.4, 0.8, 1.6])  # of the angle between two directions
-_SPREAD = np.radians([0.0, -5.0, 5.0])  # how a line may be turned against a given direction
-_BENT_SPREAD = np.radians([0.0, -6.0, 6.0, -12.0, 12.0])
-_BAR_SPREAD = np.radians([0.0, -1.5, 1.5, -3.0, 3.0])
-_SAME_PX = 1.0
-_LEAST_LENGTH_PX, _LEAST_LENGTH_ANY_PX = 16.0, 30.0
+_DIRECTION_OFFSETS = np.array([-1.6, -0.8, -0.4, 0.0, 0.4, 0.8, 1.6])  # of the angle between two directions
+_ANGLE_OFFSETS = np.radians([0.0, -5.0, 5.0])  # how a line may be turned against a given direction
+_CURVE_ANGLE_OFFSETS = np.radians([0.0, -6.0, 6.0, -12.0, 12.0])
+_BAR_ANGLE_OFFSETS = np.radians([0.0, -1.5, 1.5, -3.0, 3.0])
+_SAME_BAND_PX = 1.0
+_MIN_LENGTH_PX, _MIN_LENGTH_ANY_PX = 16.0, 30.0
 # Px from the position to the middle of the cuts that show it, and how long it then must be.
-_ONE_SIDED = {LINE: (1.5, 36.0), BAR: (6.0, 46.0)}
-_HAND_PX, _LONGER = 4.5, 20.0  # so far off a hand clicks; px of length for each px more
+_ONE_SIDED_LENGTHS_PX = {LINE: (1.5, 36.0), BAR: (6.0, 46.0)}
+_CLICK_ERROR_PX, _LENGTH_PER_OFFSET = 4.5, 20.0  # so far off a hand clicks; px of length for each px more
 # Of the band against a given direction, which of a curve is that of a chord.
-_MOST_TURN, _MOST_TURN_BENT = math.radians(8.0), math.radians(20.0)
+_MAX_TURN_RAD, _MAX_TURN_CURVE_RAD = math.radians(8.0), math.radians(20.0)
 # Of the best one's merit: another band that convinces nearly as much; where paint may be lighter or
 # darker than its ground, anything that convinces.
-_RIVAL, _RIVAL_ANY = 0.7, 0.12
-_RIVALS_TRIED = 4
-_APART_PX = 2.5
-_ASKEW_PX, _ASKEW_COSINE = 1.5, 0.5  # of one band seen in another direction
-_RECENTRED_PX = 2.0
-_PARTS_PX = 4.0  # beyond the reach: where the other part of a wide line may be
-_SHRINK_PX = 20.0  # what may be wider is looked at in a smaller picture
+_RIVAL_RATIO, _RIVAL_RATIO_ANY = 0.7, 0.12
+_MAX_RIVALS = 4
+_DISTINCT_BAND_PX = 2.5
+_CROSSING_TOLERANCE_PX, _CROSSING_COSINE = 1.5, 0.5  # of one band seen in another direction
+_RECENTRE_PX = 2.0
+_SUBPATCH_PX = 4.0  # beyond the reach: where the other part of a wide line may be
+_SHRINK_WIDTH_PX = 20.0  # what may be wider is looked at in a smaller picture
 
 
-def snap(
+def snap_to_line(
     picture: PixelArray,
     point: tuple[float, float],
-    sought: Sought = ANYTHING,
+    sought: LineTarget = ANY_LINE_TARGET,
     *,
     direction: tuple[float, float] | None = None,
-    reach_px: float = REACH_PX,
+    reach_px: float = SNAP_RADIUS_PX,
 ) -> tuple[float, float] | None:
     """Move a position to the middle of the paint beside it, across the line only.
 
@@ -74,18 +74,18 @@ def snap(
     height, width = picture.shape[:2]
     x, y = point
     inside = -0.5 <= x <= width - 0.5 and -0.5 <= y <= height - 0.5
-    if not inside or not _can_be_told(sought):
+    if not inside or not _is_searchable(sought):
         return None
-    wide = math.ceil(sought.width_px[1] / _SHRINK_PX)
+    wide = math.ceil(sought.width_px[1] / _SHRINK_WIDTH_PX)
     if wide > 1:
-        return _snap_wide(picture, point, sought, direction, reach_px, wide)
-    patch = _patch(picture, point, reach_px)
+        return _snap_to_wide_band(picture, point, sought, direction, reach_px, wide)
+    patch = _patch_around(picture, point, reach_px)
     if direction is None:
-        return _snap_any_way(picture, patch, point, sought, reach_px)
-    return _snap_along(patch, point, sought, direction, reach_px)
+        return _snap_any_direction(picture, patch, point, sought, reach_px)
+    return _snap_with_direction(patch, point, sought, direction, reach_px)
 
 
-def _can_be_told(sought: Sought) -> bool:
+def _is_searchable(sought: LineTarget) -> bool:
     """Whether enough is known: before anything, a bar of any tone and colour is one band of many
     unless a camera shows it there."""
     looks = sought.looks
@@ -94,10 +94,10 @@ def _can_be_told(sought: Sought) -> bool:
     return sought.is_expected
 
 
-def _snap_wide(
+def _snap_to_wide_band(
     picture: PixelArray,
     point: tuple[float, float],
-    sought: Sought,
+    sought: LineTarget,
     direction: tuple[float, float] | None,
     reach_px: float,
     shrink: int,
@@ -107,43 +107,43 @@ def _snap_wide(
         return None
     least, most = (width / shrink for width in sought.width_px)
     smaller = replace(sought, width_px=(least, most), is_wide=True)
-    looked_at = reach_px / shrink + _PARTS_PX
-    reach = math.hypot(looked_at + BEYOND_PX, FOLLOWED_PX) * shrink
-    patch = Patch.around(picture, point, reach, shrink)
-    placed = _snap_along(patch, (0.0, 0.0), smaller, direction, looked_at)
+    looked_at = reach_px / shrink + _SUBPATCH_PX
+    reach = math.hypot(looked_at + MARGIN_PX, FOLLOWED_PX) * shrink
+    patch = ImagePatch.around(picture, point, reach, shrink)
+    placed = _snap_with_direction(patch, (0.0, 0.0), smaller, direction, looked_at)
     if placed is None or math.hypot(*placed) * shrink > reach_px:
         return None
     return point[0] + placed[0] * shrink, point[1] + placed[1] * shrink
 
 
-def _snap_along(
-    patch: Patch,
+def _snap_with_direction(
+    patch: ImagePatch,
     point: tuple[float, float],
-    sought: Sought,
+    sought: LineTarget,
     direction: tuple[float, float],
     reach_px: float,
 ) -> tuple[float, float] | None:
     """The place beside a point on the band that runs in a direction."""
     angle = math.atan2(direction[1], direction[0])
-    spread = _SPREAD
+    spread = _ANGLE_OFFSETS
     if sought.looks.kind == BAR:
-        spread = _BAR_SPREAD
+        spread = _BAR_ANGLE_OFFSETS
     elif sought.bends:
-        spread = _BENT_SPREAD
+        spread = _CURVE_ANGLE_OFFSETS
 
-    most_turn = _MOST_TURN_BENT if sought.bends else _MOST_TURN
+    most_turn = _MAX_TURN_CURVE_RAD if sought.bends else _MAX_TURN_RAD
 
-    def goes_on(found: PatchBand) -> PatchBand | None:
-        for course in follow_course(patch, found.angle, found.offset, found.width, sought):
+    def goes_on(found: LineBand) -> LineBand | None:
+        for course in trace_line(patch, found.angle, found.offset, found.width, sought):
             turn = abs(found.angle + course.turn - angle)
-            if course.length_px >= _least_length(found, course, sought) and turn <= most_turn:
+            if course.length_px >= _min_length_px(found, course, sought) and turn <= most_turn:
                 # It is wanted beside the position, not where it can be seen.
                 across = found.along * math.tan(course.turn)
                 return replace(found, offset=found.offset - across)
         return None
 
-    maxima = Maxima.of(patch, angle + spread, sought, reach_px)
-    found = _convincing(maxima, goes_on, unsure=sought.looks.tone == ANY or sought.is_wide)
+    maxima = BandMaxima.of(patch, angle + spread, sought, reach_px)
+    found = _best_confirmed_band(maxima, goes_on, unsure=sought.looks.tone == ANY or sought.is_wide)
     if found is None:
         return None
     across = found.offset / math.cos(found.angle - angle)
@@ -153,7 +153,7 @@ def _snap_along(
     return point[0] - across * math.sin(angle), point[1] + across * math.cos(angle)
 
 
-def _least_length(found: PatchBand, course: Course, sought: Sought) -> float:
+def _min_length_px(found: LineBand, course: LineExtent, sought: LineTarget) -> float:
     """How far a band must go on to be the sought paint, px.
 
     One that may be lighter or darker than its ground, and is seen on one side only, could be a
@@ -161,24 +161,24 @@ def _least_length(found: PatchBand, course: Course, sought: Sought) -> float:
     """
     farther = 0.0
     if not sought.is_wide:
-        farther = _LONGER * max(0.0, abs(found.offset) - _HAND_PX)
+        farther = _LENGTH_PER_OFFSET * max(0.0, abs(found.offset) - _CLICK_ERROR_PX)
     if sought.looks.tone != ANY:
-        return _LEAST_LENGTH_PX + farther
+        return _MIN_LENGTH_PX + farther
     if sought.looks.kind == EDGE:
-        return _LEAST_LENGTH_ANY_PX + farther
-    if course.begin_px:
+        return _MIN_LENGTH_ANY_PX + farther
+    if course.start_px:
         return math.inf
-    beside, longer = _ONE_SIDED[sought.looks.kind]
-    return (longer if abs(found.along) > beside else _LEAST_LENGTH_ANY_PX) + farther
+    beside, longer = _ONE_SIDED_LENGTHS_PX[sought.looks.kind]
+    return (longer if abs(found.along) > beside else _MIN_LENGTH_ANY_PX) + farther
 
 
-def snap_all(
+def snap_points_to_lines(
     picture: PixelArray,
     points: FloatArray,
     directions: FloatArray | None = None,
-    sought: Sought = ANYTHING,
+    sought: LineTarget = ANY_LINE_TARGET,
     *,
-    reach_px: float = REACH_PX,
+    reach_px: float = SNAP_RADIUS_PX,
 ) -> FloatArray:
     """Move many positions to the middle of their paint; see `snap`.
 
@@ -195,44 +195,44 @@ def snap_all(
     found = np.full((len(points), 2), np.nan)
     for i, (x, y) in enumerate(points.tolist()):
         along = None if directions is None else (float(directions[i, 0]), float(directions[i, 1]))
-        placed = snap(picture, (x, y), sought, direction=along, reach_px=reach_px)
+        placed = snap_to_line(picture, (x, y), sought, direction=along, reach_px=reach_px)
         if placed is not None:
             found[i] = placed
     return found
 
 
-def _patch(picture: PixelArray, point: tuple[float, float], reach_px: float) -> Patch:
-    return Patch.around(picture, point, math.hypot(reach_px + BEYOND_PX, FOLLOWED_PX))
+def _patch_around(picture: PixelArray, point: tuple[float, float], reach_px: float) -> ImagePatch:
+    return ImagePatch.around(picture, point, math.hypot(reach_px + MARGIN_PX, FOLLOWED_PX))
 
 
-def _snap_any_way(
+def _snap_any_direction(
     picture: PixelArray,
-    patch: Patch,
+    patch: ImagePatch,
     point: tuple[float, float],
-    sought: Sought,
+    sought: LineTarget,
     reach_px: float,
 ) -> tuple[float, float] | None:
     """The click's foot on the band that is seen in whatever direction."""
     turn = math.pi / _DIRECTIONS
     angles = np.arange(_DIRECTIONS, dtype=np.float64) * turn
 
-    def place(found: PatchBand) -> PatchBand | None:
+    def place(found: LineBand) -> LineBand | None:
         # Seen from its own centre, a line tells its direction best.
         across = -math.sin(found.angle), math.cos(found.angle)
         x, y = (c + found.offset * a for c, a in zip(point, across, strict=True))
-        centred = _patch(picture, (x, y), reach_px)
-        finer = Maxima.of(centred, found.angle + _FAN * turn, sought, reach_px).best()
-        if finer is None or abs(finer.offset) > _RECENTRED_PX:
+        centred = _patch_around(picture, (x, y), reach_px)
+        finer = BandMaxima.of(centred, found.angle + _DIRECTION_OFFSETS * turn, sought, reach_px).best()
+        if finer is None or abs(finer.offset) > _RECENTRE_PX:
             return None
-        courses = follow_course(centred, finer.angle, finer.offset, finer.width, sought)
-        if not any(course.length_px >= _LEAST_LENGTH_ANY_PX for course in courses):
+        courses = trace_line(centred, finer.angle, finer.offset, finer.width, sought)
+        if not any(course.length_px >= _MIN_LENGTH_ANY_PX for course in courses):
             return None
         # The click's foot on it is wanted.
         across = -math.sin(finer.angle), math.cos(finer.angle)
         foot = finer.offset + (x - point[0]) * across[0] + (y - point[1]) * across[1]
         return replace(finer, offset=foot) if abs(foot) <= reach_px else None
 
-    found = _convincing(Maxima.of(patch, angles, sought, reach_px), place, unsure=True)
+    found = _best_confirmed_band(BandMaxima.of(patch, angles, sought, reach_px), place, unsure=True)
     if found is None:
         return None
     return (
@@ -241,21 +241,21 @@ def _snap_any_way(
     )
 
 
-def _convincing(
-    maxima: Maxima, confirmed: Callable[[PatchBand], PatchBand | None], *, unsure: bool
-) -> PatchBand | None:
+def _best_confirmed_band(
+    maxima: BandMaxima, confirmed: Callable[[LineBand], LineBand | None], *, unsure: bool
+) -> LineBand | None:
     """The best band that is confirmed, unless another one does nearly as well."""
-    best: PatchBand | None = None
-    rival = _RIVAL_ANY if unsure else _RIVAL
-    tried, failed = TRIED, list[tuple[int, float]]()
+    best: LineBand | None = None
+    rival = _RIVAL_RATIO_ANY if unsure else _RIVAL_RATIO
+    tried, failed = MAX_CANDIDATES, list[tuple[int, float]]()
     for row, column, offset, merit in maxima.ordered():
         if best is not None:
             if merit < rival * best.merit:
                 break
-            if _is_seen_askew(best, maxima.angle_of(row), offset, maxima.middle_of(row)):
+            if _is_oblique_view_of(best, maxima.angle_of(row), offset, maxima.middle_of(row)):
                 continue
         stretch = maxima.stretch_of(row)
-        if any(s == stretch and abs(o - offset) < _SAME_PX for s, o in failed):
+        if any(s == stretch and abs(o - offset) < _SAME_BAND_PX for s, o in failed):
             continue
         found = maxima.band(row, column)
         if found is None or (found := confirmed(found)) is None:
@@ -264,14 +264,14 @@ def _convincing(
                 break
             continue
         if best is not None:
-            if math.dist(found.foot, best.foot) < _APART_PX:
+            if math.dist(found.foot, best.foot) < _DISTINCT_BAND_PX:
                 continue
             return None
-        best, tried = replace(found, merit=merit), len(failed) + _RIVALS_TRIED
+        best, tried = replace(found, merit=merit), len(failed) + _MAX_RIVALS
     return best
 
 
-def _is_seen_askew(band: PatchBand, angle: float, offset: float, along_px: float) -> bool:
+def _is_oblique_view_of(band: LineBand, angle: float, offset: float, along_px: float) -> bool:
     """Whether a maximum is what cuts across another direction show of a band.
 
     Args:
@@ -280,10 +280,10 @@ def _is_seen_askew(band: PatchBand, angle: float, offset: float, along_px: float
         offset: how far across it, px.
         along_px: the middle of the cuts, along that direction.
     """
-    x, y = foot_of(angle, offset)
-    if math.dist((x, y), band.foot) < _APART_PX:
+    x, y = closest_offset(angle, offset)
+    if math.dist((x, y), band.foot) < _DISTINCT_BAND_PX:
         return True
     away = (x - band.foot[0] + along_px * math.cos(angle)) * math.sin(band.angle) - (
         y - band.foot[1] + along_px * math.sin(angle)
     ) * math.cos(band.angle)
-    return abs(away) < _ASKEW_PX and abs(math.cos(angle - band.angle)) > _ASKEW_COSINE
+    return abs(away) < _CROSSING_TOLERANCE_PX and abs(math.cos(angle - band.angle)) > _CROSSING_COSINE

@@ -13,10 +13,10 @@ from procc_annotator.errors import ImageError
 PixelArray = NDArray[np.uint8]
 
 MAX_PIXELS = 100_000_000  # 400 MB once decoded: more than any camera, less than any memory
-_PAGE_BYTES = 4096
+_PAGE_ALIGNMENT_BYTES = 4096
 
 
-def check_size(path: Path, width: int, height: int) -> None:
+def require_decodable_size(path: Path, width: int, height: int) -> None:
     """Refuse what would not fit into memory, before it is decoded.
 
     Raises:
@@ -30,22 +30,22 @@ def check_size(path: Path, width: int, height: int) -> None:
         )
 
 
-def bgra(pixels: PixelArray) -> PixelArray:
+def bgra_from_bgr(pixels: PixelArray) -> PixelArray:
     """(H, W, 4) opaque, C-contiguous and read-only, of (H, W, 3) BGR."""
-    result = new_pixels(pixels.shape[1], pixels.shape[0])
+    result = empty_bgra(pixels.shape[1], pixels.shape[0])
     cv2.cvtColor(pixels, cv2.COLOR_BGR2BGRA, dst=result)
     result.flags.writeable = False  # the cache hands the same array to everybody
     return result
 
 
-def new_pixels(width: int, height: int) -> PixelArray:
+def empty_bgra(width: int, height: int) -> PixelArray:
     """(height, width, 4) to be filled by OpenCV.
 
     Every page of it is here already: where several of OpenCV's threads come to new memory at once,
     they wait for one another many times as long as the work takes.
     """
     pixels = np.empty((height, width, 4), dtype=np.uint8)
-    pixels.reshape(-1)[::_PAGE_BYTES] = 0
+    pixels.reshape(-1)[::_PAGE_ALIGNMENT_BYTES] = 0
     return pixels
 
 

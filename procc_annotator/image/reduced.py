@@ -9,14 +9,14 @@ from collections import deque
 import cv2
 import numpy as np
 
-from procc_annotator.image.pixels import PixelArray, new_pixels
+from procc_annotator.image.pixels import PixelArray, empty_bgra
 
 Size = tuple[int, int]
 
-_KEPT = 3  # the picture on screen and those that may come next
+_CACHED_IMAGES = 3  # the picture on screen and those that may come next
 
 
-def reduced(pixels: PixelArray, size: Size, made: PixelArray | None = None) -> PixelArray:
+def downscaled(pixels: PixelArray, size: Size, made: PixelArray | None = None) -> PixelArray:
     """A picture made smaller, to (width, height), without losing thin lines; in memory of its own,
     or in ``made``, which is of that size.
 
@@ -30,17 +30,17 @@ def reduced(pixels: PixelArray, size: Size, made: PixelArray | None = None) -> P
     if factor > 1:
         inner = pixels.shape[1] // factor, pixels.shape[0] // factor
         small = np.asarray(cv2.resize(pixels, inner, interpolation=cv2.INTER_AREA), dtype=np.uint8)
-    made = new_pixels(*size) if made is None else made
+    made = empty_bgra(*size) if made is None else made
     cv2.resize(small, size, dst=made, interpolation=cv2.INTER_LINEAR)
     return made
 
 
-class ReducedPictures:
+class DownscaledImages:
     """The last few pictures made smaller; safe to use from any thread."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
-        self._kept: deque[tuple[weakref.ref[PixelArray], Size, PixelArray]] = deque(maxlen=_KEPT)
+        self._kept: deque[tuple[weakref.ref[PixelArray], Size, PixelArray]] = deque(maxlen=_CACHED_IMAGES)
         self._scale: float | None = None
         self._lent: PixelArray | None = None  # what somebody looks at
 
@@ -71,7 +71,7 @@ class ReducedPictures:
             for kept, kept_size, small in self._kept:
                 if kept() is pixels and kept_size == size:
                     return small
-        small = reduced(pixels, size, self._spare(size))
+        small = downscaled(pixels, size, self._spare(size))
         with self._lock:
             self._kept.append((weakref.ref(pixels), size, small))
         return small
@@ -80,7 +80,7 @@ class ReducedPictures:
         """The memory of the picture that goes, if nobody looks at it: the system takes its time
         over new memory."""
         with self._lock:
-            if len(self._kept) < _KEPT:
+            if len(self._kept) < _CACHED_IMAGES:
                 return None
             oldest = self._kept.popleft()[2]
         return oldest if oldest is not self._lent and oldest.shape[1::-1] == size else None

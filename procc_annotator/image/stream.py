@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.errors import ImageError
-from procc_annotator.image.pixels import PixelArray, bgra, check_size
+from procc_annotator.image.pixels import PixelArray, bgra_from_bgr, require_decodable_size
 from procc_annotator.regular_file import read_head
 
 if TYPE_CHECKING:  # imported with the first video: most datasets have none
@@ -37,18 +37,18 @@ _Indices = NDArray[np.int64]
 _Flags = NDArray[np.bool_]
 
 # Decoding forward costs 2 ms per frame (1920 x 1080), a seek as much as its group of frames.
-_NEAR = 48
-_COMPARED = 12  # frames that must come out in the order of their times before these are trusted
-_OVERHEAD_BYTES = 64  # between packets: at most 25 were found in mkv and avi
-_ROUNDED_S = 0.1  # what durations of containers may be off by
-_SAME_STEP = 0.2  # of the usual one: times are rounded, to 1 ms in mkv
-_REORDERED = 16  # packets: no codec reorders more
-_TRIED = 1000  # packets among which a first frame must be
-_INTRA = (0, 1, 5)  # AV_PICTURE_TYPE_NONE, _I, _SI: other key frames need what is before them
-_UNMARKED = ("hevc", "mjpeg")  # decoders that do not mark what is corrupt: they have to fail
+_NEARBY_PACKETS = 48
+_COMPARED_PACKETS = 12  # frames that must come out in the order of their times before these are trusted
+_PACKET_OVERHEAD_BYTES = 64  # between packets: at most 25 were found in mkv and avi
+_ROUNDING_S = 0.1  # what durations of containers may be off by
+_SAME_STEP_TOLERANCE = 0.2  # of the usual one: times are rounded, to 1 ms in mkv
+_MAX_REORDER = 16  # packets: no codec reorders more
+_MAX_DECODE_ATTEMPTS = 1000  # packets among which a first frame must be
+_INTRA_PROFILES = (0, 1, 5)  # AV_PICTURE_TYPE_NONE, _I, _SI: other key frames need what is before them
+_CODECS_WITHOUT_KEY_FLAGS = ("hevc", "mjpeg")  # decoders that do not mark what is corrupt: they have to fail
 _STEPS_BACK_S = (0.0, 1.0, 4.0, 16.0)  # where a seek lands too late
-_CONVERT = "convert it, for example with ffmpeg -i old.mp4 -c:v libx264 new.mp4"
-_TURNS = {
+_CONVERSION_ADVICE = "convert it, for example with ffmpeg -i old.mp4 -c:v libx264 new.mp4"
+_ROTATE_CODES = {
     90: cv2.ROTATE_90_COUNTERCLOCKWISE,
     -90: cv2.ROTATE_90_CLOCKWISE,
     180: cv2.ROTATE_180,
@@ -56,7 +56,7 @@ _TURNS = {
 }
 
 
-def check_file(path: Path) -> None:
+def require_video_file(path: Path) -> None:
     """Refuse what is no video before FFmpeg reads it: it also opens playlists and text.
 
     Raises:
@@ -87,19 +87,19 @@ def open_container(path: Path) -> tuple[InputContainer, VideoStream]:
     try:
         container = av.open(str(path.absolute()))
     except av.FFmpegError as error:
-        raise _unopenable(path) from error
+        raise _open_error(path) from error
     if not container.streams.video:
         container.close()
-        raise _unopenable(path)
+        raise _open_error(path)
     stream = container.streams.video[0]
-    check_size(path, stream.codec_context.width, stream.codec_context.height)
+    require_decodable_size(path, stream.codec_context.width, stream.codec_context.height)
     stream.thread_type = "AUTO"
-    if stream.codec_context.name in _UNMARKED:
+    if stream.codec_context.name in _CODECS_WITHOUT_KEY_FLAGS:
         stream.codec_context.options = {"err_detect": "explode"}
     return container, stream
 
 
-def _unopenable(path: Path) -> ImageError:
+def _open_error(path: Path) -> ImageError:
     return ImageError(path, "cannot be opened as a video: damaged, cut off, or without pictures")
 
 
@@ -119,7 +119,7 @@ def _packets(container: InputContainer, *stream: VideoStream) -> Iterator[AnyPac
             yield packet
 
 
-def decoded(stream: VideoStream, packet: Packet | None) -> list[VideoFrame] | None:
+def decode_packet(stream: VideoStream, packet: Packet | None) -> list[VideoFrame] | None:
     """The frames that come out after a packet, or at the end; None for a decoding error, which may
     be of an earlier packet."""
     import av
@@ -130,18 +130,18 @@ def decoded(stream: VideoStream, packet: Packet | None) -> list[VideoFrame] | No
         return None
 
 
-def pixels_of(frame: VideoFrame) -> PixelArray:
+def bgra_from_frame(frame: VideoFrame) -> PixelArray:
     """(H, W, 4) opaque, read-only BGRA, rotated as the metadata says."""
     from av.video.reformatter import Interpolation
 
     # Bicubic, as OpenCV interpolates colours: cameras and points refer to these pixels.
     pixels = frame.to_ndarray(format="bgr24", interpolation=Interpolation.BICUBIC)
-    turn = _TURNS.get(round(frame.rotation))
-    return bgra(np.asarray(pixels if turn is None else cv2.rotate(pixels, turn), dtype=np.uint8))
+    turn = _ROTATE_CODES.get(round(frame.rotation))
+    return bgra_from_bgr(np.asarray(pixels if turn is None else cv2.rotate(pixels, turn), dtype=np.uint8))
 
 
 @dataclass(frozen=True, eq=False)
-class FirstFrames:
+class StreamProbe:
     """What the first frames of a video are like.
 
     Attributes:
@@ -157,7 +157,7 @@ class FirstFrames:
     times: list[int | None]
 
 
-def first_frames(path: Path) -> FirstFrames:
+def probe_stream(path: Path) -> StreamProbe:
     """Decode the first frames.
 
     Raises:
@@ -167,20 +167,20 @@ def first_frames(path: Path) -> FirstFrames:
     size, times, intact = None, list[int | None](), True
     with container:
         rate, aspect = float(stream.average_rate or 0), float(stream.sample_aspect_ratio or 1)
-        for packet in chain(islice(_packets(container, stream), _TRIED), (None,)):
-            frames = decoded(stream, packet)
+        for packet in chain(islice(_packets(container, stream), _MAX_DECODE_ATTEMPTS), (None,)):
+            frames = decode_packet(stream, packet)
             intact &= frames is not None
             for frame in frames or ():
                 if size is None:
-                    height, width = pixels_of(frame).shape[:2]
+                    height, width = bgra_from_frame(frame).shape[:2]
                     size = width, height
                 intact &= not frame.is_corrupt
                 times.append(frame.pts)
-            if size is not None and (len(times) >= _COMPARED or not intact):
+            if size is not None and (len(times) >= _COMPARED_PACKETS or not intact):
                 break
     if size is None:
-        raise ImageError(path, "none of its frames can be decoded", advice=_CONVERT)
-    return FirstFrames(size, rate, aspect, times if intact else [])
+        raise ImageError(path, "none of its frames can be decoded", advice=_CONVERSION_ADVICE)
+    return StreamProbe(size, rate, aspect, times if intact else [])
 
 
 @dataclass(eq=False)
@@ -209,7 +209,7 @@ class PacketIndex:
     cut_off: str
 
     @cached_property
-    def place_at(self) -> dict[int | None, int]:
+    def packet_at_time(self) -> dict[int | None, int]:
         """Presentation time -> packet."""
         return {time: place for place, time in enumerate(self.times)}
 
@@ -219,7 +219,7 @@ class PacketIndex:
         will."""
         return np.maximum.accumulate(self.numbers)
 
-    def begin_of(self, number: int) -> int:
+    def decode_start(self, number: int) -> int:
         """The packet from which a frame is decoded: the last key frame before it, both in decoding
         and in presentation order."""
         before = np.flatnonzero(self.keys[: self.places[number] + 1])
@@ -232,19 +232,19 @@ class PacketIndex:
         place = int(self.places[number])
         if self.lost[place]:
             return True
-        begin = self.begin_of(number)
+        begin = self.decode_start(number)
         needed = slice(begin, place + 1)
         # Frames shown before the key frame are no reference for those after it.
         after = self.numbers[needed] >= self.numbers[begin]
         return bool((self.lost[needed] & after).any())
 
 
-def read_index(path: Path, first: list[int | None]) -> PacketIndex:
+def read_packet_index(path: Path, first: list[int | None]) -> PacketIndex:
     """Read all packets of a video, without decoding them.
 
     Args:
         path: the video.
-        first: times of its first frames, as of `first_frames`.
+        first: times of its first frames, as of `probe_stream`.
 
     Raises:
         ImageError: it cannot be opened, or has no packets.
@@ -257,7 +257,7 @@ def read_index(path: Path, first: list[int | None]) -> PacketIndex:
         contiguous = kind.startswith(("matroska", "avi"))
         for packet in _packets(container):
             begin = packet.pos or 0
-            skipped |= contiguous and 0 < end < begin - _OVERHEAD_BYTES
+            skipped |= contiguous and 0 < end < begin - _PACKET_OVERHEAD_BYTES
             end = max(end, begin + packet.size)
             if packet.pts is not None and packet.time_base is not None:
                 last_s = max(
@@ -280,7 +280,7 @@ def read_index(path: Path, first: list[int | None]) -> PacketIndex:
         # In an avi, times count the packets that could be read: after a gap they are wrong.
         certain = kind != "avi" or len(times) >= len(stream.index_entries)
     if not shown:
-        raise _unopenable(path)
+        raise _open_error(path)
     own = np.array([times[place] for place in shown], dtype=np.float64)
     order = np.argsort(own)
     ordered, places = own[order], np.array(shown)[order]
@@ -288,7 +288,7 @@ def read_index(path: Path, first: list[int | None]) -> PacketIndex:
     ends_early = len(times) < declared or lost[-1]
     if "matroska" in kind:  # the reader also gives up where a cluster is damaged
         step_s = float(np.median(np.diff(ordered))) * unit if len(ordered) > 1 else 0.0
-        ends_early |= _is_shorter(path) or duration_s - last_s > max(2.5 * step_s, _ROUNDED_S)
+        ends_early |= _is_truncated_matroska(path) or duration_s - last_s > max(2.5 * step_s, _ROUNDING_S)
     if ends_early:
         cut_off = f"the file is cut off or damaged: it ends after {len(times)}{of_all} frames"
     lost.append(True)
@@ -299,7 +299,7 @@ def read_index(path: Path, first: list[int | None]) -> PacketIndex:
         start = numbers == 0
         return PacketIndex(times, None, numbers, numbers[:count], start, np.array(lost), cut_off)
     all_lost = np.array(lost)
-    known = _numbers_of(ordered, places, unread, all_lost, certain=certain)
+    known = _frame_numbers(ordered, places, unread, all_lost, certain=certain)
     every = np.arange(known[-1] + 1)
     times_s = np.interp(every, known, (ordered - ordered[0]) * unit)
     numbers, every_place = np.full(len(times), -1), np.full(len(every), -1)
@@ -307,7 +307,7 @@ def read_index(path: Path, first: list[int | None]) -> PacketIndex:
     return PacketIndex(times, times_s, numbers, every_place, np.array(keys), all_lost, cut_off)
 
 
-def _numbers_of(
+def _frame_numbers(
     times: FloatArray, places: _Indices, unread: list[bool], lost: _Flags, *, certain: bool
 ) -> _Indices:
     """(n,) numbers of frames by their ascending times (n,), those left open that are missing where
@@ -320,27 +320,27 @@ def _numbers_of(
         lost: (packets + 1,) see `PacketIndex`.
         certain: whether the times can be relied on after such a gap.
     """
-    missing, regular = _missing_before(times, places, np.array(unread))
+    missing, regular = _missing_frames_before(times, places, np.array(unread))
     if missing.any() or not certain:
         gaps = np.flatnonzero(unread[:-1])
         lost[gaps - 1] = True  # what follows may be predicted from what is in the gap
         if not (regular and certain):  # any frame may follow
-            begin = gaps[0] if len(gaps) else max(0, len(unread) - 1 - _REORDERED)
+            begin = gaps[0] if len(gaps) else max(0, len(unread) - 1 - _MAX_REORDER)
             lost[begin:], missing[:] = True, 0
     return np.arange(len(places)) + np.cumsum(missing)
 
 
-def _missing_before(
+def _missing_frames_before(
     times: FloatArray, places: _Indices, unread: _Flags
 ) -> tuple[_Indices, np.bool_]:
     """How many frames are missing before each: there are packets nearby that could not be read, and
     room for frames by the usual step of the times; and whether all steps are multiples of that."""
-    near = np.convolve(unread, np.ones(2 * _REORDERED + 1))[_REORDERED:-_REORDERED] > 0
+    near = np.convolve(unread, np.ones(2 * _MAX_REORDER + 1))[_MAX_REORDER:-_MAX_REORDER] > 0
     steps = np.diff(times, prepend=times[0])
     steps = steps / max(float(np.median(steps)), 1)
     whole = np.rint(steps)
     missing = np.where(near[places], (whole - 1).clip(0), 0).astype(np.int64)
-    return missing, (np.abs(steps - whole) < _SAME_STEP).all()
+    return missing, (np.abs(steps - whole) < _SAME_STEP_TOLERANCE).all()
 
 
 def _count_if_untimed(times: FloatArray, first: list[int | None]) -> int | None:
@@ -354,7 +354,7 @@ def _count_if_untimed(times: FloatArray, first: list[int | None]) -> int | None:
     return None
 
 
-def _is_shorter(path: Path) -> bool:
+def _is_truncated_matroska(path: Path) -> bool:
     """Whether a Matroska file ends before its segment does."""
     head, end = read_head(path, 1 << 12), 0
     for name in (b"\x1a\x45\xdf\xa3", b"\x18\x53\x80\x67"):  # EBML header, segment
@@ -396,7 +396,7 @@ class FrameReader:
         index, self._wanted = self._index, number
         if index.is_damaged(number):
             return None
-        if self._frames.get(number) is None and not 0 <= number - self._next < _NEAR:
+        if self._frames.get(number) is None and not 0 <= number - self._next < _NEARBY_PACKETS:
             self._begin(number)
         while self._next <= index.reach[index.places[number]] and self._advance():
             pass
@@ -405,13 +405,13 @@ class FrameReader:
         self._judged = self._next
         self._frames = {n: frame for n, frame in self._frames.items() if n >= number}
         frame = self._frames.get(number)
-        return None if frame is None or index.is_damaged(number) else pixels_of(frame)
+        return None if frame is None or index.is_damaged(number) else bgra_from_frame(frame)
 
     def _begin(self, number: int) -> None:
         """Go to the key frame before a frame, and decode it."""
         index = self._index
         while True:
-            key = index.begin_of(number)
+            key = index.decode_start(number)
             self._seek(key)
             first = max(0, int(index.numbers[key]))
             self._frames, self._judged, self._next = {}, first, first
@@ -426,17 +426,17 @@ class FrameReader:
 
     def _seek(self, key: int) -> None:
         """Go to a packet: by the container's index, or from the start where that leads past it."""
-        place_at, target = self._index.place_at, self._index.times[key] or 0
+        packet_at_time, target = self._index.packet_at_time, self._index.times[key] or 0
         for back_s in () if self._index.times_s is None else _STEPS_BACK_S:
             landed = self._land(target - round(back_s / self._unit))
-            if landed is not None and place_at.get(landed.pts, key + 1) <= key:
+            if landed is not None and packet_at_time.get(landed.pts, key + 1) <= key:
                 self._packets = chain((landed,), self._packets)
                 break
         else:
             self._container.close()
             self._open()
         if key:
-            self._packets = dropwhile(lambda packet: place_at.get(packet.pts) != key, self._packets)
+            self._packets = dropwhile(lambda packet: packet_at_time.get(packet.pts) != key, self._packets)
 
     def _land(self, time: int) -> Packet | None:
         """The first packet after a seek."""
@@ -458,7 +458,7 @@ class FrameReader:
         """Decode one more packet; False at the end."""
         index = self._index
         packet = next(self._packets, None)
-        frames = decoded(self._stream, packet)
+        frames = decode_packet(self._stream, packet)
         for frame in frames or ():
             self._take(frame)
         if packet is not None:
@@ -473,12 +473,12 @@ class FrameReader:
     def _take(self, frame: VideoFrame) -> None:
         """Note a frame that came out."""
         index = self._index
-        place = self._next if index.times_s is None else index.place_at.get(frame.pts, -1)
+        place = self._next if index.times_s is None else index.packet_at_time.get(frame.pts, -1)
         if not 0 <= place < len(index.numbers) or index.numbers[place] < self._next:
             return  # not shown, or shown before the frame at which decoding began
         number = int(index.numbers[place])
         self._next = number + 1
-        if index.keys[place] and place and frame.pict_type not in _INTRA:
+        if index.keys[place] and place and frame.pict_type not in _INTRA_PROFILES:
             index.keys[place] = False
         if not frame.is_corrupt:
             self._frames[number] = frame if number >= self._wanted else None

@@ -15,7 +15,7 @@ Values = NDArray[np.float32]
 
 
 @dataclass(frozen=True, eq=False)
-class Strip:
+class StraightenedCurve:
     """A curve's surroundings.
 
     Attributes:
@@ -35,13 +35,13 @@ class Strip:
         return slice(begin, min(max(end, begin), len(self.offsets_px) - 1) + 1)
 
 
-def straighten(
+def straighten_curve(
     picture: PixelArray,
     course_px: FloatArray,
     across: FloatArray,
     reach_px: float,
     step_px: float = 0.5,
-) -> Strip:
+) -> StraightenedCurve:
     """Cut a curve's surroundings out of a picture.
 
     Args:
@@ -72,4 +72,4 @@ def straighten(
         cv2.INTER_LINEAR,
         borderMode=cv2.BORDER_REPLICATE,
     )
-    return Strip(np.asarray(values, dtype=np.float32), offsets)
+    return StraightenedCurve(np.asarray(values, dtype=np.float32), offsets)

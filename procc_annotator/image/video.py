@@ -11,18 +11,18 @@ import numpy as np
 
 from procc_annotator.errors import ImageError
 from procc_annotator.image.pixels import PixelArray
-from procc_annotator.image.scenes import SceneLook, cuts_among, look_of, steps_of
+from procc_annotator.image.scenes import FrameSignature, cut_indices, frame_signature, frame_differences
 from procc_annotator.image.stream import (
     FloatArray,
     FrameReader,
     PacketIndex,
-    check_file,
-    first_frames,
-    read_index,
+    require_video_file,
+    probe_stream,
+    read_packet_index,
 )
 from procc_annotator.image.suffixes import VIDEO_SUFFIXES
 
-_SQUARE = 0.01  # as far as encoders round
+_SQUARE_PIXEL_TOLERANCE = 0.01  # as far as encoders round
 
 
 class Video:
@@ -35,7 +35,7 @@ class Video:
     def __init__(self, path: Path) -> None:
         """Decode the first frames, as `open` does."""
         self._path = path
-        self._first = first_frames(path)
+        self._first = probe_stream(path)
         self._lock = threading.RLock()
         self._index: PacketIndex | None = None
         self._reader: FrameReader | None = None
@@ -48,7 +48,7 @@ class Video:
         Raises:
             ImageError: not a video, none of its frames decodes, or frames over 100 megapixels.
         """
-        check_file(path)
+        require_video_file(path)
         return cls(path)
 
     def __enter__(self) -> Video:
@@ -98,7 +98,7 @@ class Video:
     @property
     def squeezed(self) -> str:
         """That its pixels are not square, if its metadata say so; empty if not."""
-        if abs(self._first.pixel_aspect - 1) < _SQUARE:
+        if abs(self._first.pixel_aspect - 1) < _SQUARE_PIXEL_TOLERANCE:
             return ""
         return (
             f"its pixels are {self._first.pixel_aspect:.3f} times as wide as high, cameras are for"
@@ -136,7 +136,7 @@ class Video:
         """Read the packets of the video now, so that nothing that needs them waits later."""
         with self._lock:
             if self._index is None:
-                self._index = read_index(self._path, self._first.times)
+                self._index = read_packet_index(self._path, self._first.times)
             return self._index
 
     def close(self) -> None:
@@ -150,7 +150,7 @@ class Video:
         return ImageError(self._path, problem, place=f"frame {number}")
 
 
-def open_shared(path: Path) -> Video:
+def open_shared_video(path: Path) -> Video:
     """The video, opened once for all who ask while the file stays the same.
 
     Do not close it: the two used last stay open.
@@ -162,16 +162,16 @@ def open_shared(path: Path) -> Video:
         changed = path.stat()
     except OSError as error:
         raise ImageError(path, f"cannot be read: {error.strerror or error}") from error
-    return _opened(path, changed.st_mtime_ns, changed.st_size)
+    return _open_cached(path, changed.st_mtime_ns, changed.st_size)
 
 
 @lru_cache(maxsize=2)
-def _opened(path: Path, changed_ns: int, size: int) -> Video:
+def _open_cached(path: Path, changed_ns: int, size: int) -> Video:
     del changed_ns, size  # part of the key: a file that was replaced is opened anew
     return Video.open(path)
 
 
-def frame_of(path: Path) -> tuple[Path, int] | None:
+def video_frame_of_path(path: Path) -> tuple[Path, int] | None:
     """The video and the frame number that a path like ``match.mp4/00000123`` means.
 
     None for any other path: what is above it must be a file with the name of a video.
@@ -224,7 +224,7 @@ def scene_cuts(
     count = video.frame_count
     numbers: list[int] = []
 
-    def looks(reader: FrameReader) -> Iterator[SceneLook]:
+    def looks(reader: FrameReader) -> Iterator[FrameSignature]:
         for number in range(count):
             if number % 25 == 0:
                 if cancelled():
@@ -234,11 +234,11 @@ def scene_cuts(
             pixels = reader.frame(number)
             if pixels is not None:
                 numbers.append(number)
-                yield look_of(pixels[..., :3])
+                yield frame_signature(pixels[..., :3])
 
     reader = FrameReader(video.path, video.read_index())
-    steps, lasting = steps_of(looks(reader))
+    steps, lasting = frame_differences(looks(reader))
     reader.close()
     if progress is not None and not cancelled():
         progress(count, count)
-    return [numbers[i] for i in cuts_among(steps, lasting)] if numbers else [0]
+    return [numbers[i] for i in cut_indices(steps, lasting)] if numbers else [0]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from procc_annotator.annotation import FrameAnnotation, points_px
 from procc_annotator.interact import step_names
-from procc_annotator.interact.gesture import ARROWS, Context, Edit, Position, Reaction, Selection
+from procc_annotator.interact.gesture import ARROWS, ToolContext, Edit, Position, Reaction, Selection
 from procc_annotator.session.dataset import edits
 from procc_annotator.session.dataset.edits import PointRef
 from procc_annotator.session.facts.origins import OriginKind
@@ -17,7 +17,7 @@ def confirmed(annotation: FrameAnnotation, chosen: frozenset[PointRef]) -> Frame
     return annotation
 
 
-def toggled(ref: PointRef, context: Context) -> Reaction:
+def toggled(ref: PointRef, context: ToolContext) -> Reaction:
     """One more point is chosen, or one fewer."""
     chosen = context.chosen_points ^ {ref}
     if not chosen:
@@ -26,7 +26,7 @@ def toggled(ref: PointRef, context: Context) -> Reaction:
     return Reaction(select=Selection(name, index, frozenset(chosen)))
 
 
-def points_within(begin: Position, end: Position, context: Context) -> set[PointRef]:
+def points_within(begin: Position, end: Position, context: ToolContext) -> set[PointRef]:
     """The points in a rectangle, of unconfirmed elements too."""
     left, right = sorted((begin[0], end[0]))
     top, bottom = sorted((begin[1], end[1]))
@@ -38,7 +38,7 @@ def points_within(begin: Position, end: Position, context: Context) -> set[Point
     return inside
 
 
-def deletion(context: Context, class_name: str, index: int) -> Reaction:
+def deletion(context: ToolContext, class_name: str, index: int) -> Reaction:
     """A point goes; the next one of its element is chosen."""
     base = edits.confirm(context.annotation, class_name)
     edited = edits.delete_point(base, class_name, index)
@@ -48,7 +48,7 @@ def deletion(context: Context, class_name: str, index: int) -> Reaction:
     return Reaction(edit=Edit(label, edited), select=Selection(class_name, after))
 
 
-def nudged(context: Context, chosen: frozenset[PointRef], arrow: str, step: float) -> Reaction:
+def nudged(context: ToolContext, chosen: frozenset[PointRef], arrow: str, step: float) -> Reaction:
     """The chosen points go one step of an arrow, picture px."""
     width, height = context.picture_size
     dx, dy = ARROWS[arrow]

@@ -8,7 +8,7 @@ from procc_annotator.annotation import Point, point_from_px, points_px
 from procc_annotator.interact import step_names
 from procc_annotator.interact.gesture import (
     IGNORED,
-    Context,
+    ToolContext,
     Edit,
     Modifiers,
     Position,
@@ -18,7 +18,7 @@ from procc_annotator.interact.gesture import (
     line_direction,
     point_key,
 )
-from procc_annotator.interact.overlay_shapes import NO_HAND, Draft, Hand
+from procc_annotator.interact.overlay_shapes import NO_DRAFT_STATE, Draft, DraftState
 from procc_annotator.language import tr
 from procc_annotator.session.dataset import edits
 from procc_annotator.session.facts.origins import PointKey
@@ -49,7 +49,7 @@ class DrawTool:
         selected_class: str | None,
         cursor: Position | None,
         landing: Position | None = None,
-        hand: Hand = NO_HAND,
+        hand: DraftState = NO_DRAFT_STATE,
     ) -> Draft | None:
         """What to show: the polyline under way, or the class the next click begins."""
         name = self.class_name if self.busy else selected_class
@@ -58,7 +58,7 @@ class DrawTool:
         return Draft(name, tuple(self.points), cursor, landing, hand)
 
     def landing(
-        self, position: Position, modifiers: Modifiers, context: Context
+        self, position: Position, modifiers: Modifiers, context: ToolContext
     ) -> Position | None:
         """Where a click here would be put by snapping; None: exactly here."""
         name = self.class_name if self.busy else context.clicked_class
@@ -67,7 +67,7 @@ class DrawTool:
         direction = self._direction(name, position, context)
         return context.snapped(name, position, modifiers, direction)
 
-    def press(self, position: Position, modifiers: Modifiers, context: Context) -> Reaction:
+    def press(self, position: Position, modifiers: Modifiers, context: ToolContext) -> Reaction:
         """Add a point; the first one finishes a spot, the second one a straight element where that
         is wanted."""
         self._spot_placed = False
@@ -86,28 +86,28 @@ class DrawTool:
         if placed is not None:
             self._snapped.add(placed)
         self.points.append(placed if placed is not None else position)
-        if context.two_clicks_finish and self._is_complete(context):
+        if context.is_two_point_element and self._is_complete(context):
             return self.finish(context, finished=True)
         return Reaction(select=Selection(None)) if self.unnamed else Reaction()
 
-    def move(self, position: Position, modifiers: Modifiers, context: Context) -> Reaction:
+    def move(self, position: Position, modifiers: Modifiers, context: ToolContext) -> Reaction:
         return IGNORED
 
-    def release(self, position: Position, modifiers: Modifiers, context: Context) -> Reaction:
+    def release(self, position: Position, modifiers: Modifiers, context: ToolContext) -> Reaction:
         return IGNORED
 
-    def double_click(self, position: Position, modifiers: Modifiers, context: Context) -> Reaction:
+    def double_click(self, position: Position, modifiers: Modifiers, context: ToolContext) -> Reaction:
         """Finish: the first click of the two has already added its point."""
         if self._spot_placed:
             self._spot_placed = False
             return IGNORED  # the first of the two clicks was all that there is to do
         if self.busy:
             return self.finish(context, finished=True)
-        if context.two_clicks_finish:
+        if context.is_two_point_element:
             return IGNORED  # the first of the two clicks has just finished the element
         return self.press(position, modifiers, context)
 
-    def key(self, name: str, context: Context, *, shift: bool = False) -> Reaction:
+    def key(self, name: str, context: ToolContext, *, shift: bool = False) -> Reaction:
         """Enter finishes (with Shift: and stays with this element) or confirms an unconfirmed
         element, Backspace takes back the last point, Escape cancels, then deselects."""
         if not self.busy:
@@ -126,7 +126,7 @@ class DrawTool:
             return Reaction(cancelled=True)
         return IGNORED
 
-    def finish(self, context: Context, *, finished: bool = False) -> Reaction:
+    def finish(self, context: ToolContext, *, finished: bool = False) -> Reaction:
         """Make what was clicked an edit; also used before anything that would leave the frame."""
         if not self.busy or self.class_name is None:
             return IGNORED
@@ -143,7 +143,7 @@ class DrawTool:
             return Reaction(edit=edit, select=Selection(name), completed=name, to_name=asked)
         return Reaction(edit=edit, select=Selection(name), finished=finished, completed=name)
 
-    def drawn(self, context: Context) -> tuple[tuple[Point, ...], frozenset[PointKey]]:
+    def drawn(self, context: ToolContext) -> tuple[tuple[Point, ...], frozenset[PointKey]]:
         """The points under way, and those of them that were put on a line's centre."""
         points = tuple(point_from_px(x, y, context.picture_size) for x, y in self.points)
         on_line = zip(points, self.points, strict=True)
@@ -156,7 +156,7 @@ class DrawTool:
         self.class_name, self.unnamed = name, False
         return True
 
-    def _place(self, name: str, position: Position, context: Context) -> Reaction:
+    def _place(self, name: str, position: Position, context: ToolContext) -> Reaction:
         """A single place: where it was clicked before it is no more."""
         self._spot_placed = True
         moves, title = context.polyline(name) is not None, context.title(name)
@@ -171,18 +171,18 @@ class DrawTool:
         edit = Edit(label, edited)
         return Reaction(edit=edit, select=Selection(name), finished=True, completed=name)
 
-    def next_click_finishes(self, context: Context) -> bool:
+    def is_last_click(self, context: ToolContext) -> bool:
         """Whether another click would finish the element by itself."""
         name = self.class_name
         return (
-            context.two_clicks_finish
+            context.is_two_point_element
             and not self.unnamed  # it may be a curve
             and len(self.points) == 1
             and name not in context.curved
             and context.polyline(name) is None
         )
 
-    def _is_complete(self, context: Context) -> bool:
+    def _is_complete(self, context: ToolContext) -> bool:
         name = self.class_name
         return (
             name is not None
@@ -192,7 +192,7 @@ class DrawTool:
             and context.polyline(name) is None
         )
 
-    def _snap_first_again(self, second: Position, context: Context) -> None:
+    def _snap_first_again(self, second: Position, context: ToolContext) -> None:
         """Only now is a straight element's direction known, which finds its line more surely."""
         name = self.class_name
         if self._first is None or name is None or self.unnamed or name in context.curved:
@@ -208,7 +208,7 @@ class DrawTool:
             self._snapped.add(placed)
             self.points[0] = placed
 
-    def _direction(self, name: str, position: Position, context: Context) -> Position | None:
+    def _direction(self, name: str, position: Position, context: ToolContext) -> Position | None:
         """Where a straight element runs, as far as its clicks tell."""
         if name in context.curved or self.unnamed:
             return None

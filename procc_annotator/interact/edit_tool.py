@@ -17,7 +17,7 @@ from procc_annotator.interact.chosen_points import (
 )
 from procc_annotator.interact.gesture import (
     IGNORED,
-    Context,
+    ToolContext,
     Edit,
     Modifiers,
     Position,
@@ -75,7 +75,7 @@ class EditTool:
         """What is held: "point", "points", "element", "pinned" or "frame" (a band)."""
         return "frame" if self.band is not None else self._held
 
-    def hover(self, position: Position, context: Context) -> Hit | None:
+    def hover(self, position: Position, context: ToolContext) -> Hit | None:
         """What the next press would take; unconfirmed elements lie below the others, but for a
         selected one."""
         waiting = FrameAnnotation(polylines=context.annotation.unconfirmed)
@@ -97,7 +97,7 @@ class EditTool:
 
     # --- pressing -------------------------------------------------------------------------
 
-    def press(self, position: Position, modifiers: Modifiers, context: Context) -> Reaction:
+    def press(self, position: Position, modifiers: Modifiers, context: ToolContext) -> Reaction:
         """Take a point or an element, insert (Alt on a line), remove (Alt+Shift on a point), add
         to the chosen points (Shift), or begin a band on empty ground."""
         hit = self.hover(position, context)
@@ -119,7 +119,7 @@ class EditTool:
             return self._insert(hit, position, context)
         return self._grab_element(hit, position, context)
 
-    def _insert(self, hit: Hit, position: Position, context: Context) -> Reaction:
+    def _insert(self, hit: Hit, position: Position, context: ToolContext) -> Reaction:
         point = point_from_px(*hit.foot, context.picture_size)
         base = edits.confirm(context.annotation, hit.class_name)
         edited = edits.insert_point(base, hit.class_name, hit.index + 1, point)
@@ -127,7 +127,7 @@ class EditTool:
         self._inserted = True
         return Reaction(preview=edited, select=taken.select)
 
-    def _grab_element(self, hit: Hit, position: Position, context: Context) -> Reaction:
+    def _grab_element(self, hit: Hit, position: Position, context: ToolContext) -> Reaction:
         self._grab(hit, 0, position, context)
         self.grabbed = None
         free = not context.pinned or context.is_unconfirmed(hit.class_name)
@@ -141,7 +141,7 @@ class EditTool:
         hit: Hit,
         index: int,
         position: Position,
-        context: Context,
+        context: ToolContext,
         *,
         before: FrameAnnotation | None = None,
         together: frozenset[PointRef] = frozenset(),
@@ -158,7 +158,7 @@ class EditTool:
 
     # --- moving ---------------------------------------------------------------------------
 
-    def _lost(self, context: Context) -> bool:
+    def _lost(self, context: ToolContext) -> bool:
         """Let go when undo or a reload changed the frame under the held point: carrying on would
         bring back what was just taken away."""
         if context.annotation == self._found:
@@ -166,7 +166,7 @@ class EditTool:
         self._let_go()
         return True
 
-    def move(self, position: Position, modifiers: Modifiers, context: Context) -> Reaction:
+    def move(self, position: Position, modifiers: Modifiers, context: ToolContext) -> Reaction:
         """Carry what is held along; it keeps its distance to the cursor, or draws the band."""
         if self.band is not None:
             self.band = (self._pressed, position)
@@ -186,7 +186,7 @@ class EditTool:
             self._moved = True
         return Reaction(preview=self._carried(position, modifiers, context))
 
-    def release(self, position: Position, modifiers: Modifiers, context: Context) -> Reaction:
+    def release(self, position: Position, modifiers: Modifiers, context: ToolContext) -> Reaction:
         """End the gesture: one edit, or none when nothing moved."""
         if self.band is not None:
             return self._end_band(position, modifiers, context)
@@ -208,7 +208,7 @@ class EditTool:
             return Reaction(select=Selection(*grabbed)) if single and grabbed else Reaction()
         return Reaction(edit=Edit(label, edited, OriginKind.MOVED, snapped))
 
-    def _label(self, context: Context) -> str:
+    def _label(self, context: ToolContext) -> str:
         if self._held == "points":
             return step_names.moving_points(len(self._together))
         name = next(iter(self._together))[0] if self.grabbed is None else self.grabbed[0]
@@ -219,7 +219,7 @@ class EditTool:
             return step_names.inserting(title)
         return step_names.moving(title)
 
-    def _end_band(self, position: Position, modifiers: Modifiers, context: Context) -> Reaction:
+    def _end_band(self, position: Position, modifiers: Modifiers, context: ToolContext) -> Reaction:
         begin = self._pressed
         self.band = None
         if math.dist(begin, position) * context.view_scale < _DRAG_BEGINS_SCREEN_PX:
@@ -233,13 +233,13 @@ class EditTool:
         name, index = min(inside)
         return Reaction(select=Selection(name, index, frozenset(inside)))
 
-    def double_click(self, position: Position, modifiers: Modifiers, context: Context) -> Reaction:
+    def double_click(self, position: Position, modifiers: Modifiers, context: ToolContext) -> Reaction:
         """A second click is a press like any other."""
         return self.press(position, modifiers, context)
 
     # --- keys -----------------------------------------------------------------------------
 
-    def key(self, name: str, context: Context, *, shift: bool = False) -> Reaction:
+    def key(self, name: str, context: ToolContext, *, shift: bool = False) -> Reaction:
         """Delete removes, Enter confirms an unconfirmed element, Escape gives up the
         gesture, then the points, then the element."""
         if name == "Escape":
@@ -263,14 +263,14 @@ class EditTool:
             return Reaction(edit=Edit(label, edited), select=Selection(selected))
         return IGNORED
 
-    def nudge(self, arrow: str, step: float, context: Context) -> Reaction:
+    def nudge(self, arrow: str, step: float, context: ToolContext) -> Reaction:
         """Move the chosen points so many picture px."""
         chosen = context.chosen_points
         if self.busy or not chosen:
             return IGNORED
         return nudged(context, chosen, arrow, step)
 
-    def _escape(self, context: Context) -> Reaction:
+    def _escape(self, context: ToolContext) -> Reaction:
         if self.busy:
             inserted = self._inserted
             self._let_go()
@@ -283,7 +283,7 @@ class EditTool:
             return Reaction(select=Selection(None))
         return IGNORED
 
-    def delete_element(self, context: Context) -> Reaction:
+    def delete_element(self, context: ToolContext) -> Reaction:
         """Remove the selected element."""
         name = context.selected_class
         if name is None or context.polyline(name) is None:
@@ -291,7 +291,7 @@ class EditTool:
         edited = edits.delete_element(context.annotation, name)
         return Reaction(edit=Edit(step_names.deleting(context.title(name)), edited))
 
-    def finish(self, context: Context) -> Reaction:
+    def finish(self, context: ToolContext) -> Reaction:
         """Drop what is held where it is, before anything that would leave the frame."""
         self.band = None
         return self.release(self._last, Modifiers(ctrl=not self._snapped), context)
@@ -299,7 +299,7 @@ class EditTool:
     # --- inside ---------------------------------------------------------------------------
 
     def _carried(
-        self, position: Position, modifiers: Modifiers, context: Context
+        self, position: Position, modifiers: Modifiers, context: ToolContext
     ) -> FrameAnnotation:
         assert self._before is not None
         self._snapped = frozenset()
@@ -319,7 +319,7 @@ class EditTool:
             self._snapped = frozenset({point_key(point)})
         return edits.move_point(base, *self.grabbed, point)
 
-    def _leads_back(self, placed: Position, at: Position, context: Context) -> bool:
+    def _leads_back(self, placed: Position, at: Position, context: ToolContext) -> bool:
         """Whether snapping would take a point back to the line that the hand takes it away from:
         it has come farther across that line than along it."""
         assert self._before is not None
@@ -331,7 +331,7 @@ class EditTool:
         return math.dist(placed, begin.tolist()) < math.dist(placed, at)
 
     def _direction(
-        self, annotation: FrameAnnotation, at: Position, context: Context
+        self, annotation: FrameAnnotation, at: Position, context: ToolContext
     ) -> Position | None:
         """Where the element runs at the held point, as its other points tell."""
         assert self.grabbed is not None

@@ -10,11 +10,11 @@ import numpy as np
 from procc_annotator.camera.backproject import ground_from_px
 from procc_annotator.camera.base import Camera, FloatArray
 from procc_annotator.camera.homography import HomographyCamera
-from procc_annotator.camera.implied import implied_pinhole
+from procc_annotator.camera.implied import pinhole_from_homography
 from procc_annotator.field.model import Field
-from procc_annotator.fit.predict.sight import spots_in_sight, stretches_in_sight
+from procc_annotator.fit.predict.sight import visible_spots, visible_stretches
 from procc_annotator.metric.contours import Polygon, filled_contours
-from procc_annotator.metric.ground import Rectangle, field_rectangle
+from procc_annotator.metric.ground import GroundRectangle, field_rectangle
 
 _BESIDE_PX = 10.0  # on either side of a place of the picture: which way right is there
 _GRID = 60  # samples along each side of the field
@@ -23,7 +23,7 @@ _ACROSS = 0.06  # of the field's length beyond the middle that still leaves the 
 
 
 @dataclass(frozen=True, eq=False)
-class FieldSight:
+class VisibleField:
     """What one camera sees of a field.
 
     Attributes:
@@ -40,7 +40,7 @@ class FieldSight:
     half: int
 
 
-def field_sight(field: Field, camera: Camera, size: tuple[int, int]) -> FieldSight | None:
+def visible_field(field: Field, camera: Camera, size: tuple[int, int]) -> VisibleField | None:
     """What a camera sees of a field; None if it sees nothing of it.
 
     Args:
@@ -51,21 +51,21 @@ def field_sight(field: Field, camera: Camera, size: tuple[int, int]) -> FieldSig
     Raises:
         UsageError: the field has nothing on the ground.
     """
-    stretches = stretches_in_sight(field, camera, size)
-    names = {s.name for s in stretches} | set(spots_in_sight(field, camera, size))
+    stretches = visible_stretches(field, camera, size)
+    names = {s.name for s in stretches} | set(visible_spots(field, camera, size))
     area = field_rectangle(field)
     turns = _turns(camera, size, area, [s.points_px for s in stretches])
     if not names or turns is None:
         return None
     ground = _ground_in_sight(area, camera, size)
-    return FieldSight(turns, frozenset(names), ground, _half(ground, area))
+    return VisibleField(turns, frozenset(names), ground, _half(ground, area))
 
 
 def _turns(
-    camera: Camera, size: tuple[int, int], area: Rectangle, seen_px: list[FloatArray]
+    camera: Camera, size: tuple[int, int], area: GroundRectangle, seen_px: list[FloatArray]
 ) -> int | None:
     """By where the camera stands, which stays while it pans; over the field by what is right."""
-    found = implied_pinhole(camera, size) if isinstance(camera, HomographyCamera) else camera
+    found = pinhole_from_homography(camera, size) if isinstance(camera, HomographyCamera) else camera
     position = getattr(found, "position_world", None)
     if position is not None and np.isfinite(position).all():
         x, y = (float(value) for value in position[:2])
@@ -89,7 +89,7 @@ def _turns_by_sight(camera: Camera, seen_px: list[FloatArray]) -> int | None:
     return -round(math.atan2(right[1], right[0]) / (math.pi / 2)) % 4
 
 
-def _ground_in_sight(area: Rectangle, camera: Camera, size: tuple[int, int]) -> tuple[Polygon, ...]:
+def _ground_in_sight(area: GroundRectangle, camera: Camera, size: tuple[int, int]) -> tuple[Polygon, ...]:
     """The part of the field, and of a little around it, that lies inside the picture."""
     beyond = _BEYOND * max(area.right - area.left, area.bottom - area.top)
     x = np.linspace(area.left - beyond, area.right + beyond, _GRID)
@@ -104,7 +104,7 @@ def _ground_in_sight(area: Rectangle, camera: Camera, size: tuple[int, int]) -> 
     return bands[0].polygons
 
 
-def _half(ground: tuple[Polygon, ...], area: Rectangle) -> int:
+def _half(ground: tuple[Polygon, ...], area: GroundRectangle) -> int:
     if not ground:
         return 0
     x = np.concatenate([outlines[0][:, 0] for outlines in ground])

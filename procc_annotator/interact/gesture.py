@@ -43,7 +43,7 @@ class Modifiers:
 
 
 @dataclass(frozen=True, slots=True)
-class Context:
+class ToolContext:
     """What a tool may look at.
 
     Attributes:
@@ -71,7 +71,7 @@ class Context:
     curved: frozenset[str] = frozenset()
     snap: Snapper | None = None
     pinned: bool = True
-    two_clicks_finish: bool = False
+    is_two_point_element: bool = False
     title: Callable[[str], str] = str.strip
     spots: frozenset[str] = frozenset()
     unnamed: str | None = None
@@ -175,7 +175,7 @@ class Reaction:
 IGNORED = Reaction(handled=False)
 
 
-def confirmation(context: Context) -> Reaction:
+def confirmation(context: ToolContext) -> Reaction:
     """Confirm the selected element if it is unconfirmed, and go on to the next such one."""
     name = context.selected_class
     if name is None or not context.is_unconfirmed(name):
@@ -190,7 +190,7 @@ def confirmation(context: Context) -> Reaction:
     )
 
 
-def next_unconfirmed(context: Context) -> str | None:
+def next_unconfirmed(context: ToolContext) -> str | None:
     """The unconfirmed element that comes after the selected one, round and round."""
     names = [p.class_name for p in context.annotation.unconfirmed]
     at = names.index(context.selected_class) if context.selected_class in names else -1

@@ -11,7 +11,7 @@ from typing import Literal
 from procc_annotator.field.model import Field
 from procc_annotator.interact.draw_tool import DrawTool
 from procc_annotator.interact.edit_tool import FAR_NUDGE_PX, FINE_NUDGE_PX, NUDGE_PX, EditTool
-from procc_annotator.interact.gesture import Context
+from procc_annotator.interact.gesture import ToolContext
 from procc_annotator.interact.hit import Hit
 from procc_annotator.language import tr, tr_count, word
 
@@ -41,7 +41,7 @@ _NAMED_AFTER = word("click begins a line that is named after")
 
 
 @dataclass(frozen=True, slots=True)
-class _Words:
+class _HintText:
     """The phrases of a state.
 
     Attributes:
@@ -61,16 +61,16 @@ class _Words:
         """All of them in their order."""
         return [self.tool, *filter(None, (self.click,)), *self.answers, *self.more]
 
-    def with_more_first(self, *phrases: str) -> _Words:
+    def with_more_first(self, *phrases: str) -> _HintText:
         """Something that is to be known before all else, next to what the keys do."""
         return replace(self, more=(*phrases, *self.more))
 
 
-def hint(
+def status_hint(
     mode: Literal["draw", "edit"],
     draw: DrawTool,
     edit: EditTool,
-    context: Context | None,
+    context: ToolContext | None,
     field: Field,
     *,
     blocked: str = "",
@@ -133,11 +133,11 @@ def _blocked_words(ghosts: GhostHint, field: Field) -> list[str]:
     return [ghost, tr("click and Enter do nothing"), tr("Esc goes back"), tr("Tab goes on")]
 
 
-def _with_ghosts(words: _Words, ghosts: GhostHint, *, all_too: bool) -> _Words:
+def _with_ghosts(words: _HintText, ghosts: GhostHint, *, all_too: bool) -> _HintText:
     """What is to be said of ghosts while none is looked at."""
     if ghosts.coming:
         waits = tr("GHOST the next one comes in a moment")
-        return _Words(waits, words.click, (tr("Enter does nothing yet"), tr("Esc goes back")))
+        return _HintText(waits, words.click, (tr("Enter does nothing yet"), tr("Esc goes back")))
     if not ghosts.count:
         return words
     count = ghosts.count
@@ -167,7 +167,7 @@ def _ghost_words(ghosts: GhostHint, title: str, click: str) -> list[str]:
     ]
 
 
-def _draw_words(draw: DrawTool, context: Context, field: Field, upcoming: str | None) -> _Words:
+def _draw_words(draw: DrawTool, context: ToolContext, field: Field, upcoming: str | None) -> _HintText:
     if draw.busy and draw.class_name is not None:
         return _drawing_words(draw, context, field, upcoming)
     if context.selected_class is not None:
@@ -175,12 +175,12 @@ def _draw_words(draw: DrawTool, context: Context, field: Field, upcoming: str | 
     if context.unnamed is not None:
         first = tr("or choose its element first: field map, list, its key or /")
         answers = (tr("Enter and Esc do nothing yet"), first)
-        return _Words(tr("DRAW"), tr(_NAMED_AFTER), answers, _snap_words(context))
+        return _HintText(tr("DRAW"), tr(_NAMED_AFTER), answers, _snap_words(context))
     choose = tr("choose an element: field map, list, its key or /")
-    return _Words(tr("DRAW"), "", (choose, tr(_NOTHING_TO_DO)))
+    return _HintText(tr("DRAW"), "", (choose, tr(_NOTHING_TO_DO)))
 
 
-def _drawing_words(draw: DrawTool, context: Context, field: Field, upcoming: str | None) -> _Words:
+def _drawing_words(draw: DrawTool, context: ToolContext, field: Field, upcoming: str | None) -> _HintText:
     """While a line is under way."""
     count, stay = len(draw.points), tuple[str, ...]()
     if draw.unnamed:
@@ -195,13 +195,13 @@ def _drawing_words(draw: DrawTool, context: Context, field: Field, upcoming: str
             following = _title(upcoming, field)
             enter = tr("Enter or double-click finishes and goes on to {title}", title=following)
             stay = (tr("Shift+Enter finishes and stays"),)
-    last = draw.next_click_finishes(context)
+    last = draw.is_last_click(context)
     click = tr("click adds the second point and finishes") if last else tr("click adds a point")
     back = tr("Backspace takes back the last point")
-    return _Words(tool, click, (enter, tr("Esc cancels")), (*stay, back, *_snap_words(context)))
+    return _HintText(tool, click, (enter, tr("Esc cancels")), (*stay, back, *_snap_words(context)))
 
 
-def _chosen_words(class_name: str, context: Context, field: Field, upcoming: str | None) -> _Words:
+def _chosen_words(class_name: str, context: ToolContext, field: Field, upcoming: str | None) -> _HintText:
     """While an element is chosen that the next click begins, continues or places."""
     title, count = _title(class_name, field), context.point_count(class_name)
     waiting, spot = context.is_unconfirmed(class_name), class_name in context.spots
@@ -214,10 +214,10 @@ def _chosen_words(class_name: str, context: Context, field: Field, upcoming: str
     answers, more = (enter, tr("Esc deselects")), _point_words(context)
     if context.clicked_class is None:
         again = tr("choose it again, then clicks continue it")
-        return _Words(tool, tr(_NAMED_AFTER) if context.unnamed else "", answers, (again, *more))
+        return _HintText(tool, tr(_NAMED_AFTER) if context.unnamed else "", answers, (again, *more))
     if spot:
         following = _title(upcoming, field) if upcoming is not None else None
-        return _Words(tool, _placing_words(following, placed=count > 0), answers, more)
+        return _HintText(tool, _placing_words(following, placed=count > 0), answers, more)
     click = (
         tr_count(
             count,
@@ -227,7 +227,7 @@ def _chosen_words(class_name: str, context: Context, field: Field, upcoming: str
         if count
         else tr("click begins it")
     )
-    return _Words(tool, click, answers, (*more, *_snap_words(context)))
+    return _HintText(tool, click, answers, (*more, *_snap_words(context)))
 
 
 def _placing_words(following: str | None, *, placed: bool) -> str:
@@ -239,11 +239,11 @@ def _placing_words(following: str | None, *, placed: bool) -> str:
     return tr("click marks it and goes on to {title}", title=following)
 
 
-def _snap_words(context: Context) -> tuple[str, ...]:
+def _snap_words(context: ToolContext) -> tuple[str, ...]:
     return (tr("hold Ctrl to click beside the line"),) if context.snap is not None else ()
 
 
-def _edit_words(edit: EditTool, context: Context, field: Field, over: Hit | None) -> _Words:
+def _edit_words(edit: EditTool, context: ToolContext, field: Field, over: Hit | None) -> _HintText:
     if edit.busy:
         return _held_words(edit, context, field)
     click, selected = _click_words(context, field, over), context.selected_class
@@ -252,38 +252,38 @@ def _edit_words(edit: EditTool, context: Context, field: Field, over: Hit | None
         enter = tr("Enter confirms {title}", title=_title(selected, field))
     if count := len(context.chosen_points):
         lets_go = tr_count(count, "Esc lets go of the point", "Esc lets go of {n} points")
-        return _Words(tr("EDIT"), click, (enter, lets_go), _point_words(context))
+        return _HintText(tr("EDIT"), click, (enter, lets_go), _point_words(context))
     if selected is None:
-        return _Words(tr("EDIT"), click, (tr("Enter and Esc do nothing"),))
+        return _HintText(tr("EDIT"), click, (tr("Enter and Esc do nothing"),))
     removes = tuple[str, ...]()
     if context.point_count(selected):
         removes = (tr("Delete removes {title}", title=_title(selected, field)),)
-    return _Words(tr("EDIT"), click, (enter, tr("Esc deselects")), removes)
+    return _HintText(tr("EDIT"), click, (enter, tr("Esc deselects")), removes)
 
 
-def _held_words(edit: EditTool, context: Context, field: Field) -> _Words:
+def _held_words(edit: EditTool, context: ToolContext, field: Field) -> _HintText:
     """While the mouse holds something."""
     nothing, back = tr("Enter does nothing"), tr("Esc puts it back")
     drops = tr("release drops it here")
     if edit.held == "frame":
         chooses = tr("release chooses all points inside")
-        return _Words(tr("EDIT choosing points"), chooses, (nothing, tr("Esc gives up")))
+        return _HintText(tr("EDIT choosing points"), chooses, (nothing, tr("Esc gives up")))
     if edit.held == "points":
         count = len(context.chosen_points)
-        return _Words(tr_count(count, "EDIT {n} point", "EDIT {n} points"), drops, (nothing, back))
+        return _HintText(tr_count(count, "EDIT {n} point", "EDIT {n} points"), drops, (nothing, back))
     if edit.grabbed is not None:
         name, index = edit.grabbed
         point = tr("EDIT point {number} of {title}", number=index + 1, title=_title(name, field))
         if edit.inserting:
             back = tr("Esc takes the new point away")
-        return _Words(point, drops, (nothing, back))
+        return _HintText(point, drops, (nothing, back))
     if edit.held == "pinned":
         selects = tr("release selects the element, which is pinned")
-        return _Words(tr("EDIT"), selects, (nothing, tr("Esc lets go")))
-    return _Words(tr("EDIT the element"), drops, (nothing, back))
+        return _HintText(tr("EDIT"), selects, (nothing, tr("Esc lets go")))
+    return _HintText(tr("EDIT the element"), drops, (nothing, back))
 
 
-def _click_words(context: Context, field: Field, over: Hit | None) -> str:
+def _click_words(context: ToolContext, field: Field, over: Hit | None) -> str:
     if over is not None and over.kind == "point":
         return tr(
             "drag moves point {number} of {title}, Alt+Shift+click removes it",
@@ -300,7 +300,7 @@ def _click_words(context: Context, field: Field, over: Hit | None) -> str:
     return tr("click or drag a point, drag on empty ground to choose several")
 
 
-def _point_words(context: Context) -> tuple[str, ...]:
+def _point_words(context: ToolContext) -> tuple[str, ...]:
     count = len(context.chosen_points)
     if not count:
         return ()

@@ -78,7 +78,7 @@ def hit_test(
     if found is not None:
         return found
     first = np.flatnonzero(owners[1:] == owners[:-1])
-    return nearest(feet_on_segments(points[first], points[first + 1], cursor), first, "segment")
+    return nearest(closest_on_segments(points[first], points[first + 1], cursor), first, "segment")
 
 
 def _all_points(
@@ -92,7 +92,7 @@ def _all_points(
     return points, np.repeat(np.arange(len(counts)), counts), np.cumsum(counts) - counts
 
 
-def feet_on_segments(begin: FloatArray, end: FloatArray, cursor: FloatArray) -> FloatArray:
+def closest_on_segments(begin: FloatArray, end: FloatArray, cursor: FloatArray) -> FloatArray:
     """(n, 2) the position on each segment nearest to the cursor."""
     step = end - begin
     squared = np.maximum((step * step).sum(axis=1), 1e-12)

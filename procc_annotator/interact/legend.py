@@ -69,7 +69,7 @@ def legend_of(
     else:
         entries = _verdicts(annotation, measurement, score, size)
     if with_paint:
-        border = LegendLine(tones.LABEL, tones.PAINT_WIDTH)
+        border = LegendLine(tones.LABEL, tones.LINE_MARKING_WIDTH)
         entries.append(LegendEntry("hairlines: the painted width", (border,)))
     if annotation.unconfirmed:
         entries.append(_unconfirmed())

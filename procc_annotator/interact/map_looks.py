@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from procc_annotator.fit.predict.ground_uncertainty import GOOD_TO_M
+from procc_annotator.fit.predict.ground_uncertainty import ACCURACY_LEVELS_M
 from procc_annotator.interact import palette
 from procc_annotator.language import word
 from procc_annotator.metric.contours import DISAGREEMENT_LEVELS_M, OFFSIDE_ACCURACY_M
@@ -25,7 +25,7 @@ class LevelLine:
 
 
 @dataclass(frozen=True, slots=True)
-class MapLook:
+class MapStyle:
     """One kind of map.
 
     Attributes:
@@ -43,20 +43,20 @@ class MapLook:
     lines: tuple[LevelLine, ...]
 
 
-DISAGREEMENT = MapLook(
+DISAGREEMENT = MapStyle(
     word("Disagreement"),
     DISAGREEMENT_LEVELS_M,
     palette.DISAGREEMENT_COLOURS,
     palette.DISAGREEMENT_OPACITY,
     (LevelLine(OFFSIDE_ACCURACY_M, palette.LIMIT_DASH),),
 )
-UNCERTAINTY = MapLook(
+UNCERTAINTY = MapStyle(
     word("Uncertainty"),
-    (0.0, *GOOD_TO_M, math.inf),
+    (0.0, *ACCURACY_LEVELS_M, math.inf),
     palette.UNCERTAINTY_COLOURS,
     palette.UNCERTAINTY_OPACITY,
     tuple(
         LevelLine(metres, dash)
-        for metres, dash in zip(GOOD_TO_M, palette.UNCERTAINTY_DASHES, strict=True)
+        for metres, dash in zip(ACCURACY_LEVELS_M, palette.UNCERTAINTY_DASHES, strict=True)
     ),
 )

@@ -12,7 +12,7 @@ from procc_annotator.camera.base import FloatArray
 
 # SoccerNet's class of a line that nobody could name.
 UNNAMED = "Line unknown"  # not shown
-_TURNED = 3.0  # how much farther a line counts that runs across what was drawn
+_REVERSED = 3.0  # how much farther a line counts that runs across what was drawn
 
 
 def unnamed_class(annotation: FrameAnnotation) -> str:
@@ -25,7 +25,7 @@ def unnamed_class(annotation: FrameAnnotation) -> str:
     return name
 
 
-def likeliest(
+def rank_classes(
     drawn: FloatArray,
     courses: Mapping[str, Sequence[FloatArray]],
     otherwise: Iterable[str] = (),
@@ -70,7 +70,7 @@ def _distance(drawn: FloatArray, pieces: Sequence[FloatArray]) -> float:
     if len(drawn) < 2 or not course.any() or not runs.any():
         return mean
     sine = (course[0] * runs[1] - course[1] * runs[0]) / (np.hypot(*course) * np.hypot(*runs))
-    return mean * (1 + _TURNED * float(sine) ** 2)
+    return mean * (1 + _REVERSED * float(sine) ** 2)
 
 
 def _segments(piece: FloatArray) -> FloatArray:

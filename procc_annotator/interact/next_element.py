@@ -6,7 +6,7 @@ from collections.abc import Collection, Mapping, Sequence
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Element, Field
-from procc_annotator.field.neighbours import distances_from, meeting
+from procc_annotator.field.neighbours import distances_from, touching_elements
 
 # A rectangle is left for an element elsewhere that would bring so many times as much.
 _WORTH_LEAVING = 2.0
@@ -82,7 +82,7 @@ def _nearest(
     """Of some elements the one that goes best with what was finished; ``alike``: also drawn in a
     frame like this one."""
     distance = distances_from(field, (finished.name,))
-    touching = meeting(field, finished.name)
+    touching = touching_elements(field, finished.name)
 
     def rank(one: Element) -> tuple[bool, bool, bool, bool, float]:
         return (

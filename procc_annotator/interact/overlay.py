@@ -18,7 +18,7 @@ import numpy as np
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
 from procc_annotator.interact import palette as tones
-from procc_annotator.interact.hand import hand_words
+from procc_annotator.interact.hand import draft_words
 from procc_annotator.interact.overlay_findings import finding_signs, found_elements
 from procc_annotator.interact.overlay_lines import (
     ShownEllipse,
@@ -44,24 +44,24 @@ from procc_annotator.interact.overlay_points import (
     plain_marks,
 )
 from procc_annotator.interact.overlay_shapes import (
-    NO_HAND,
+    NO_DRAFT_STATE,
     Draft,
     Drawn,
-    HandSigns,
+    CursorSigns,
     Labels,
     Overlay,
     PointMarks,
     Size,
     Strokes,
 )
-from procc_annotator.interact.remembered import Remembered
-from procc_annotator.interact.verdicts import NO_POINTS, NO_VERDICTS, Verdicts, unjudged, verdicts
+from procc_annotator.interact.remembered import LastCallCache
+from procc_annotator.interact.verdicts import NO_POINTS, NO_SCORED_FRAME, ScoredFrame, unscored_projection, scored_frame
 from procc_annotator.language import tr
 from procc_annotator.metric.measure import Measurement
 from procc_annotator.metric.project import ProjectedField
 from procc_annotator.metric.score import FrameScore
 from procc_annotator.session.dataset.edits import PointRef
-from procc_annotator.session.facts.frame_check import FoundInFrame
+from procc_annotator.session.facts.frame_check import StoredFinding
 from procc_annotator.session.facts.origins import Origin, PointKey
 
 ColourBy = Literal["criterion", "class", "origin", "annotator"]
@@ -70,11 +70,11 @@ Corners = tuple[tuple[float, float], tuple[float, float]]
 P = ParamSpec("P")
 T = TypeVar("T")
 
-_NOBODYS = FrameAnnotation()
+_UNKNOWN_AUTHOR = FrameAnnotation()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class ToDraw:
+class OverlayContent:
     """What an overlay is of.
 
     Attributes:
@@ -120,7 +120,7 @@ class ToDraw:
     other: FrameAnnotation | None = None
     paint: ProjectedField | None = None
     ellipses: tuple[ShownEllipse, ...] = ()
-    found: Sequence[FoundInFrame] | None = None
+    found: Sequence[StoredFinding] | None = None
 
     @property
     def selected_class(self) -> str | None:
@@ -132,33 +132,33 @@ class OverlayBuilder:
     """Builds overlays one after the other; what is drawn for the same reason is not made again."""
 
     def __init__(self) -> None:
-        self._drawn = self._waiting = self._second = Drawn(_NOBODYS, (2, 2))
+        self._drawn = self._waiting = self._second = Drawn(_UNKNOWN_AUTHOR, (2, 2))
         self._made_of: tuple[object, ...] = ()
-        self._ellipses = Remembered(_all(ellipse_strokes))
-        self._halos = Remembered(_all(halos))
-        self._waiting_halos = Remembered(_all(halos))
-        self._second_strokes = Remembered(_all(second_strokes))
-        self._projection = Remembered(_all(projection_strokes))
-        self._paint = Remembered(_all(paint_strokes))
-        self._unconfirmed = Remembered(_all(unconfirmed_strokes))
-        self._annotated = Remembered(_annotated_strokes)
-        self._in_hand = Remembered(_strokes_in_hand)
-        self._judged = Remembered(_all(judged_marks))
-        self._plain = Remembered(_all(plain_marks))
-        self._unjudged = Remembered(_unjudged_marks)
-        self._chosen = Remembered(_chosen_marks)
-        self._landing = Remembered(_draft_marks)
-        self._signs = Remembered(finding_signs)
-        self._distances = Remembered(_distance_labels)
-        self._pointer = Remembered(_pointer_label)
+        self._ellipses = LastCallCache(_all(ellipse_strokes))
+        self._halos = LastCallCache(_all(halos))
+        self._waiting_halos = LastCallCache(_all(halos))
+        self._second_strokes = LastCallCache(_all(second_strokes))
+        self._projection = LastCallCache(_all(projection_strokes))
+        self._paint = LastCallCache(_all(paint_strokes))
+        self._unconfirmed = LastCallCache(_all(unconfirmed_strokes))
+        self._annotated = LastCallCache(_annotated_strokes)
+        self._in_hand = LastCallCache(_strokes_in_hand)
+        self._judged = LastCallCache(_all(judged_marks))
+        self._plain = LastCallCache(_all(plain_marks))
+        self._unjudged = LastCallCache(_unscored_marks)
+        self._chosen = LastCallCache(_chosen_marks)
+        self._landing = LastCallCache(_draft_marks)
+        self._signs = LastCallCache(finding_signs)
+        self._distances = LastCallCache(_distance_labels)
+        self._pointer = LastCallCache(_pointer_label)
 
-    def build(self, shown: ToDraw) -> Overlay:
+    def build(self, shown: OverlayContent) -> Overlay:
         """Draw an annotation and what a camera makes of it."""
-        verdict = NO_VERDICTS
+        verdict = NO_SCORED_FRAME
         if shown.score is not None and shown.measurement is not None and shown.with_projection:
-            verdict = verdicts(shown.measurement, shown.score, shown.picture_size)
+            verdict = scored_frame(shown.measurement, shown.score, shown.picture_size)
         elif shown.measurement is not None and shown.with_projection:
-            verdict = unjudged(shown.measurement, shown.picture_size)
+            verdict = unscored_projection(shown.measurement, shown.picture_size)
         self._draw(shown.annotation, shown.picture_size, shown.other)
         by_class = shown.colour_by != "criterion" or not verdict.by_criterion
         strokes = tuple(self._strokes(shown, verdict, by_class))
@@ -172,13 +172,13 @@ class OverlayBuilder:
         carried = self._pointer(shown.field, shown.highlight, shown.draft, shown.pointer)
         return Overlay(strokes, marks, (*labels, carried))  # what is carried above everything
 
-    def _strokes(self, shown: ToDraw, verdict: Verdicts, by_class: bool) -> Iterator[Strokes]:
+    def _strokes(self, shown: OverlayContent, verdict: ScoredFrame, by_class: bool) -> Iterator[Strokes]:
         drawn, waiting, looked_at = self._drawn, self._waiting, shown.highlight
         selected = shown.selected_class
         score, paint = (shown.score, shown.paint) if shown.with_projection else (None, None)
         yield from self._ellipses(shown.ellipses)
         yield from self._halos(drawn, verdict, looked_at, selected)
-        yield from self._waiting_halos(waiting, NO_VERDICTS, looked_at, selected)
+        yield from self._waiting_halos(waiting, NO_SCORED_FRAME, looked_at, selected)
         yield from self._second_strokes(self._second)
         yield from self._projection(verdict.projection)
         yield from self._paint(paint, score, shown.size, shown.picture_size)
@@ -187,10 +187,10 @@ class OverlayBuilder:
         goes_on = (drawn, waiting) if shown.draft is not None else ()
         yield from self._in_hand(shown.draft, goes_on, shown.field, shown.band)
 
-    def _marks(self, shown: ToDraw, verdict: Verdicts, by_class: bool) -> Iterator[PointMarks]:
+    def _marks(self, shown: OverlayContent, verdict: ScoredFrame, by_class: bool) -> Iterator[PointMarks]:
         drawn, origins, colour_by = self._drawn, shown.origins, shown.colour_by
         by_origin = origins is not None and colour_by in ("origin", "annotator")
-        yield from self._judged(drawn, NO_VERDICTS if by_origin else verdict)
+        yield from self._judged(drawn, NO_SCORED_FRAME if by_origin else verdict)
         yield from self._plain(drawn, verdict, shown.field, by_class, hidden=by_origin)
         if by_origin:  # more may be known of them meanwhile, without a sign
             yield from _by_origin(shown.annotation, shown.picture_size, origins, colour_by)
@@ -212,7 +212,7 @@ class OverlayBuilder:
         self._drawn = Drawn(annotation, size, self._drawn)
         if made_of[1:] != before[1:]:
             self._waiting = Drawn(FrameAnnotation(annotation.unconfirmed), size)
-            self._second = Drawn(other if other is not None else _NOBODYS, size)
+            self._second = Drawn(other if other is not None else _UNKNOWN_AUTHOR, size)
 
 
 def _all(make: Callable[P, Iterable[T]]) -> Callable[P, tuple[T, ...]]:
@@ -222,12 +222,12 @@ def _all(make: Callable[P, Iterable[T]]) -> Callable[P, tuple[T, ...]]:
     return made
 
 
-def _annotated_strokes(drawn: Drawn, verdict: Verdicts, field: Field | None) -> tuple[Strokes, ...]:
+def _annotated_strokes(drawn: Drawn, verdict: ScoredFrame, field: Field | None) -> tuple[Strokes, ...]:
     """Annotated lines, by class where a field is given, and how far off they are."""
     return (
         *(strokes_by_class(drawn, field) if field else strokes_by_status(drawn, verdict)),
-        Strokes(verdict.passing_whiskers, tones.PASSES, tones.WHISKER_WIDTH, layer="whisker"),
-        Strokes(verdict.failing_whiskers, tones.TOO_FAR, tones.WHISKER_WIDTH, layer="whisker"),
+        Strokes(verdict.passing_error_vectors, tones.PASSES, tones.ERROR_VECTOR_WIDTH, layer="whisker"),
+        Strokes(verdict.failing_error_vectors, tones.TOO_FAR, tones.ERROR_VECTOR_WIDTH, layer="whisker"),
     )
 
 
@@ -246,10 +246,10 @@ def _by_origin(
     )
 
 
-_NO_ORIGINS = _by_origin(_NOBODYS, (2, 2), None, "origin")
+_NO_ORIGINS = _by_origin(_UNKNOWN_AUTHOR, (2, 2), None, "origin")
 
 
-def _unjudged_marks(waiting: Drawn, second: Drawn) -> tuple[PointMarks, ...]:
+def _unscored_marks(waiting: Drawn, second: Drawn) -> tuple[PointMarks, ...]:
     return (
         PointMarks(waiting.all_points, "ring", tones.UNCONFIRMED, tones.HANDLE_SIZE),
         PointMarks(second.all_points, "ring", tones.SECOND, tones.HANDLE_SIZE - 2),
@@ -269,7 +269,7 @@ def _chosen_marks(chosen: frozenset[PointRef], drawn: Drawn, waiting: Drawn) -> 
     return PointMarks(points, "ring", tones.HALO, tones.SELECTED_POINT_SIZE)
 
 
-def _distance_labels(verdict: Verdicts, selected: str | None) -> Labels:
+def _distance_labels(verdict: ScoredFrame, selected: str | None) -> Labels:
     return Labels(*verdict.labelled(selected), tones.LABEL)
 
 
@@ -285,9 +285,9 @@ def _pointer_label(
         return Labels(NO_POINTS, (), tones.LABEL)
     text = tr(field.title_of(name))
     place = np.array([at], dtype=np.float64)
-    if draft is None or draft.hand is NO_HAND:
+    if draft is None or draft.hand is NO_DRAFT_STATE:
         return Labels(place, (text,), tones.LABEL, carried=True)
-    signs = HandSigns(draft_colour(draft, field), draft.hand.snap)
+    signs = CursorSigns(draft_colour(draft, field), draft.hand.snap)
     return Labels(
-        place, (f"{text}  {hand_words(draft.hand)}",), tones.LABEL, hand=signs, carried=True
+        place, (f"{text}  {draft_words(draft.hand)}",), tones.LABEL, hand=signs, carried=True
     )

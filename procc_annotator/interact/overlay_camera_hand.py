@@ -11,7 +11,7 @@ from procc_annotator.interact.verdicts import NO_POINTS
 Place = tuple[float, float]
 
 
-def build_camera_hand(
+def build_camera_handles(
     segments: FloatArray, pegs: FloatArray, under: tuple[Place, str] | None, *, pressed: bool
 ) -> Overlay:
     """Draw a camera that can be taken hold of.
@@ -23,17 +23,17 @@ def build_camera_hand(
         pressed: whether it is held.
     """
     strokes = (
-        Strokes(segments, tones.RIM, tones.HAND_WIDTH + 1.2, layer="wireframe"),
-        Strokes(segments, tones.HAND, tones.HAND_WIDTH, layer="wireframe"),
+        Strokes(segments, tones.OUTLINE, tones.CURSOR_WIDTH + 1.2, layer="wireframe"),
+        Strokes(segments, tones.CURSOR, tones.CURSOR_WIDTH, layer="wireframe"),
     )
     centre = NO_POINTS if under is None else np.array([under[0]])
-    size = tones.PEG_SIZE + (2.0 if pressed else 6.0)
+    size = tones.CONTROL_POINT_SIZE + (2.0 if pressed else 6.0)
     marks = (
-        PointMarks(pegs, "ring", tones.RIM, tones.PEG_SIZE + 2.5),
-        PointMarks(pegs, "ring", tones.PEG, tones.PEG_SIZE),
-        PointMarks(pegs, "dot", tones.HAND, tones.PEG_SIZE / 2),
-        PointMarks(centre, "ring", tones.RIM, size + 3.0),
-        PointMarks(centre, "ring", tones.PEG, size),
+        PointMarks(pegs, "ring", tones.OUTLINE, tones.CONTROL_POINT_SIZE + 2.5),
+        PointMarks(pegs, "ring", tones.CONTROL_POINT, tones.CONTROL_POINT_SIZE),
+        PointMarks(pegs, "dot", tones.CURSOR, tones.CONTROL_POINT_SIZE / 2),
+        PointMarks(centre, "ring", tones.OUTLINE, size + 3.0),
+        PointMarks(centre, "ring", tones.CONTROL_POINT, size),
     )
     labels = () if under is None or pressed else (Labels(centre, (under[1],), tones.LABEL),)
     return Overlay(strokes, marks, labels)

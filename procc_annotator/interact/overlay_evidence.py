@@ -10,15 +10,15 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from procc_annotator.fit.labels.seen_paint import ElementPaint, Paint
+from procc_annotator.fit.labels.seen_paint import LineEvidence, LinePresence
 from procc_annotator.interact import palette as tones
 from procc_annotator.interact.overlay_shapes import FloatArray, Strokes
 from procc_annotator.interact.verdicts import joined
 
-_ASIDE_PX = 7.0  # at 960 px width
+_OFFSET_PX = 7.0  # at 960 px width
 
 
-def evidence_strips(seen: Iterable[ElementPaint]) -> tuple[Strokes, ...]:
+def evidence_strips(seen: Iterable[LineEvidence]) -> tuple[Strokes, ...]:
     """The strips of some elements, the same groups whatever was seen.
 
     Args:
@@ -27,17 +27,17 @@ def evidence_strips(seen: Iterable[ElementPaint]) -> tuple[Strokes, ...]:
     strips = [_strip(one) for one in seen]
     found: list[Strokes] = []
     for states, colour, dash in (
-        ((Paint.UNDER,), tones.PASSES, ()),
-        ((Paint.LEFT, Paint.RIGHT), tones.NOT_ANNOTATED, tones.EVIDENCE_BESIDE_DASH),
-        ((Paint.NONE,), tones.TOO_FAR, tones.EVIDENCE_NONE_DASH),
+        ((LinePresence.UNDER,), tones.PASSES, ()),
+        ((LinePresence.LEFT, LinePresence.RIGHT), tones.NOT_ANNOTATED, tones.EVIDENCE_OFFSET_DASH),
+        ((LinePresence.NONE,), tones.TOO_FAR, tones.EVIDENCE_NONE_DASH),
     ):
         lines = joined([lines[np.isin(paint, states)] for lines, paint in strips])
-        found.append(Strokes(lines, tones.EVIDENCE_RIM, tones.EVIDENCE_WIDTH + 1.5, dash))
+        found.append(Strokes(lines, tones.EVIDENCE_OUTLINE, tones.EVIDENCE_WIDTH + 1.5, dash))
         found.append(Strokes(lines, colour, tones.EVIDENCE_WIDTH, dash))
     return tuple(found)
 
 
-def _strip(seen: ElementPaint) -> tuple[FloatArray, np.ndarray]:
+def _strip(seen: LineEvidence) -> tuple[FloatArray, np.ndarray]:
     """(n, 4) picture px of the stretches, aside; (n,) what is seen along each."""
     places, half = seen.places_px, seen.lengths_px[:, None] / 2
     along = np.gradient(places, axis=0)
@@ -48,6 +48,6 @@ def _strip(seen: ElementPaint) -> tuple[FloatArray, np.ndarray]:
     along[1:][same] = steps[same]
     along /= np.maximum(np.hypot(*along.T), 1e-9)[:, None]
     across = np.column_stack([-along[:, 1], along[:, 0]])
-    side = np.where(seen.paint == Paint.LEFT, -1.0, 1.0)[:, None] * _ASIDE_PX / seen.scale
+    side = np.where(seen.paint == LinePresence.LEFT, -1.0, 1.0)[:, None] * _OFFSET_PX / seen.scale
     middle = places + side * across
     return np.concatenate([middle - half * along, middle + half * along], axis=1), seen.paint

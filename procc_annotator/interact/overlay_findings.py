@@ -18,7 +18,7 @@ from procc_annotator.interact.overlay_shapes import (
 )
 from procc_annotator.interact.verdicts import NO_POINTS
 from procc_annotator.language import tr
-from procc_annotator.session.facts.frame_check import FoundInFrame
+from procc_annotator.session.facts.frame_check import StoredFinding
 
 _Place = tuple[str, int]
 _NO_RING = PointMarks(NO_POINTS, "ring", tones.FINDING, tones.BAD_POINT_SIZE)
@@ -28,7 +28,7 @@ _NO_LABELS = tuple(
 
 
 def finding_signs(
-    found: Sequence[FoundInFrame],
+    found: Sequence[StoredFinding],
     annotation: FrameAnnotation,
     picture_size: Size,
     field: Field,
@@ -77,14 +77,14 @@ def finding_signs(
     return ring, tuple(labels)
 
 
-def found_elements(found: Sequence[FoundInFrame], annotation: FrameAnnotation) -> FrameAnnotation:
+def found_elements(found: Sequence[StoredFinding], annotation: FrameAnnotation) -> FrameAnnotation:
     """Only the elements that something was found at: others may change, the signs stay."""
     names = {name for one in found for name, _ in one.places}
     return FrameAnnotation(tuple([p for p in annotation.polylines if p.class_name in names]))
 
 
 def _bad_points(
-    found: Sequence[FoundInFrame], annotation: FrameAnnotation, picture_size: Size
+    found: Sequence[StoredFinding], annotation: FrameAnnotation, picture_size: Size
 ) -> FloatArray:
     """Points that are wrong by themselves, (N, 2) picture px."""
     places = dict.fromkeys(f.places[0] for f in found if f.finding.point is not None and f.places)

@@ -12,7 +12,7 @@ import numpy as np
 
 from procc_annotator.fit.predict.ghosts import Ghost, GhostPiece
 from procc_annotator.interact import palette as tones
-from procc_annotator.interact.hit import feet_on_segments
+from procc_annotator.interact.hit import closest_on_segments
 from procc_annotator.interact.overlay_shapes import (
     FilledArea,
     FloatArray,
@@ -22,7 +22,7 @@ from procc_annotator.interact.overlay_shapes import (
     Strokes,
 )
 from procc_annotator.interact.verdicts import NO_POINTS, joined
-from procc_annotator.metric.course import lengths_along, normals_of
+from procc_annotator.metric.course import arc_lengths, polyline_normals
 
 # A chord this long stays within 0.1 px of any curve of a field that bends around 20 px or more.
 _SPACING_PX = 4.0
@@ -72,7 +72,7 @@ def with_next(
         size: (width, height) px of the picture.
     """
     centre = np.clip(np.array([at]), 0.0, np.array(size) - 1.0)
-    rim = PointMarks(centre, "ring", tones.GHOST_RIM, tones.NEXT_SIZE + 3.0)
+    rim = PointMarks(centre, "ring", tones.GHOST_OUTLINE, tones.NEXT_SIZE + 3.0)
     ring = PointMarks(centre, "ring", tones.GHOST, tones.NEXT_SIZE)
     said = Labels(centre, (label,), tones.LABEL)
     return replace(overlay, marks=(*overlay.marks, rim, ring), labels=(*overlay.labels, said))
@@ -93,7 +93,7 @@ def nearest_ghost(
     for ghost in ghosts:
         for piece in ghost.pieces:
             course = piece.points_px
-            feet = feet_on_segments(course[:-1], course[1:], np.array(position))
+            feet = closest_on_segments(course[:-1], course[1:], np.array(position))
             distance = float(np.hypot(*(feet - position).T).min())
             if distance <= best:
                 best, found = distance, ghost.name
@@ -104,7 +104,7 @@ def _thinned(ghost: Ghost) -> list[GhostPiece]:
     """The pieces with points at least `_SPACING_PX` apart: painting costs by the point."""
     thinned = []
     for piece in ghost.pieces:
-        along = lengths_along(piece.points_px)
+        along = arc_lengths(piece.points_px)
         wanted = np.arange(0.0, along[-1], _SPACING_PX)
         rows = np.unique([*np.searchsorted(along, wanted), len(along) - 1])
         if len(rows) >= 2:
@@ -118,7 +118,7 @@ def _segments(pieces: Iterable[GhostPiece]) -> FloatArray:
 
 
 def _strokes(lines: FloatArray, width: float, tone: str) -> Iterable[Strokes]:
-    yield Strokes(lines, tones.GHOST_RIM, width + 1.4, layer="ghost")
+    yield Strokes(lines, tones.GHOST_OUTLINE, width + 1.4, layer="ghost")
     yield Strokes(lines, tone, width, tones.GHOST_DASH, "ghost")
 
 
@@ -129,7 +129,7 @@ def _bands(pieces: Iterable[GhostPiece], opacity: float, tone: str) -> Iterable[
 
 def _band(piece: GhostPiece) -> FloatArray:
     """The outline of everywhere within `BAND_SDS` of a curve, (2 n, 2) picture px."""
-    aside = normals_of(piece.points_px) * (BAND_SDS * piece.sd_px)[:, None]
+    aside = polyline_normals(piece.points_px) * (BAND_SDS * piece.sd_px)[:, None]
     return np.concatenate((piece.points_px + aside, (piece.points_px - aside)[::-1]))
 
 

@@ -10,8 +10,8 @@ from functools import lru_cache
 import numpy as np
 
 from procc_annotator.field.model import Field
-from procc_annotator.field.paint import painted_class
-from procc_annotator.fit.projected_ellipse import PictureEllipse
+from procc_annotator.field.paint import class_of_border
+from procc_annotator.fit.projected_ellipse import ErrorEllipse
 from procc_annotator.interact import palette as tones
 from procc_annotator.interact.overlay_shapes import (
     NO_LINE,
@@ -25,9 +25,9 @@ from procc_annotator.interact.overlay_shapes import (
 )
 from procc_annotator.interact.verdicts import (
     NO_SEGMENTS,
-    UNJUDGED,
-    ProjectionVerdicts,
-    Verdicts,
+    UNSCORED,
+    ScoredProjection,
+    ScoredFrame,
     joined,
     segments_by_element,
 )
@@ -36,7 +36,7 @@ from procc_annotator.metric.score import FrameScore
 
 _PROJECTED = ("not_annotated", "tp", "too_far")
 _ANNOTATED = ("tp", "too_far", "missed")
-_ELLIPSE_WIDTH, _ELLIPSE_RIM_WIDTH, _ELLIPSE_RIM = 1.4, 3.0, "#101010"
+_ELLIPSE_WIDTH, _ELLIPSE_OUTLINE_WIDTH, _ELLIPSE_OUTLINE = 1.4, 3.0, "#101010"
 _ELLIPSE_DASH = (4.0, 2.5)
 _SMALLEST_ELLIPSE_PX = 1.0  # picture px; below that the place is as good as known
 
@@ -47,11 +47,11 @@ class ShownEllipse:
 
     name: str
     colour: str
-    ellipse: PictureEllipse
+    ellipse: ErrorEllipse
 
 
 def halos(
-    drawn: Drawn, verdict: Verdicts, highlight: str | None, selected: str | None
+    drawn: Drawn, verdict: ScoredFrame, highlight: str | None, selected: str | None
 ) -> Iterable[Strokes]:
     """What lies under the lines of the hovered and the selected element.
 
@@ -62,14 +62,14 @@ def halos(
         (verdict.projection_of(highlight), tones.PROJECTION_WIDTH),
         (drawn.segments(highlight), tones.ANNOTATION_WIDTH),
     ):
-        yield Strokes(segments, tones.RIM, width + 3.5, layer="highlight")
+        yield Strokes(segments, tones.OUTLINE, width + 3.5, layer="highlight")
         yield Strokes(segments, tones.HALO, width + 2.0, layer="highlight")
     alone = NO_SEGMENTS if selected in drawn else verdict.projection_of(selected)
     for segments, width in (
         (alone, tones.PROJECTION_WIDTH),
         (drawn.segments(selected), tones.ANNOTATION_WIDTH),
     ):
-        yield Strokes(segments, tones.RIM, width + 5.5, layer="selection")
+        yield Strokes(segments, tones.OUTLINE, width + 5.5, layer="selection")
         yield Strokes(segments, tones.HALO, width + 3.5, layer="selection")
 
 
@@ -83,7 +83,7 @@ def unconfirmed_strokes(waiting: Drawn) -> Iterable[Strokes]:
 def second_strokes(second: Drawn) -> Iterable[Strokes]:
     """What the second annotator clicked."""
     width = tones.PROJECTION_WIDTH
-    yield Strokes(second.all_segments, tones.RIM, width + 2.0, layer="second")
+    yield Strokes(second.all_segments, tones.OUTLINE, width + 2.0, layer="second")
     yield Strokes(second.all_segments, tones.SECOND, width, layer="second")
 
 
@@ -95,11 +95,11 @@ def band_strokes(
     if band is not None:
         (x0, y0), (x1, y1) = band
         lines = np.array([[x0, y0, x1, y0], [x1, y0, x1, y1], [x1, y1, x0, y1], [x0, y1, x0, y0]])
-    yield Strokes(lines, tones.RIM, tones.WHISKER_WIDTH + 2, layer="band")
-    yield Strokes(lines, tones.HALO, tones.WHISKER_WIDTH, tones.CURSOR_LINE_DASH, "band")
+    yield Strokes(lines, tones.OUTLINE, tones.ERROR_VECTOR_WIDTH + 2, layer="band")
+    yield Strokes(lines, tones.HALO, tones.ERROR_VECTOR_WIDTH, tones.CURSOR_LINE_DASH, "band")
 
 
-def projection_strokes(projection: ProjectionVerdicts) -> Iterable[Strokes]:
+def projection_strokes(projection: ScoredProjection) -> Iterable[Strokes]:
     """The projected field by verdict."""
     for status in _PROJECTED:
         yield Strokes(
@@ -110,11 +110,11 @@ def projection_strokes(projection: ProjectionVerdicts) -> Iterable[Strokes]:
             tones.STATUS_DASHES[status],
             "projection",
         )
-    unjudged = projection.by_status.get(UNJUDGED, NO_SEGMENTS)
+    unjudged = projection.by_status.get(UNSCORED, NO_SEGMENTS)
     yield Strokes(unjudged, tones.UNKNOWN_CLASS, tones.PROJECTION_WIDTH, (), "projection")
 
 
-def strokes_by_status(drawn: Drawn, verdict: Verdicts) -> Iterable[Strokes]:
+def strokes_by_status(drawn: Drawn, verdict: ScoredFrame) -> Iterable[Strokes]:
     """Annotated polylines in the colours of the criterion."""
     for status in _ANNOTATED:
         parts = [drawn.segments(n) for n in drawn.names() if verdict.status.get(n) == status]
@@ -158,12 +158,12 @@ def draft_strokes(draft: Draft | None, drawn: Sequence[Drawn], field: Field) -> 
         ends = (group.points(draft.class_name)[-1:] for group in drawn)
         points = np.concatenate((*ends, points))
     lines = np.concatenate((points[:-1], points[1:]), axis=1)
-    yield Strokes(lines, tones.RIM, tones.ANNOTATION_WIDTH + 2, layer="draft")
+    yield Strokes(lines, tones.OUTLINE, tones.ANNOTATION_WIDTH + 2, layer="draft")
     yield Strokes(lines, colour, tones.ANNOTATION_WIDTH, layer="draft")
     band = NO_SEGMENTS
     if draft is not None and draft.cursor is not None and len(points):
         band = np.array([[*points[-1], *draft.cursor]])
-    yield Strokes(band, colour, tones.WHISKER_WIDTH, tones.CURSOR_LINE_DASH, "draft")
+    yield Strokes(band, colour, tones.ERROR_VECTOR_WIDTH, tones.CURSOR_LINE_DASH, "draft")
 
 
 def draft_points(draft: Draft | None) -> FloatArray:
@@ -197,11 +197,11 @@ def paint_strokes(
     found: dict[str, list[FloatArray]] = {}
     if paint is not None:
         for border, segments in segments_by_element(paint, size, picture_size).items():
-            known = status.get(painted_class(border), "")
+            known = status.get(class_of_border(border), "")
             found.setdefault(known if known in _PROJECTED else "", []).append(segments)
     for key in (*_PROJECTED, ""):
         colour = tones.STATUS_COLOURS[key] if key else tones.UNKNOWN_CLASS
-        yield Strokes(joined(found.get(key, [])), colour, tones.PAINT_WIDTH, layer="paint")
+        yield Strokes(joined(found.get(key, [])), colour, tones.LINE_MARKING_WIDTH, layer="paint")
 
 
 def build_wireframes(
@@ -221,7 +221,7 @@ def build_wireframes(
     for projected, colour in shown:
         segments = joined(list(segments_by_element(projected, size, picture_size).values()))
         rim = tones.WIREFRAME_WIDTH + 1.0
-        strokes.append(Strokes(segments, tones.RIM, rim, layer="wireframe"))
+        strokes.append(Strokes(segments, tones.OUTLINE, rim, layer="wireframe"))
         strokes.append(Strokes(segments, colour, tones.WIREFRAME_WIDTH, layer="wireframe"))
     return Overlay(tuple(strokes), (), ())
 
@@ -232,5 +232,5 @@ def ellipse_strokes(ellipses: Sequence[ShownEllipse]) -> Iterable[Strokes]:
         if one.ellipse.semi_axes_px[0] >= _SMALLEST_ELLIPSE_PX:
             outline = one.ellipse.outline()
             segments = np.hstack((outline[:-1], outline[1:]))
-            yield Strokes(segments, _ELLIPSE_RIM, _ELLIPSE_RIM_WIDTH)
+            yield Strokes(segments, _ELLIPSE_OUTLINE, _ELLIPSE_OUTLINE_WIDTH)
             yield Strokes(segments, one.colour, _ELLIPSE_WIDTH, _ELLIPSE_DASH)

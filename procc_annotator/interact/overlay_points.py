@@ -20,12 +20,12 @@ from procc_annotator.interact.overlay_shapes import (
     Size,
     joined_points,
 )
-from procc_annotator.interact.verdicts import NO_POINTS, Verdicts
+from procc_annotator.interact.verdicts import NO_POINTS, ScoredFrame
 from procc_annotator.session.dataset.edits import PointRef
 from procc_annotator.session.facts.origins import Origin, OriginKind, PointKey
 
 
-def judged_marks(drawn: Drawn, verdict: Verdicts) -> Iterable[PointMarks]:
+def judged_marks(drawn: Drawn, verdict: ScoredFrame) -> Iterable[PointMarks]:
     """Points by verdict: their shapes tell them apart without colour."""
     size = tones.HANDLE_SIZE
     missed = [drawn.points(n) for n in drawn.names() if verdict.status.get(n) == "missed"]
@@ -35,7 +35,7 @@ def judged_marks(drawn: Drawn, verdict: Verdicts) -> Iterable[PointMarks]:
 
 
 def plain_marks(
-    drawn: Drawn, verdict: Verdicts, field: Field, by_class: bool, *, hidden: bool
+    drawn: Drawn, verdict: ScoredFrame, field: Field, by_class: bool, *, hidden: bool
 ) -> Iterable[PointMarks]:
     """Points without a verdict, as handles in the colour of their lines."""
     rest = [] if hidden else [n for n in drawn.names() if n not in verdict.status]

@@ -60,7 +60,7 @@ Snap = Literal["off", "none", "found", ""]
 
 
 @dataclass(frozen=True, slots=True)
-class HandSigns:
+class CursorSigns:
     """Signs at the cursor: the colour of the class that is drawn, and what snapping does."""
 
     colour: str
@@ -68,7 +68,7 @@ class HandSigns:
 
 
 @dataclass(frozen=True, slots=True)
-class Hand:
+class DraftState:
     """How far what is drawn has come: its points, how many are missing until it is whole, and what
     snapping does with the next one."""
 
@@ -77,7 +77,7 @@ class Hand:
     snap: Snap = ""
 
 
-NO_HAND = Hand()
+NO_DRAFT_STATE = DraftState()
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,7 +94,7 @@ class Labels:
     colour: str
     sign: str = ""
     below: bool = False
-    hand: HandSigns | None = None
+    hand: CursorSigns | None = None
     carried: bool = False
 
 
@@ -127,7 +127,7 @@ class Overlay:
         return tuple([m for m in self.marks if m.box is not None])
 
 
-NOTHING = Overlay((), (), ())
+EMPTY_OVERLAY = Overlay((), (), ())
 
 
 @dataclass(frozen=True)
@@ -138,7 +138,7 @@ class Draft:
     points: tuple[tuple[float, float], ...]
     cursor: tuple[float, float] | None = None
     landing: tuple[float, float] | None = None
-    hand: Hand = NO_HAND
+    hand: DraftState = NO_DRAFT_STATE
 
 
 @dataclass(frozen=True, eq=False)

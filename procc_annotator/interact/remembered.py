@@ -9,7 +9,7 @@ P = ParamSpec("P")
 T = TypeVar("T")
 
 
-class Remembered(Generic[P, T]):
+class LastCallCache(Generic[P, T]):
     """Gives the very same result for the same arguments as the last time.
 
     Arguments are compared as members of a tuple are: the same object, or an equal one. Arrays must

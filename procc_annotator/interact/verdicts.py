@@ -19,7 +19,7 @@ FloatArray = NDArray[np.float64]
 BoolArray = NDArray[np.bool_]
 Size = tuple[int, int]
 
-UNJUDGED = "unjudged"
+UNSCORED = "unjudged"
 _SPOT_ARM = 0.006  # of the picture's width
 
 NO_SEGMENTS: FloatArray = np.empty((0, 4))
@@ -29,12 +29,12 @@ NO_POINTS.setflags(write=False)
 
 
 @dataclass(frozen=True, eq=False)
-class ProjectionVerdicts:
+class ScoredProjection:
     """The criterion on projected elements; the very same one while no verdict becomes another.
 
     Attributes:
         by_element: element -> its visible segments, (N, 4) picture px.
-        by_status: verdict -> the segments of all its elements; `UNJUDGED` -> those of optional
+        by_status: verdict -> the segments of all its elements; `UNSCORED` -> those of optional
             elements that nobody annotated.
     """
 
@@ -43,7 +43,7 @@ class ProjectionVerdicts:
 
 
 @dataclass(frozen=True, eq=False)
-class Verdicts:
+class ScoredFrame:
     """The criterion on annotated points and projected elements.
 
     n points belong to a class that is annotated and projected. Where mirrored labels count, a class
@@ -64,7 +64,7 @@ class Verdicts:
 
     status: Mapping[str, str]
     shown_as: dict[str, str]
-    projection: ProjectionVerdicts
+    projection: ScoredProjection
     points: FloatArray
     feet: FloatArray
     distances: FloatArray
@@ -96,12 +96,12 @@ class Verdicts:
         return self.points[~self.passes]
 
     @cached_property
-    def passing_whiskers(self) -> FloatArray:
+    def passing_error_vectors(self) -> FloatArray:
         """From each passing point to the projection, (N, 4) picture px."""
         return self._whiskers(self.passes)
 
     @cached_property
-    def failing_whiskers(self) -> FloatArray:
+    def failing_error_vectors(self) -> FloatArray:
         """From each failing point to the projection, if that has a nearest position."""
         return self._whiskers(~self.passes)
 
@@ -120,10 +120,10 @@ class Verdicts:
         return self.points[rows], texts
 
 
-NO_VERDICTS = Verdicts(
+NO_SCORED_FRAME = ScoredFrame(
     {},
     {},
-    ProjectionVerdicts({}, {}),
+    ScoredProjection({}, {}),
     NO_POINTS,
     NO_POINTS,
     np.empty(0),
@@ -133,7 +133,7 @@ NO_VERDICTS = Verdicts(
 
 
 @lru_cache(maxsize=4)  # two sides of a split view, and what they showed before
-def verdicts(measurement: Measurement, score: FrameScore, picture_size: Size) -> Verdicts:
+def scored_frame(measurement: Measurement, score: FrameScore, picture_size: Size) -> ScoredFrame:
     """Turn a score of a measurement into what is painted.
 
     Args:
@@ -152,12 +152,12 @@ def verdicts(measurement: Measurement, score: FrameScore, picture_size: Size) ->
         labels.annotated_names, labels.point_counts, labels.projected, strict=True
     ):
         owners += [name] * (count if seen else 0)
-    return Verdicts(
+    return ScoredFrame(
         status,
         shown_as,
         _projection(measurement.projected, measurement.setup.size, picture_size, verdict_of),
         measurement.points_px[hit] * factor,
-        _feet(measurement, labels) * factor,
+        _closest_points(measurement, labels) * factor,
         labels.all_distances,
         labels.all_distances < score.threshold,  # NaN never passes, as in the score
         tuple(owners),
@@ -166,18 +166,18 @@ def verdicts(measurement: Measurement, score: FrameScore, picture_size: Size) ->
 
 
 @lru_cache(maxsize=4)
-def unjudged(measurement: Measurement, picture_size: Size) -> Verdicts:
+def unscored_projection(measurement: Measurement, picture_size: Size) -> ScoredFrame:
     """The projected elements of a frame without a score."""
     shown = measurement.projected
     status = tuple([(name, "not_annotated") for name in shown.names])
     projection = _projection(shown, measurement.setup.size, picture_size, status)
-    return replace(NO_VERDICTS, projection=projection)
+    return replace(NO_SCORED_FRAME, projection=projection)
 
 
 @lru_cache(maxsize=4)
 def _projection(
     projected: ProjectedField, size: Size, picture_size: Size, status: tuple[tuple[str, str], ...]
-) -> ProjectionVerdicts:
+) -> ScoredProjection:
     by_element = segments_by_element(projected, size, picture_size)
     by_status: dict[str, list[FloatArray]] = {}
     for name, verdict in status:
@@ -186,8 +186,8 @@ def _projection(
     judged = {name for name, _ in status}
     for name, segments in by_element.items():
         if name not in judged:
-            by_status.setdefault(UNJUDGED, []).append(segments)
-    return ProjectionVerdicts(by_element, {key: joined(p) for key, p in by_status.items()})
+            by_status.setdefault(UNSCORED, []).append(segments)
+    return ScoredProjection(by_element, {key: joined(p) for key, p in by_status.items()})
 
 
 def joined(parts: list[FloatArray]) -> FloatArray:
@@ -196,7 +196,7 @@ def joined(parts: list[FloatArray]) -> FloatArray:
 
 
 @lru_cache(maxsize=4)
-def _feet(measurement: Measurement, labelling: Labelling) -> FloatArray:
+def _closest_points(measurement: Measurement, labelling: Labelling) -> FloatArray:
     """(n, 2) px of the evaluation size; kept while only the threshold changes."""
     parts = [feet for feet in nearest_points(measurement, labelling) if feet is not None]
     return np.concatenate(parts) if parts else NO_POINTS

@@ -9,11 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.camera.pinhole import PinholeCamera
-from procc_annotator.field.distinct_places import distinct_places
+from procc_annotator.field.distinct_places import distinctive_points
 from procc_annotator.field.model import Element, Field
-from procc_annotator.field.sample import sample_every
-from procc_annotator.fit.predict.sight import Stretch, stretches_in_sight
-from procc_annotator.interact.hit import FloatArray, feet_on_segments
+from procc_annotator.field.sample import sample_evenly
+from procc_annotator.fit.predict.sight import VisibleStretch, visible_stretches
+from procc_annotator.interact.hit import FloatArray, closest_on_segments
 from procc_annotator.interact.verdicts import NO_POINTS
 
 Vector = tuple[float, float, float]
@@ -22,7 +22,7 @@ _CHORD_M = 0.5
 
 
 @dataclass(frozen=True, slots=True)
-class WirePlace:
+class WireframePoint:
     """A place of a wireframe.
 
     Attributes:
@@ -52,12 +52,12 @@ class Wireframe:
     """
 
     camera: PinholeCamera
-    stretches: tuple[Stretch, ...]
+    stretches: tuple[VisibleStretch, ...]
     names: tuple[str, ...]
     places: FloatArray
     px: FloatArray
 
-    def at(self, position: tuple[float, float], reach_px: float) -> WirePlace | None:
+    def at(self, position: tuple[float, float], reach_px: float) -> WireframePoint | None:
         """The distinct place that is nearest, if one is within reach, else the nearest of a line.
 
         Args:
@@ -69,14 +69,14 @@ class Wireframe:
             best = int(away.argmin())
             if away[best] <= reach_px:
                 x, y = self.px[best].tolist()
-                return WirePlace(self.names[best], _vector(self.places[best]), (x, y), None)
+                return WireframePoint(self.names[best], _vector(self.places[best]), (x, y), None)
         return self._on_line(position, reach_px)
 
-    def _on_line(self, position: tuple[float, float], reach_px: float) -> WirePlace | None:
+    def _on_line(self, position: tuple[float, float], reach_px: float) -> WireframePoint | None:
         nearest, found = reach_px, None
         for stretch in self.stretches:
             course = stretch.points_px
-            feet = feet_on_segments(course[:-1], course[1:], np.array(position))
+            feet = closest_on_segments(course[:-1], course[1:], np.array(position))
             away = np.hypot(*(feet - position).T)
             row = int(away.argmin())
             if away[row] <= nearest:
@@ -90,7 +90,7 @@ class Wireframe:
         world = before + share * (after - before)
         along = (after - before) / max(float(np.linalg.norm(after - before)), 1e-12)
         x, y = self.camera.project(world[None])[0][0].tolist()
-        return WirePlace(stretch.name, _vector(world), (x, y), _vector(along))
+        return WireframePoint(stretch.name, _vector(world), (x, y), _vector(along))
 
 
 def wireframe_of(camera: PinholeCamera, field: Field, size: tuple[int, int]) -> Wireframe:
@@ -101,7 +101,7 @@ def wireframe_of(camera: PinholeCamera, field: Field, size: tuple[int, int]) -> 
         field: the elements.
         size: (width, height) px.
     """
-    names, places = distinct_places(field.elements)
+    names, places = distinctive_points(field.elements)
     px, inside = NO_POINTS, np.zeros(len(places), dtype=bool)
     if len(places):
         px, shown = camera.project(places)
@@ -109,7 +109,7 @@ def wireframe_of(camera: PinholeCamera, field: Field, size: tuple[int, int]) -> 
     rows = np.flatnonzero(inside)
     return Wireframe(
         camera,
-        stretches_in_sight(field, camera, size),
+        visible_stretches(field, camera, size),
         tuple(names[row] for row in rows.tolist()),
         places[rows],
         px[rows],
@@ -133,7 +133,7 @@ def segments_in_sight(camera: PinholeCamera, field: Field, size: tuple[int, int]
 @lru_cache(maxsize=16)
 def _chords(elements: tuple[Element, ...]) -> tuple[FloatArray, NDArray[np.bool_]]:
     """(n, 3) metres along all elements, and (n - 1,) whether a place follows the one before it."""
-    samples = sample_every(Field("", "", (), elements), _CHORD_M)
+    samples = sample_evenly(Field("", "", (), elements), _CHORD_M)
     follows = np.ones(max(len(samples.points_world) - 1, 0), dtype=bool)
     follows[samples.offsets[1:-1] - 1] = False
     return samples.points_world, follows

@@ -59,12 +59,12 @@ def write_atomic(
         SaveError: anything failed, the file is write-protected or lies outside ``inside``; the old
             file is intact and the temporary one is removed.
     """
-    with replacing(path, inside=inside, look_again=look_again) as stream:
+    with open_replacing(path, inside=inside, look_again=look_again) as stream:
         stream.write(data)
 
 
 @contextmanager
-def replacing(
+def open_replacing(
     path: Path,
     *,
     inside: Path | None = None,
@@ -157,7 +157,7 @@ def _is_stale(entry: os.DirEntry[str], old: float) -> bool:
         return try_lock(file.fileno())
 
 
-def name_beside(path: Path, before: str, after: str) -> Path:
+def sibling_path(path: Path, before: str, after: str) -> Path:
     """A path beside another one whose name is made from its name, cut if it gets too long."""
     name = os.fsencode(path.name)
     if len(os.fsencode(before)) + len(name) + len(os.fsencode(after)) > _LONGEST_NAME:

@@ -21,7 +21,7 @@ from procc_annotator.io.frame_names import (
 )
 from procc_annotator.io.landmark_file import LANDMARKS_FILE
 from procc_annotator.io.source import FileSource
-from procc_annotator.io.strays import stray_notices, strays_among
+from procc_annotator.io.strays import other_json_notices, other_json_among
 
 CAMERA_PREFIX = "camera_"
 _ENDING = ".json"
@@ -95,7 +95,7 @@ class AnnotationFiles(FrameTable[str]):
         return found
 
 
-def told_by_trees(lists: Sequence[AnnotationFiles]) -> list[AnnotationFiles]:
+def qualify_by_folder(lists: Sequence[AnnotationFiles]) -> list[AnnotationFiles]:
     """The same lists of several annotators, in each of which frames are called by their paths where
     they lie in an only folder that the tree of another has."""
     return [own.by_path() if any(map(own.is_part_of, lists)) else own for own in lists]
@@ -110,15 +110,15 @@ def list_annotations(source: FileSource) -> AnnotationFiles:
         InputError: two files claim to be the annotation of the same frame.
     """
     found = list_frame_files(source)
-    strays = strays_among(source, found)
+    strays = other_json_among(source, found)
     for frame in strays:
         del found[frame]
     if strays and not found and not found.in_tree:  # a table of the matches at the top of a tree
         deeper = _frame_files(source, source.tree(), in_tree=True)
-        for frame in strays_among(source, deeper):
+        for frame in other_json_among(source, deeper):
             deeper.pop(frame)
         found = deeper or found
-    found.notices = (*source.notices, *stray_notices(strays))
+    found.notices = (*source.notices, *other_json_notices(strays))
     return found
 
 
@@ -128,14 +128,14 @@ def list_frame_files(source: FileSource) -> AnnotationFiles:
 
 
 def _frame_files(source: FileSource, names: Sequence[str], in_tree: bool) -> AnnotationFiles:
-    found = AnnotationFiles(_told_apart(_called(tuple(names), in_tree), source))
+    found = AnnotationFiles(_unique_by_frame(_names_in_tree(tuple(names), in_tree), source))
     found.in_tree = in_tree
     found.only_folder = "" if in_tree else _only_folder(names)
     return found
 
 
 @lru_cache(maxsize=4)
-def _called(names: tuple[str, ...], in_tree: bool) -> tuple[tuple[str, str], ...]:
+def _names_in_tree(names: tuple[str, ...], in_tree: bool) -> tuple[tuple[str, str], ...]:
     """The frames of files, and these; a command lists the same folders several times."""
     return tuple(
         (frame_in_tree(name, ANNOTATIONS_FOLDER) if in_tree else splitext(file)[0], name)
@@ -170,14 +170,14 @@ def list_cameras(source: FileSource, fmt: str = "auto") -> CameraFiles:
     json = [one for one in called if splitext(one[1])[1].lower() in _JSON]
     named = [one for one in json if _file_of(one[1]).startswith(CAMERA_PREFIX)]
     plain = [one for one in json if not _file_of(one[1]).startswith(CAMERA_PREFIX)]
-    others = _told_apart((c for c in called if splitext(c[1])[1].lower() not in _JSON), source)
+    others = _unique_by_frame((c for c in called if splitext(c[1])[1].lower() not in _JSON), source)
     passed_over: list[str] = []
     if named or any(frame in others for frame, _ in plain):
         if named:
             frames = {frame for frame, _ in named} | others.keys()
             passed_over = [name for frame, name in plain if frame not in frames]
         plain = []
-    cameras = _told_apart((*named, *plain), source)
+    cameras = _unique_by_frame((*named, *plain), source)
     chosen = others | cameras
     # Both lists are in natural order; one pass over all files restores it for their union.
     order = dict(called)
@@ -236,7 +236,7 @@ def _file_of(name: str) -> str:
     return name.rpartition("/")[2]
 
 
-def _told_apart(called: Iterable[tuple[str, str]], source: FileSource) -> dict[str, str]:
+def _unique_by_frame(called: Iterable[tuple[str, str]], source: FileSource) -> dict[str, str]:
     """Frame -> file. Raises InputError for a second file of one frame."""
     found: dict[str, str] = {}
     for frame, name in called:

@@ -9,22 +9,22 @@ from pathlib import Path
 
 from procc_annotator.errors import InputError
 from procc_annotator.io.source import read_file
-from procc_annotator.words import count_of
+from procc_annotator.words import count_words
 
 _FORMULA_STARTS = ("=", "+", "-", "@", "\t", "\r")
 
 
-def no_formula(text: str) -> str:
+def escape_formula(text: str) -> str:
     """Text that a spreadsheet would run as a formula gets a leading apostrophe.
 
-    So does text that looks as if it had got one, or `formula_text` could not tell them apart.
+    So does text that looks as if it had got one, or `unescape_formula` could not tell them apart.
     """
     return f"'{text}" if text.lstrip("'").startswith(_FORMULA_STARTS) else text
 
 
-def formula_text(cell: str) -> str:
-    """The text that `no_formula` made a cell of."""
-    return cell[1:] if cell[:1] == "'" and no_formula(cell) != cell else cell
+def unescape_formula(cell: str) -> str:
+    """The text that `escape_formula` made a cell of."""
+    return cell[1:] if cell[:1] == "'" and escape_formula(cell) != cell else cell
 
 
 def csv_cells(path: Path) -> list[tuple[int, list[str]]]:
@@ -73,9 +73,9 @@ def read_table(
     found = []
     for line, cells in rows:
         if len(cells) != len(names):
-            has = f"has {count_of(len(cells), 'cell')}, expected {len(names)} as in the header"
+            has = f"has {count_words(len(cells), 'cell')}, expected {len(names)} as in the header"
             raise InputError(path, has, place=f"line {line}")
-        texts = (formula_text(cell.strip()) for cell in cells)
+        texts = (unescape_formula(cell.strip()) for cell in cells)
         found.append((line, dict(zip(names, texts, strict=True))))
     return names, found
 

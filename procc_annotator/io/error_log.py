@@ -34,7 +34,7 @@ def one_line(error: BaseException) -> str:
     return traceback.format_exception_only(error)[-1].strip().split("\n", 1)[0]
 
 
-def install(report: Report) -> None:
+def install_handlers(report: Report) -> None:
     """Log every exception that nothing handles, in any thread, and hand it to ``report``.
 
     What is logged: versions, the platform, the traceback with its message; no values of variables.
@@ -64,7 +64,7 @@ def install(report: Report) -> None:
     sys.unraisablehook = lambda args: hook(type(args.exc_value), args.exc_value, args.exc_traceback)
 
 
-def note(text: str) -> None:
+def log_line(text: str) -> None:
     """Log a line that nobody needs to see now."""
     logging.getLogger(_NAME).warning(text)
 

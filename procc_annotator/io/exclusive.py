@@ -13,14 +13,14 @@ from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 
 from procc_annotator.errors import SaveError
-from procc_annotator.io.atomic import name_beside
+from procc_annotator.io.atomic import sibling_path
 from procc_annotator.io.file_lock import try_lock
 
 _TRY_EVERY_S = 0.05
 
 
 @contextmanager
-def exclusive(path: Path, *, timeout_s: float = 60.0) -> Iterator[None]:
+def exclusive_lock(path: Path, *, timeout_s: float = 60.0) -> Iterator[None]:
     """Keep every other process that asks for the same path waiting.
 
     Args:
@@ -31,7 +31,7 @@ def exclusive(path: Path, *, timeout_s: float = 60.0) -> Iterator[None]:
         SaveError: another process has it all that time, or the folder cannot be written or locked.
     """
     target = Path(os.path.realpath(path))
-    lock = name_beside(target, ".", ".lock")
+    lock = sibling_path(target, ".", ".lock")
     try:
         descriptor = _acquire(lock, time.monotonic() + timeout_s)
     except TimeoutError as error:

@@ -47,7 +47,7 @@ def walk(
     while waiting:
         folder = waiting.pop()
         if folder.count("/") > DEEPEST:
-            raise too_deep(root)
+            raise too_deep_message(root)
         try:
             names, folders = entries(root / folder)
         except InputError as error:
@@ -67,7 +67,7 @@ def walk(
         waiting += (name for name in inner if not os.path.islink(root / name.rstrip("/")))
 
 
-def too_deep(path: Path) -> InputError:
+def too_deep_message(path: Path) -> InputError:
     """What is said of a tree with folders deeper than `DEEPEST`."""
     return InputError(
         path, f"holds folders more than {DEEPEST} deep", advice="name a folder further down"
@@ -104,7 +104,7 @@ def _named_like_file(name: str) -> bool:
     return PurePosixPath(name).suffix.lower() in _FILE_SUFFIXES
 
 
-def counts(name: str) -> bool:
+def is_listed(name: str) -> bool:
     """Whether a file or folder of this name, in an archive, is one to be listed."""
     parts = PurePosixPath(name).parts
     return (

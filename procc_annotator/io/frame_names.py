@@ -26,7 +26,7 @@ _DRIVE = re.compile(r"[A-Za-z]:")
 _LONGEST_PATH = 600  # of the folders above a picture
 
 
-def leads_out(path: str) -> bool:
+def escapes_folder(path: str) -> bool:
     """Whether a path with slashes, as a file tells it, may lead out of the folder it belongs in."""
     return (
         path.startswith("/")
@@ -37,12 +37,12 @@ def leads_out(path: str) -> bool:
     )
 
 
-def slashed(path: str) -> str:
+def posix_path(path: str) -> str:
     """A path that may have been written on any system, with slashes and without ``./``."""
     return path.replace("\\", "/").removeprefix("./")
 
 
-def folders_told(pictures: Iterable[str]) -> frozenset[str]:
+def picture_folders_of(pictures: Iterable[str]) -> frozenset[str]:
     """The folders of the pictures that one file names; none where any leads out of the dataset.
     Frames are called by their paths where there are several.
 
@@ -54,7 +54,7 @@ def folders_told(pictures: Iterable[str]) -> frozenset[str]:
 
 
 def _can_be_folder(path: str) -> bool:
-    return not leads_out(path) and path.isprintable() and len(path) <= _LONGEST_PATH
+    return not escapes_folder(path) and path.isprintable() and len(path) <= _LONGEST_PATH
 
 
 def is_file_name(name: str) -> bool:
@@ -84,7 +84,7 @@ def file_of_frame(frame: str, suffix: str, prefix: str = "") -> str:
     Raises:
         UsageError: the name leads out of that folder.
     """
-    if leads_out(frame):
+    if escapes_folder(frame):
         raise UsageError(f"the frame {frame!r} leads out of the folder its file belongs in")
     folder, slash, name = frame.rpartition("/")
     return f"{folder}{slash}{prefix}{name}{suffix}"

@@ -26,7 +26,7 @@ class DuplicateKeyError(ValueError):
     """A JSON object has the same key twice."""
 
 
-def without_bom(data: bytes) -> bytes:
+def strip_bom(data: bytes) -> bytes:
     """The bytes behind UTF-8's byte order mark, which some editors write."""
     return data[3:] if data.startswith(_BOM) else data
 
@@ -55,7 +55,7 @@ def decode_fast(data: bytes, *, path: str, error: type[InputError]) -> Any:
         error: as `decode_strict` raises it.
     """
     try:
-        content = msgspec.json.decode(without_bom(data))
+        content = msgspec.json.decode(strip_bom(data))
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError):
         # The slow decoder tells line and column, and reads NaN so that its place can be named.
         return decode_strict(data, path=path, error=error)
@@ -130,7 +130,7 @@ def decode_as(
         error: it is not UTF-8, not JSON, nested too deeply, or of another type.
     """
     try:
-        return msgspec.json.decode(without_bom(data), type=kind)
+        return msgspec.json.decode(strip_bom(data), type=kind)
     except (msgspec.DecodeError, UnicodeDecodeError) as problem:
         raise error(path, f"is no {what}: {problem}") from problem
     except RecursionError as problem:
@@ -145,7 +145,7 @@ def is_finite_number(value: object) -> TypeGuard[float]:
     return type(value) is int and abs(value) < 1 << 1000
 
 
-def spelled(value: object) -> str:
+def json_repr(value: object) -> str:
     """A JSON value in an error message, as the file spells it; long ones cut."""
     return printable(json.dumps(value, ensure_ascii=False), 40)
 
@@ -165,7 +165,7 @@ def printable(text: str, longest: int = _LONGEST_KEY) -> str:
     return "".join(c if c.isprintable() else repr(c)[1:-1] for c in short)
 
 
-def kind_of(value: object) -> str:
+def json_kind(value: object) -> str:
     """What sort of JSON value this is, in words."""
     names = {
         dict: "an object",
@@ -206,7 +206,7 @@ def _no_repeats(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     return found
 
 
-class _Pairs(list[tuple[str, Any]]):
+class _KeyValuePairs(list[tuple[str, Any]]):
     """An object as it stands in the file, repeated keys included."""
 
 
@@ -216,13 +216,13 @@ def _place_of_repeat(text: str) -> str:
     Empty for the outermost object, and where it cannot be told.
     """
     try:
-        content = json.loads(text, object_pairs_hook=_Pairs)
+        content = json.loads(text, object_pairs_hook=_KeyValuePairs)
     except (ValueError, RecursionError):  # something further down is wrong as well
         return ""
     waiting: deque[tuple[str, Any]] = deque([("", content)])
     while waiting:
         place, value = waiting.popleft()
-        if type(value) is _Pairs:
+        if type(value) is _KeyValuePairs:
             if len(dict(value)) < len(value):
                 return printable(place, 3 * _LONGEST_KEY)
             waiting.extend((f"{place}.{key}" if place else key, below) for key, below in value)

@@ -12,7 +12,7 @@ import numpy as np
 
 from procc_annotator.camera.base import FloatArray
 from procc_annotator.errors import CameraError
-from procc_annotator.io.json_text import is_finite_number, kind_of, printable, spelled
+from procc_annotator.io.json_text import is_finite_number, json_kind, printable, json_repr
 
 _CORRECT = "correct the file"
 _WIDEST = 1_000_000
@@ -67,7 +67,7 @@ class JsonValues:
         if type(value) is not dict:
             raise CameraError(
                 path,
-                f"expected an object with the keys of {kind}, found {kind_of(value)}",
+                f"expected an object with the keys of {kind}, found {json_kind(value)}",
                 place=inside or "top level",
                 advice="is this a camera?",
             )
@@ -134,7 +134,7 @@ class JsonValues:
             raise self.missing(f"{length} numbers", key)
         value = self._bare(self.content[key], length)
         if type(value) is not list or len(value) != length:
-            found = f"{len(value)} values" if type(value) is list else spelled(value)
+            found = f"{len(value)} values" if type(value) is list else json_repr(value)
             raise self.error(f"expected {length} numbers, found {found}", key, advice)
         return tuple([self._finite(number, f"{key}[{i}]") for i, number in enumerate(value)])
 
@@ -146,7 +146,7 @@ class JsonValues:
         """
         value = self.content.get(key)
         if type(value) is not list:
-            raise self.error(f"expected a list of numbers, found {kind_of(value)}", key)
+            raise self.error(f"expected a list of numbers, found {json_kind(value)}", key)
         flat: list[float] = []
         for i, part in enumerate(value):
             if type(part) is list:
@@ -223,7 +223,7 @@ class JsonValues:
         if all(is_finite_number(n) and n == int(n) and 2 <= n <= _WIDEST for n in (width, height)):
             return int(width), int(height)
         raise self.error(
-            f"expected whole pixels, found {spelled(width)} x {spelled(height)}",
+            f"expected whole pixels, found {json_repr(width)} x {json_repr(height)}",
             " and ".join(keys),
         )
 
@@ -237,7 +237,7 @@ class JsonValues:
 
     def _finite(self, value: object, key: str) -> float:
         if not is_finite_number(value):
-            raise self.error(f"expected a finite number, found {spelled(value)}", key)
+            raise self.error(f"expected a finite number, found {json_repr(value)}", key)
         return float(value)
 
 

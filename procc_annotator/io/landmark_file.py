@@ -21,9 +21,9 @@ import numpy as np
 from procc_annotator.errors import InputError
 from procc_annotator.field.geometry import Covariance, Vector
 from procc_annotator.field.model import Landmark
-from procc_annotator.field.values import FARTHEST_M
+from procc_annotator.field.values import MAX_COORDINATE_M
 from procc_annotator.io.atomic import write_atomic
-from procc_annotator.io.json_text import decode_strict, is_finite_number, kind_of, spelled
+from procc_annotator.io.json_text import decode_strict, is_finite_number, json_kind, json_repr
 from procc_annotator.io.source import read_file
 
 LANDMARKS_FILE = "landmarks.json"
@@ -119,7 +119,7 @@ def read_landmarks(data: bytes, *, path: str) -> LandmarkFile:
     """
     content = decode_strict(data, path=path, error=InputError)
     if type(content) is not dict or type(content.get("landmarks")) is not list:
-        found = kind_of(content) if type(content) is not dict else "an object without it"
+        found = json_kind(content) if type(content) is not dict else "an object without it"
         raise InputError(
             path,
             f"expected an object with a list 'landmarks', found {found}",
@@ -134,10 +134,10 @@ def read_landmarks(data: bytes, *, path: str) -> LandmarkFile:
         landmark = _Reader(path, f"landmarks[{i}]").landmark(entry)
         key = landmark.name.strip(), landmark.instant
         if key in seen:
-            again = f" at instant {spelled(key[1])}" if key[1] is not None else ""
+            again = f" at instant {json_repr(key[1])}" if key[1] is not None else ""
             raise InputError(
                 path,
-                f"the landmark {spelled(key[0])}{again} again, after landmarks[{seen[key]}]",
+                f"the landmark {json_repr(key[0])}{again} again, after landmarks[{seen[key]}]",
                 place=f"landmarks[{i}].name",
                 advice="keep one of them",
             )
@@ -181,7 +181,7 @@ class _Reader:
 
     def landmark(self, entry: object) -> Landmark:
         if type(entry) is not dict:
-            raise self._error("", f"expected an object, found {kind_of(entry)}")
+            raise self._error("", f"expected an object, found {json_kind(entry)}")
         if "name" not in entry:
             raise self._error("", "the key 'name' is missing")
         name, title, colour, shortcut, note = (
@@ -204,14 +204,14 @@ class _Reader:
         if not landmark.name.strip():
             raise self._error("name", "is empty")
         if landmark.colour and not _COLOUR.match(landmark.colour):
-            raise self._error("colour", f"expected #rrggbb, found {spelled(landmark.colour)}")
+            raise self._error("colour", f"expected #rrggbb, found {json_repr(landmark.colour)}")
         if landmark.covariance is not None and landmark.position is None:
             raise self._error("covariance", "is of no use without a position")
         return landmark
 
     def _text(self, key: str, value: object) -> str:
         if type(value) is not str:
-            raise self._error(key, f"expected text, found {spelled(value)}")
+            raise self._error(key, f"expected text, found {json_repr(value)}")
         if len(value) > _LONGEST_TEXT or not value.isprintable():
             raise self._error(
                 key, f"expected one printable line of at most {_LONGEST_TEXT} characters"
@@ -220,7 +220,7 @@ class _Reader:
 
     def _flag(self, key: str, value: object) -> bool:
         if type(value) is not bool:
-            raise self._error(key, f"expected true or false, found {spelled(value)}")
+            raise self._error(key, f"expected true or false, found {json_repr(value)}")
         return value
 
     def _instant(self, value: object) -> str | None:
@@ -228,7 +228,7 @@ class _Reader:
 
     def _frames(self, value: object) -> tuple[str, ...]:
         if type(value) is not list:
-            raise self._error("frames", f"expected a list of names, found {kind_of(value)}")
+            raise self._error("frames", f"expected a list of names, found {json_kind(value)}")
         return tuple([self._text(f"frames[{i}]", frame) for i, frame in enumerate(value)])
 
     def _position(self, value: object) -> Vector | None:
@@ -236,22 +236,22 @@ class _Reader:
             return None
         position = self._vector("position", value)
         for i, metres in enumerate(position):
-            if abs(metres) > FARTHEST_M:
+            if abs(metres) > MAX_COORDINATE_M:
                 raise self._error(
                     f"position[{i}]",
-                    f"expected metres from the field's centre, at most {FARTHEST_M:g},"
+                    f"expected metres from the field's centre, at most {MAX_COORDINATE_M:g},"
                     f" found {metres:g}",
                 )
         return position
 
     def _vector(self, key: str, value: object) -> Vector:
         if type(value) is not list or len(value) != 3:
-            found = f"{len(value)} values" if type(value) is list else spelled(value)
+            found = f"{len(value)} values" if type(value) is list else json_repr(value)
             raise self._error(key, f"expected 3 numbers, found {found}")
         for i, number in enumerate(value):
             if not is_finite_number(number):
                 raise self._error(
-                    f"{key}[{i}]", f"expected a finite number, found {spelled(number)}"
+                    f"{key}[{i}]", f"expected a finite number, found {json_repr(number)}"
                 )
         x, y, z = (float(number) for number in value)
         return x, y, z
@@ -260,7 +260,7 @@ class _Reader:
         if value is None:
             return None
         if type(value) is not list or len(value) != 3:
-            found = f"{len(value)} values" if type(value) is list else spelled(value)
+            found = f"{len(value)} values" if type(value) is list else json_repr(value)
             raise self._error("covariance", f"expected 3 rows of 3 numbers, found {found}")
         first, second, third = (
             self._vector(f"covariance[{i}]", row) for i, row in enumerate(value)
@@ -293,7 +293,7 @@ def _check_motion(path: str, landmarks: Sequence[Landmark]) -> None:
         if name not in moving and mark.instant is not None:
             raise InputError(
                 path,
-                f"is for what moves, and nothing says that {spelled(name)} does",
+                f"is for what moves, and nothing says that {json_repr(name)} does",
                 place=f"landmarks[{i}].instant",
-                advice=f'add {{"name": {spelled(name)}, "moving": true}}, or leave out the instant',
+                advice=f'add {{"name": {json_repr(name)}, "moving": true}}, or leave out the instant',
             )

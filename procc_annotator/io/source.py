@@ -20,8 +20,8 @@ from typing import Protocol, Self
 from natsort import natsort_keygen, natsorted
 
 from procc_annotator.errors import InputError, UsageError
-from procc_annotator.io.folders import DEEPEST, counts, entries, too_deep, walk
-from procc_annotator.io.frame_names import leads_out
+from procc_annotator.io.folders import DEEPEST, is_listed, entries, too_deep_message, walk
+from procc_annotator.io.frame_names import escapes_folder
 from procc_annotator.io.json_text import printable
 from procc_annotator.regular_file import open_regular
 
@@ -104,7 +104,7 @@ def open_source(path: Path, base: Path | None = None, of_tree: bool = False) -> 
     except (FileNotFoundError, NotADirectoryError, ValueError) as error:
         raise UsageError(f"{path}: no such file or folder") from error
     except OSError as error:
-        raise _unread(path, error) from error
+        raise _read_error(path, error) from error
     if path.suffix.lower() == ".zip":
         return ZipSource(path, base)
     return SingleFileSource(path, base)
@@ -229,7 +229,7 @@ class ZipSource(_Opened):
             self._have_only(_RELEASED)
         for member in self._archive.infolist():
             name = member.orig_filename  # as stored; zipfile may cut or translate the other one
-            if leads_out(name):
+            if escapes_folder(name):
                 self._archive.close()
                 raise InputError(
                     path,
@@ -253,7 +253,7 @@ class ZipSource(_Opened):
     def tree(self) -> list[str]:
         names = self._members()
         if any(name.count("/") > DEEPEST for name in names):
-            raise too_deep(self.path)
+            raise too_deep_message(self.path)
         by_folder: dict[str, list[str]] = {}
         for name in names:
             by_folder.setdefault(name.rpartition("/")[0], []).append(name)
@@ -263,7 +263,7 @@ class ZipSource(_Opened):
         return [name for folder in order for name in natsorted(by_folder[folder])]
 
     def _members(self) -> list[str]:
-        return [n for n in self._stored if not n.endswith("/") and counts(n)]
+        return [n for n in self._stored if not n.endswith("/") and is_listed(n)]
 
     def has(self, name: str) -> bool:
         """Whether there is such a file."""
@@ -274,7 +274,7 @@ class ZipSource(_Opened):
         return self._archive.namelist()
 
     def folders(self) -> list[str]:
-        inside = (n for n in self._stored if "/" in n and counts(n))
+        inside = (n for n in self._stored if "/" in n and is_listed(n))
         return natsorted({n.split("/", 1)[0] for n in inside})
 
     def read(self, name: str) -> bytes:
@@ -338,17 +338,17 @@ def read_file(
                 raise _too_large(shown, size, error)
             return file.read()
     except OSError as problem:
-        raise _unread(shown, problem, error) from problem
+        raise _read_error(shown, problem, error) from problem
 
 
-def _unread(path: Path | str, problem: OSError, error: type[InputError] = InputError) -> InputError:
+def _read_error(path: Path | str, problem: OSError, error: type[InputError] = InputError) -> InputError:
     advice = "check its name" if isinstance(problem, FileNotFoundError) else "check its permissions"
     if problem.errno in (errno.EISDIR, errno.EINVAL):
         advice = "move it elsewhere"
     return error(path, f"cannot be read: {problem.strerror or problem}", advice=advice)
 
 
-def read_if_there(path: Path | str, error: type[InputError] = InputError) -> bytes | None:
+def read_optional(path: Path | str, error: type[InputError] = InputError) -> bytes | None:
     """As `read_file`; None where there is no such file.
 
     Raises:

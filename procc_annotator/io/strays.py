@@ -16,7 +16,7 @@ import msgspec
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import AnnotationError, InputError
 from procc_annotator.io.annotation_files.soccernet_annotation import CAMERA_KEY, may_be_points
-from procc_annotator.io.json_text import printable, without_bom
+from procc_annotator.io.json_text import printable, strip_bom
 from procc_annotator.io.source import FileSource
 
 _NUMBER = re.compile(r"\d+")
@@ -29,7 +29,7 @@ _SHOWN = 3
 _SETS = frozenset({"Labels-v3.json", "Labels-GameState.json"})
 
 
-def strays_among(source: FileSource, files: Mapping[str, str]) -> tuple[str, ...]:
+def other_json_among(source: FileSource, files: Mapping[str, str]) -> tuple[str, ...]:
     """The frames of a listing whose files are JSON of another kind.
 
     Only files whose names are unlike those of the others are read, the rarest kinds of names first.
@@ -57,7 +57,7 @@ def strays_among(source: FileSource, files: Mapping[str, str]) -> tuple[str, ...
     return tuple(frame for frame in files if frame in found)
 
 
-def stray_notices(names: tuple[str, ...]) -> tuple[str, ...]:
+def other_json_notices(names: tuple[str, ...]) -> tuple[str, ...]:
     """What a person should know of files that were set apart; nothing where there are none."""
     if not names:
         return ()
@@ -112,6 +112,6 @@ def _is_set(content: Any) -> bool:
 def _content(source: FileSource, file: str) -> Any:
     """What JSON holds; None where it is damaged: whoever reads the set says so."""
     try:
-        return msgspec.json.decode(without_bom(source.read(file)))
+        return msgspec.json.decode(strip_bom(source.read(file)))
     except (InputError, msgspec.DecodeError, UnicodeDecodeError, RecursionError):
         return None

@@ -23,18 +23,18 @@ import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation, points_px
 from procc_annotator.field.model import Field
-from procc_annotator.metric.overlap import extent, overlap
+from procc_annotator.metric.overlap import clicked_extent, curve_overlap
 from procc_annotator.metric.polylines import FloatArray
-from procc_annotator.metric.trace import Trace, trace_of
+from procc_annotator.metric.trace import ClickedCurve, clicked_curve
 
 # Labels seem to be mirrored where turning them gains this much JaC at a threshold so wide that
 # clicking does not decide: a hundredth of the picture's width.
-_MIRROR_GAIN = 0.25
-_MIRROR_TAU_OF_WIDTH = 0.01
+_MIRROR_MIN_GAIN = 0.25
+_MIRROR_THRESHOLD_SHARE = 0.01
 
 # Two neighbours that meet in a corner share what clicking there is unsure about, a few pixels; two
 # who saw a line's opposite ends and both its middle fifth share a third of what each has.
-LEAST_OVERLAP = 0.1
+MIN_OVERLAP = 0.1
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,17 +59,17 @@ class ClassAgreement:
     @property
     def median(self) -> float | None:
         """Median distance, px; None if apart."""
-        return quantile(self._ascending, 0.5)
+        return sorted_quantile(self._ascending, 0.5)
 
     @property
     def p95(self) -> float | None:
         """95 % of the distances are no larger, px; None if apart."""
-        return quantile(self._ascending, 0.95)
+        return sorted_quantile(self._ascending, 0.95)
 
     @property
     def largest(self) -> float | None:
         """Largest distance, px; None if apart."""
-        return quantile(self._ascending, 1.0)
+        return sorted_quantile(self._ascending, 1.0)
 
     def agrees(self, tau: float) -> bool:
         """Whether all distances are below tau, px; never if apart."""
@@ -121,16 +121,16 @@ class FrameAgreement:
 
 
 @dataclass(frozen=True, eq=False)
-class ClickedCourse:
+class AnnotatedCurve:
     """One element as somebody clicked it: (n, 2) px, and the course through them."""
 
     points: FloatArray
-    trace: Trace
+    trace: ClickedCurve
 
     @cached_property
     def extent(self) -> tuple[float, float]:
         """Where along the course the first and the last click lie, px from its first vertex."""
-        return extent(self.trace, self.points)
+        return clicked_extent(self.trace, self.points)
 
 
 def compare_annotations(
@@ -152,33 +152,33 @@ def compare_annotations(
         field: knows which elements are straight, and the mirrored labels.
         size: (width, height) in px of the picture in which distances are taken.
     """
-    first, second = traces(a, field, size), traces(b, field, size)
-    plain = _compare(first, second)
-    tau = _MIRROR_TAU_OF_WIDTH * size[0]
-    to_beat = plain.jac(tau) + _MIRROR_GAIN
+    first, second = annotated_curves(a, field, size), annotated_curves(b, field, size)
+    plain = _compare_frames(first, second)
+    tau = _MIRROR_THRESHOLD_SHARE * size[0]
+    to_beat = plain.jac(tau) + _MIRROR_MIN_GAIN
     if to_beat > 1.0 or not (first and second):
         return plain
     turned = (
-        _compare(first, {turn.name_of(name): clicked for name, clicked in second.items()})
+        _compare_frames(first, {turn.name_of(name): clicked for name, clicked in second.items()})
         for turn in field.symmetries
     )
     return replace(plain, mirrored_hint=any(found.jac(tau) >= to_beat for found in turned))
 
 
-def traces(
+def annotated_curves(
     annotation: FrameAnnotation, field: Field, size: tuple[int, int]
-) -> dict[str, ClickedCourse]:
+) -> dict[str, AnnotatedCurve]:
     """The courses of the elements that the field knows, by class name; size as (width, height)."""
     found = {}
     for polyline in annotation:
         element = field.element(polyline.class_name)
         if element is not None and polyline.points:
             points = points_px(polyline, size)
-            found[polyline.class_name] = ClickedCourse(points, trace_of(points, element))
+            found[polyline.class_name] = AnnotatedCurve(points, clicked_curve(points, element))
     return found
 
 
-def _compare(a: Mapping[str, ClickedCourse], b: Mapping[str, ClickedCourse]) -> FrameAgreement:
+def _compare_frames(a: Mapping[str, AnnotatedCurve], b: Mapping[str, AnnotatedCurve]) -> FrameAgreement:
     return FrameAgreement(
         {name: _compare_class(name, a[name], b[name]) for name in a if name in b},
         tuple(name for name in a if name not in b),
@@ -186,7 +186,7 @@ def _compare(a: Mapping[str, ClickedCourse], b: Mapping[str, ClickedCourse]) -> 
     )
 
 
-def _compare_class(name: str, a: ClickedCourse, b: ClickedCourse) -> ClassAgreement:
+def _compare_class(name: str, a: AnnotatedCurve, b: AnnotatedCurve) -> ClassAgreement:
     of_a, of_b = b.trace.distances(a.points), a.trace.distances(b.points)
     # Whoever tells less of the course is measured by the other, not the reverse.
     told = [
@@ -196,7 +196,7 @@ def _compare_class(name: str, a: ClickedCourse, b: ClickedCourse) -> ClassAgreem
     measured = np.concatenate(told)
     # Where all clicks of one are beside the other, their distances say what there is to say.
     both_go_beyond = bool(np.isnan(of_a).any() and np.isnan(of_b).any())
-    if both_go_beyond and overlap(a.trace, a.points, b.trace, b.points) < LEAST_OVERLAP:
+    if both_go_beyond and curve_overlap(a.trace, a.points, b.trace, b.points) < MIN_OVERLAP:
         return ClassAgreement(name, np.empty(0), len(measured))
     known = measured[~np.isnan(measured)]
     return ClassAgreement(name, known, len(measured) - len(known))
@@ -206,7 +206,7 @@ def _compare_class(name: str, a: ClickedCourse, b: ClickedCourse) -> ClassAgreem
 
 
 @dataclass(frozen=True, slots=True)
-class AgreementFigures:
+class AgreementMetrics:
     """One class, or all of them, over a set; distances in px, None where there are none.
 
     Attributes:
@@ -244,13 +244,13 @@ class AgreementSummary:
     frames_only_a: tuple[str, ...]
     frames_only_b: tuple[str, ...]
     mirrored: tuple[str, ...]
-    overall: AgreementFigures
-    per_class: Mapping[str, AgreementFigures]
+    overall: AgreementMetrics
+    per_class: Mapping[str, AgreementMetrics]
     mean_jac: Mapping[float, float | None]
 
 
 @dataclass(slots=True)
-class _Gathered:
+class _ClassSums:
     distances: array[float] = dataclass_field(default_factory=lambda: array("d"))
     common: int = 0
     apart: int = 0
@@ -258,20 +258,20 @@ class _Gathered:
     only_b: int = 0
     left_out: int = 0
 
-    def figures(self) -> AgreementFigures:
+    def figures(self) -> AgreementMetrics:
         ascending = np.sort(np.array(self.distances))
-        return AgreementFigures(
+        return AgreementMetrics(
             self.common,
             self.apart,
             self.only_a,
             self.only_b,
             len(ascending),
             self.left_out,
-            *(quantile(ascending, share) for share in (0.5, 0.95, 1.0)),
+            *(sorted_quantile(ascending, share) for share in (0.5, 0.95, 1.0)),
         )
 
 
-class AgreementSums:
+class AgreementAccumulator:
     """Gathers the frames of a set; of a frame it keeps the distances only.
 
     Args:
@@ -289,7 +289,7 @@ class AgreementSums:
         self._only_a, self._only_b = tuple(only_a), tuple(only_b)
         self._mirrored: list[str] = []
         self._frames = 0
-        self._classes: defaultdict[str, _Gathered] = defaultdict(_Gathered)
+        self._classes: defaultdict[str, _ClassSums] = defaultdict(_ClassSums)
 
     def add(self, name: str, frame: FrameAgreement) -> None:
         """Add a frame that both annotated."""
@@ -312,7 +312,7 @@ class AgreementSums:
 
     def summary(self) -> AgreementSummary:
         """The figures of the frames added so far."""
-        overall = _Gathered()
+        overall = _ClassSums()
         for sums in self._classes.values():
             overall.distances.extend(sums.distances)
             overall.common += sums.common
@@ -331,7 +331,7 @@ class AgreementSums:
         )
 
 
-def quantile(ascending: FloatArray, share: float) -> float | None:
+def sorted_quantile(ascending: FloatArray, share: float) -> float | None:
     """The value below which a share of the (n,) sorted values lies, linear between two; or None."""
     if not len(ascending):
         return None

@@ -24,7 +24,7 @@ class AnnotatedExtent:
     spread: float | None
 
 
-def clicked(annotation: FrameAnnotation, field: Field) -> AnnotatedExtent:
+def annotated_extent(annotation: FrameAnnotation, field: Field) -> AnnotatedExtent:
     """Number of elements and spread of their points.
 
     The spread is the area of the convex hull of all points, over that of the picture; points

@@ -36,7 +36,7 @@ class Chords:
 
 
 @dataclass(frozen=True, eq=False)
-class Courses:
+class ClippedPolylines:
     """Where a camera puts the elements that it shows.
 
     Attributes:
@@ -48,9 +48,9 @@ class Courses:
     unclipped: Polylines
 
 
-def courses_of(
+def clip_chords(
     chords: Chords, element: IntArray, element_count: int, size: tuple[int, int]
-) -> Courses:
+) -> ClippedPolylines:
     """The parts of chords inside [0, width - 1] x [0, height - 1], joined where curves continue,
     and all chords of the elements that have such a part.
 
@@ -74,12 +74,12 @@ def courses_of(
     end = np.where(leave[:, None] < 1, shown.px[:, 0] + leave[:, None] * along, shown.px[:, 1])
     px = np.clip(np.stack((begin, end), axis=1), 0.0, np.array(size) - 1.0)
     uncut = (leave[:-1] == 1) & (enter[1:] == 0)
-    in_sight = _joined(Chords(shown.rows, shown.t, px), uncut, element, element_count)
+    in_sight = _join_chords(Chords(shown.rows, shown.t, px), uncut, element, element_count)
     chords = chords.select(in_sight.detected[element[chords.rows]])
-    return Courses(in_sight, _joined(chords, np.True_, element, element_count))
+    return ClippedPolylines(in_sight, _join_chords(chords, np.True_, element, element_count))
 
 
-def _joined(
+def _join_chords(
     chords: Chords, uncut: BoolArray | np.bool_, element: IntArray, element_count: int
 ) -> Polylines:
     """Chords in order as pieces; uncut: (K - 1,) whether nothing lies between neighbours."""

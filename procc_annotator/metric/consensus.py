@@ -18,21 +18,21 @@ from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px
 from procc_annotator.field.geometry import Line
 from procc_annotator.field.model import Element, Field
 from procc_annotator.metric.agreement import (
-    LEAST_OVERLAP,
-    ClickedCourse,
+    MIN_OVERLAP,
+    AnnotatedCurve,
     FrameAgreement,
     compare_annotations,
-    traces,
+    annotated_curves,
 )
-from procc_annotator.metric.course import lengths_along, normals_of, places_at
-from procc_annotator.metric.overlap import feet, overlap
+from procc_annotator.metric.course import arc_lengths, polyline_normals, points_at_arc_lengths
+from procc_annotator.metric.overlap import closest_arc_lengths, curve_overlap
 from procc_annotator.metric.polylines import BoolArray, FloatArray
-from procc_annotator.metric.trace import Trace
+from procc_annotator.metric.trace import ClickedCurve
 
-_STEPS = 100  # a course is walked in so many
-_SMOOTH = 3  # steps to either side that a direction across is taken over
-_ROUNDS = 2  # the second one walks along the middle that the first one found
-_POINTS_OF_A_CURVE = 8  # no fewer tell all round a circle where it runs
+_CURVE_SAMPLES = 100  # a course is walked in so many
+_SMOOTHING_SAMPLES = 3  # steps to either side that a direction across is taken over
+_ITERATIONS = 2  # the second one walks along the middle that the first one found
+_CURVE_CLICKS = 8  # no fewer tell all round a circle where it runs
 
 
 @dataclass(frozen=True)
@@ -49,7 +49,7 @@ class Consensus:
     undecided: tuple[str, ...]
 
 
-def consensus_of(
+def build_consensus(
     annotations: Sequence[FrameAnnotation], field: Field, size: tuple[int, int]
 ) -> tuple[Consensus, list[Consensus]]:
     """The consensus of annotations of one frame; and, for each, that of all the others, so that
@@ -60,14 +60,14 @@ def consensus_of(
         field: knows the elements; classes without geometry do not count.
         size: (width, height) px of the picture in which they are compared.
     """
-    several = [traces(one, field, size) for one in annotations]
-    overlaps = _Overlaps()
+    several = [annotated_curves(one, field, size) for one in annotations]
+    overlaps = _OverlapCache()
     others = [[*several[:at], *several[at + 1 :]] for at in range(len(several))]
-    of_all, *of_others = (_consensus(some, field, size, overlaps) for some in (several, *others))
+    of_all, *of_others = (_consensus_annotation(some, field, size, overlaps) for some in (several, *others))
     return of_all, of_others
 
 
-def against(
+def compare_to_consensus(
     annotation: FrameAnnotation, consensus: Consensus, field: Field, size: tuple[int, int]
 ) -> FrameAgreement:
     """An annotation against a consensus: ``only_a`` are elements that it has beyond it, ``only_b``
@@ -77,24 +77,24 @@ def against(
     return compare_annotations(own, consensus.annotation, field, size)
 
 
-class _Overlaps:
+class _OverlapCache:
     """How much two courses run along each other, each two looked at once."""
 
     def __init__(self) -> None:
-        self._known: dict[frozenset[ClickedCourse], float] = {}
+        self._known: dict[frozenset[AnnotatedCurve], float] = {}
 
-    def of(self, a: ClickedCourse, b: ClickedCourse) -> float:
+    def of(self, a: AnnotatedCurve, b: AnnotatedCurve) -> float:
         key = frozenset((a, b))
         if key not in self._known:
-            self._known[key] = overlap(a.trace, a.points, b.trace, b.points)
+            self._known[key] = curve_overlap(a.trace, a.points, b.trace, b.points)
         return self._known[key]
 
 
-def _consensus(
-    several: Sequence[Mapping[str, ClickedCourse]],
+def _consensus_annotation(
+    several: Sequence[Mapping[str, AnnotatedCurve]],
     field: Field,
     size: tuple[int, int],
-    overlaps: _Overlaps,
+    overlaps: _OverlapCache,
 ) -> Consensus:
     agreed, undecided = [], []
     for name in dict.fromkeys(name for one in several for name in one):
@@ -104,7 +104,7 @@ def _consensus(
             continue
         middle = None
         if 2 * len(votes) > len(several):
-            middle = _middle(votes, element, overlaps)
+            middle = _median_curve(votes, element, overlaps)
         if middle is None:
             undecided.append(name)
         else:
@@ -113,38 +113,38 @@ def _consensus(
     return Consensus(FrameAnnotation(tuple(agreed)), tuple(undecided))
 
 
-def _middle(
-    votes: Sequence[ClickedCourse], element: Element, overlaps: _Overlaps
+def _median_curve(
+    votes: Sequence[AnnotatedCurve], element: Element, overlaps: _OverlapCache
 ) -> FloatArray | None:
     """(n, 2) px along the middle of courses; None where more than half share no stretch."""
     if len(votes) == 1:
         return votes[0].points
-    told = _telling(votes)
+    told = _reliable_votes(votes)
     if not told:
         centres = np.array([vote.points.mean(axis=0) for vote in votes])
         return np.asarray(np.median(centres, axis=0, keepdims=True))
-    walked = _walk(told, len(votes), overlaps)
+    walked = _median_along_reference(told, len(votes), overlaps)
     if walked is None:
         return None
     course, closed = walked
-    fewest = 2 if isinstance(element.geometry, Line) else _POINTS_OF_A_CURVE
+    fewest = 2 if isinstance(element.geometry, Line) else _CURVE_CLICKS
     count = max(fewest, *(len(vote.points) for vote in told))
-    return _where_clicked(Trace(course, closed), told, count)
+    return _resample_like_clicks(ClickedCurve(course, closed), told, count)
 
 
-def _where_clicked(course: Trace, told: Sequence[ClickedCourse], count: int) -> FloatArray:
+def _resample_like_clicks(course: ClickedCurve, told: Sequence[AnnotatedCurve], count: int) -> FloatArray:
     """(n, 2) px: at most so many places on a course, as clicks are spread along it. Between clicks
     that are far apart, as where a circle leaves the picture, nobody knows where it runs."""
-    lengths = lengths_along(course.vertices)
-    at = np.concatenate([feet(course, vote.points) for vote in told])
+    lengths = arc_lengths(course.vertices)
+    at = np.concatenate([closest_arc_lengths(course, vote.points) for vote in told])
     at = at[(at > 0) & (at < lengths[-1])]
     if not course.closed:
         at = np.concatenate((at, (0.0, lengths[-1])))
     chosen = np.quantile(at, np.linspace(0, 1, count), method="nearest")
-    return places_at(course.vertices, np.unique(chosen), lengths)
+    return points_at_arc_lengths(course.vertices, np.unique(chosen), lengths)
 
 
-def _telling(votes: Sequence[ClickedCourse]) -> list[ClickedCourse]:
+def _reliable_votes(votes: Sequence[AnnotatedCurve]) -> list[AnnotatedCurve]:
     """Those whose course is known well, or coarsely where they are no more than half; none where
     most know only a place."""
     for rank in (2, 1):
@@ -154,15 +154,15 @@ def _telling(votes: Sequence[ClickedCourse]) -> list[ClickedCourse]:
     return []
 
 
-def _walk(
-    told: Sequence[ClickedCourse], voters: int, overlaps: _Overlaps
+def _median_along_reference(
+    told: Sequence[AnnotatedCurve], voters: int, overlaps: _OverlapCache
 ) -> tuple[FloatArray, bool] | None:
     """The middle of courses along the one that shares most with the others, the longest stretch on
     which more than half of the voters run; and whether that goes all round."""
     shared_px = {
         own: [
-            overlaps.of(own, other) * min(_length(own), _length(other))
-            if overlaps.of(own, other) >= LEAST_OVERLAP
+            overlaps.of(own, other) * min(_clicked_length(own), _clicked_length(other))
+            if overlaps.of(own, other) >= MIN_OVERLAP
             else 0.0
             for other in told
             if other is not own
@@ -174,27 +174,27 @@ def _walk(
     beside = [other for other, px in zip(others, shared_px[own], strict=True) if px > 0]
     if not own.extent[1] > own.extent[0]:
         return None
-    places = places_at(own.trace.vertices, np.linspace(*own.extent, _STEPS + 1))
+    places = points_at_arc_lengths(own.trace.vertices, np.linspace(*own.extent, _CURVE_SAMPLES + 1))
     middle = places
-    for _ in range(_ROUNDS):
-        across = normals_of(middle, _SMOOTH)
+    for _ in range(_ITERATIONS):
+        across = polyline_normals(middle, _SMOOTHING_SAMPLES)
         table = np.array(
             [((places - middle) * across).sum(axis=1)]
-            + [_offsets(vote, middle, across) for vote in beside]
+            + [_signed_offsets(vote, middle, across) for vote in beside]
         )
         shared = 2 * (~np.isnan(table)).sum(axis=0) > voters
         if not shared.any():
             return None
         moved = np.zeros(len(middle))
-        moved[shared] = _medians(table[:, shared])
+        moved[shared] = _nan_medians(table[:, shared])
         middle = middle + moved[:, None] * across
     if own.trace.closed and shared.all():
         return middle, True
-    stretch = middle[_longest(shared)]
+    stretch = middle[_longest_true_run(shared)]
     return (stretch, False) if len(stretch) > 1 else None
 
 
-def _medians(table: FloatArray) -> FloatArray:
+def _nan_medians(table: FloatArray) -> FloatArray:
     """(n,) of the columns of a table (m, n), NaN left out; numpy's own takes ten times as long."""
     ascending = np.sort(table, axis=0)  # NaN last
     last = (~np.isnan(table)).sum(axis=0) - 1
@@ -202,21 +202,21 @@ def _medians(table: FloatArray) -> FloatArray:
     return np.asarray((ascending[last // 2, columns] + ascending[(last + 1) // 2, columns]) / 2)
 
 
-def _length(clicked: ClickedCourse) -> float:
+def _clicked_length(clicked: AnnotatedCurve) -> float:
     return clicked.extent[1] - clicked.extent[0]
 
 
-def _offsets(vote: ClickedCourse, places: FloatArray, across: FloatArray) -> FloatArray:
+def _signed_offsets(vote: AnnotatedCurve, places: FloatArray, across: FloatArray) -> FloatArray:
     """(n,) px from places to a course along the directions across; NaN where it does not run."""
-    lengths = lengths_along(vote.trace.vertices)
-    at = feet(vote.trace, places)
-    off = places_at(vote.trace.vertices, at, lengths) - places
+    lengths = arc_lengths(vote.trace.vertices)
+    at = closest_arc_lengths(vote.trace, places)
+    off = points_at_arc_lengths(vote.trace.vertices, at, lengths) - places
     # As far as it reaches beyond its clicks: nobody clicks the same extent as another.
     runs = (at > 0) & (at < lengths[-1]) if not vote.trace.closed else np.ones(len(at), dtype=bool)
     return np.where(runs, (off * across).sum(axis=1), np.nan)
 
 
-def _longest(there: BoolArray) -> slice:
+def _longest_true_run(there: BoolArray) -> slice:
     """The longest run of true places."""
     ends = np.flatnonzero(np.diff(np.concatenate(((False,), there, (False,))).astype(np.int8)))
     starts, stops = ends[::2], ends[1::2]

@@ -58,12 +58,12 @@ def filled_contours(
     """
     if len(levels) < 2 or any(a >= b for a, b in itertools.pairwise(levels)):
         raise ValueError(f"levels must ascend and be at least two, not {tuple(levels)}")
-    generator = _generator(values, x, y)
+    generator = _contour_generator(values, x, y)
     bands = []
     for i, (low, high) in enumerate(itertools.pairwise(levels)):
         # A band starts above its lower level, but for the first one, which has it.
         above = math.nextafter(low, -math.inf) if i == 0 else low
-        polygons = () if generator is None else _polygons(generator, above, high)
+        polygons = () if generator is None else _band_polygons(generator, above, high)
         bands.append(ContourBand(float(low), float(high), polygons))
     return tuple(bands)
 
@@ -83,13 +83,13 @@ def contour_lines(
     Raises:
         ValueError: arrays whose shapes do not fit.
     """
-    generator = _generator(values, x, y)
+    generator = _contour_generator(values, x, y)
     if generator is None:
         return ()
     return tuple(np.asarray(line, dtype=np.float64) for line in generator.lines(float(level)))
 
 
-def _generator(values: FloatArray, x: FloatArray, y: FloatArray) -> ContourGenerator | None:
+def _contour_generator(values: FloatArray, x: FloatArray, y: FloatArray) -> ContourGenerator | None:
     """A generator over what is not blank; None where a map has no cell."""
     from contourpy import FillType, LineType, contour_generator
 
@@ -112,8 +112,8 @@ def _generator(values: FloatArray, x: FloatArray, y: FloatArray) -> ContourGener
     )
 
 
-def _polygons(generator: ContourGenerator, low: float, high: float) -> tuple[Polygon, ...]:
-    # As the fill type of `_generator` says: the points of each polygon, and where outlines start.
+def _band_polygons(generator: ContourGenerator, low: float, high: float) -> tuple[Polygon, ...]:
+    # As the fill type of `_contour_generator` says: the points of each polygon, and where outlines start.
     found = cast("tuple[list[FloatArray], list[IntArray]]", generator.filled(low, high))
     return tuple(
         tuple(np.asarray(outline[a:b], dtype=np.float64) for a, b in itertools.pairwise(cuts))

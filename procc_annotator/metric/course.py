@@ -8,23 +8,23 @@ from numpy.typing import NDArray
 FloatArray = NDArray[np.float64]
 
 
-def lengths_along(course: FloatArray) -> FloatArray:
+def arc_lengths(course: FloatArray) -> FloatArray:
     """(n,) length of the way to each point of a course (n, 2), 0 at the first; in its units."""
     return np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(course, axis=0).T))])
 
 
-def places_at(course: FloatArray, at: FloatArray, lengths: FloatArray | None = None) -> FloatArray:
+def points_at_arc_lengths(course: FloatArray, at: FloatArray, lengths: FloatArray | None = None) -> FloatArray:
     """(m, 2) the places at some lengths (m,) along a course (n, 2); at its ends beyond them.
 
     Args:
         course, at: in the same units.
-        lengths: of `lengths_along`, where they are known.
+        lengths: of `arc_lengths`, where they are known.
     """
-    known = lengths_along(course) if lengths is None else lengths
+    known = arc_lengths(course) if lengths is None else lengths
     return np.column_stack([np.interp(at, known, course[:, k]) for k in (0, 1)])
 
 
-def normals_of(course: FloatArray, reach: int = 1) -> FloatArray:
+def polyline_normals(course: FloatArray, reach: int = 1) -> FloatArray:
     """(n, 2) unit vectors across a course of (n, 2) px, n >= 2.
 
     Args:

@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 from procc_annotator.camera.pinhole import PinholeCamera
 
 # Twice as large a picture differs as much as one that is half a picture's width aside.
-_ZOOM = 0.5 / np.log(2)
+_ZOOM_SCALE = 0.5 / np.log(2)
 
 
-def most_different(
+def most_distinct_views(
     cameras: Sequence[PinholeCamera], widths_px: Sequence[int], count: int
 ) -> list[int]:
     """The places of the views that differ most, by where cameras look and how far they zoom.
@@ -31,7 +31,7 @@ def most_different(
     """
     if not cameras or count < 1:
         return []
-    places = _places(cameras, widths_px)
+    places = _view_coordinates(cameras, widths_px)
     chosen = [int(np.hypot(*(places - np.median(places, axis=0)).T).argmin())]
     nearest = np.full(len(places), np.inf)
     while len(chosen) < min(count, len(places)):
@@ -41,10 +41,10 @@ def most_different(
     return chosen
 
 
-def _places(cameras: Sequence[PinholeCamera], widths_px: Sequence[int]) -> NDArray[np.float64]:
+def _view_coordinates(cameras: Sequence[PinholeCamera], widths_px: Sequence[int]) -> NDArray[np.float64]:
     """(n, 2) pan in widths of the usual view, and zoom on the scale of it."""
     pans = np.unwrap([camera.pan_rad for camera in cameras])
     focal = np.array([c.focal_px[0] / w for c, w in zip(cameras, widths_px, strict=True)])
     usual = float(np.exp(np.median(np.log(focal))))
     width_rad = 2 * np.arctan(0.5 / usual)
-    return np.column_stack([pans / width_rad, _ZOOM * np.log(focal / usual)])
+    return np.column_stack([pans / width_rad, _ZOOM_SCALE * np.log(focal / usual)])

@@ -12,16 +12,16 @@ from procc_annotator.camera.base import Camera, FloatArray
 from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.metric.ground import field_rectangle, ground_seen, require_ground
-from procc_annotator.metric.spread import Spread, share_within, spread
+from procc_annotator.metric.ground import field_rectangle, ground_points_seen, require_camera_model
+from procc_annotator.metric.spread import MapSummary, area_share_within, map_summary
 
 
 @dataclass(frozen=True, slots=True)
 class DisagreementStatistics:
     """The spread of a disagreement in metres on the ground and in pixels of the picture."""
 
-    metres: Spread
-    pixels: Spread
+    metres: MapSummary
+    pixels: MapSummary
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,12 +51,12 @@ class Disagreement:
     def statistics(self) -> DisagreementStatistics:
         """Least, median and largest disagreement over the area that counts."""
         return DisagreementStatistics(
-            spread(self.metres, self._areas), spread(self.pixels, self._areas)
+            map_summary(self.metres, self._areas), map_summary(self.pixels, self._areas)
         )
 
     def share_within(self, metres: float) -> float | None:
         """The share of the area that counts where they disagree by no more than that, in [0, 1]."""
-        return share_within(self.metres, self._areas, metres)
+        return area_share_within(self.metres, self._areas, metres)
 
     @cached_property
     def compared_share(self) -> float:
@@ -66,7 +66,7 @@ class Disagreement:
     @cached_property
     def _areas(self) -> FloatArray:
         """(h, w) px²: the part of the picture nearest to each sample."""
-        return np.outer(_lengths(self.ys_px), _lengths(self.xs_px))
+        return np.outer(_sample_widths(self.ys_px), _sample_widths(self.xs_px))
 
 
 def disagreement(
@@ -95,20 +95,20 @@ def disagreement(
     """
     if step_px < 1:
         raise UsageError(f"the step must be at least 1 px, not {step_px}")
-    xs, ys = (_samples(extent, step_px) for extent in size)
+    xs, ys = (_sample_positions(extent, step_px) for extent in size)
     shape = (len(ys), len(xs))
     points_px = np.empty((*shape, 2))
     points_px[..., 0] = xs
     points_px[..., 1] = ys[:, None]
     flat = points_px.reshape(-1, 2)
-    a, b = require_ground(a), require_ground(b)
-    ground_a, ground_b = ground_seen(a, flat), ground_seen(b, flat)
+    a, b = require_camera_model(a), require_camera_model(b)
+    ground_a, ground_b = ground_points_seen(a, flat), ground_points_seen(b, flat)
     rectangle = field_rectangle(field)
     apart = np.hypot(ground_a[:, 0] - ground_b[:, 0], ground_a[:, 1] - ground_b[:, 1])
     counts = np.isfinite(apart) & (rectangle.holds(ground_a) | rectangle.holds(ground_b))
     metres = np.where(counts, apart, np.nan)
     pixels = np.full(len(flat), np.nan)
-    pixels[counts] = _moved_px(b, ground_a[counts], flat[counts])
+    pixels[counts] = _transferred_px(b, ground_a[counts], flat[counts])
     return Disagreement(
         size,
         xs,
@@ -120,11 +120,11 @@ def disagreement(
     )
 
 
-def _samples(extent: int, step: int) -> FloatArray:
+def _sample_positions(extent: int, step: int) -> FloatArray:
     return np.linspace(0.0, extent - 1.0, math.ceil((extent - 1) / step) + 1)
 
 
-def _lengths(samples: FloatArray) -> FloatArray:
+def _sample_widths(samples: FloatArray) -> FloatArray:
     """What each sample stands for, px: pixels are unit squares around their centres."""
     edges = np.concatenate(
         ([samples[0] - 0.5], (samples[1:] + samples[:-1]) / 2, [samples[-1] + 0.5])
@@ -132,7 +132,7 @@ def _lengths(samples: FloatArray) -> FloatArray:
     return np.diff(edges)
 
 
-def _moved_px(camera: Camera, ground: FloatArray, points_px: FloatArray) -> FloatArray:
+def _transferred_px(camera: Camera, ground: FloatArray, points_px: FloatArray) -> FloatArray:
     points_world = np.column_stack((ground, np.zeros(len(ground))))
     shown, valid = camera.project(points_world)
     off = shown - points_px

@@ -7,7 +7,7 @@ import numpy as np
 from procc_annotator.metric.polylines import FloatArray
 
 
-def value_at(
+def bilinear_value(
     values: FloatArray, xs: FloatArray, ys: FloatArray, x: float, y: float
 ) -> float | None:
     """A value between four samples, in proportion to its distances from them.

@@ -11,15 +11,15 @@ from procc_annotator.field.model import Field
 from procc_annotator.language import tr, word
 from procc_annotator.metric.measure import Measurement
 from procc_annotator.metric.polylines import BoolArray, Polylines
-from procc_annotator.metric.project import unclipped
+from procc_annotator.metric.project import project_unclipped
 from procc_annotator.metric.score import ElementScore, FrameScore, Status
 
-_MOST_DIGITS = 6
-_AGREES = word(
+_MAX_DIGITS = 6
+_AGREES_TEXT = word(
     "{element} agrees: its farthest point, {number}, is {px} px off; it passes at tau > {px}."
 )
-_TOO_FAR = word("{element} is too far: point {number} is {px} px off; it passes at tau > {px}.")
-_SEVERITY: dict[Status, int] = {"too_far": 0, "missed": 1, "not_annotated": 2, "tp": 3}
+_TOO_FAR_TEXT = word("{element} is too far: point {number} is {px} px off; it passes at tau > {px}.")
+_STATUS_ORDER: dict[Status, int] = {"too_far": 0, "missed": 1, "not_annotated": 2, "tp": 3}
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,7 +56,7 @@ def explain_score(
         measurement: what was scored.
         field: titles of the elements.
     """
-    beyond = _farthest_beyond(score, measurement)
+    beyond = _farthest_outside_image(score, measurement)
     return tuple(
         ScoreExplanation(
             judged.name,
@@ -66,7 +66,7 @@ def explain_score(
             judged.max_distance,
             judged.passes_above,
             _sentence(judged, score.threshold, measurement, field)
-            + _cut_off(beyond.get(judged.name), score.threshold),
+            + _clipped_note(beyond.get(judged.name), score.threshold),
         )
         for judged in score.elements
     )
@@ -81,19 +81,19 @@ def worst_elements_first(explanations: Iterable[ScoreExplanation]) -> tuple[Scor
     def rank(said: ScoreExplanation) -> tuple[int, bool, float]:
         # A point without a distance is worse than any distance.
         known = said.deciding_px is not None or said.deciding_point is None
-        return _SEVERITY[said.status], known, -(said.deciding_px or 0.0)
+        return _STATUS_ORDER[said.status], known, -(said.deciding_px or 0.0)
 
     return tuple(sorted(explanations, key=rank))
 
 
 def _sentence(judged: ElementScore, tau: float, measurement: Measurement, field: Field) -> str:
-    who = _who(judged, field)
+    who = _element_label(judged, field)
     if judged.status == "not_annotated":
         return tr(
             "{element} is not annotated, but the camera shows it: a false positive.", element=who
         )
     if judged.status == "missed":
-        return tr(_why_missed(judged, measurement, field), element=who)
+        return tr(_missed_reason(judged, measurement, field), element=who)
     number = (judged.deciding_point or 0) + 1
     if judged.max_distance is None:
         return tr(
@@ -102,11 +102,11 @@ def _sentence(judged: ElementScore, tau: float, measurement: Measurement, field:
             element=who,
             number=number,
         )
-    said = _AGREES if judged.status == "tp" else _TOO_FAR
+    said = _AGREES_TEXT if judged.status == "tp" else _TOO_FAR_TEXT
     return tr(said, element=who, number=number, px=px_text(judged.max_distance, tau))
 
 
-def _farthest_beyond(score: FrameScore, measurement: Measurement) -> dict[str, float]:
+def _farthest_outside_image(score: FrameScore, measurement: Measurement) -> dict[str, float]:
     """Of elements that are too far and leave the picture, where only what is in it is measured to:
     the distance of the farthest point to the element as it goes on, px."""
     shown, setup, labels = measurement.projected, measurement.setup, score.labelling
@@ -115,10 +115,10 @@ def _farthest_beyond(score: FrameScore, measurement: Measurement) -> dict[str, f
     index = setup.tables.index
     wanted = np.zeros(len(shown.names), dtype=bool)
     wanted[[index[e.name] for e in score.elements if e.status == "too_far"]] = True
-    wanted &= _leaving(shown.polylines, setup.size)
+    wanted &= _touches_border(shown.polylines, setup.size)
     if not wanted.any():
         return {}
-    lines = unclipped(shown.camera, setup, wanted)
+    lines = project_unclipped(shown.camera, setup, wanted)
     points = np.split(measurement.points_px, np.cumsum(labels.point_counts)[:-1])
     return {
         name: float(lines.segments.distances(px, np.full(len(px), row)).max())
@@ -127,7 +127,7 @@ def _farthest_beyond(score: FrameScore, measurement: Measurement) -> dict[str, f
     }
 
 
-def _leaving(lines: Polylines, size: tuple[int, int]) -> BoolArray:
+def _touches_border(lines: Polylines, size: tuple[int, int]) -> BoolArray:
     """(E,) whether an element has a vertex on the border of the picture."""
     on_border = ((lines.vertices == 0) | (lines.vertices == np.array(size) - 1)).any(axis=1)
     leaving = np.zeros(lines.element_count, dtype=bool)
@@ -135,7 +135,7 @@ def _leaving(lines: Polylines, size: tuple[int, int]) -> BoolArray:
     return leaving
 
 
-def _cut_off(farthest: float | None, tau: float) -> str:
+def _clipped_note(farthest: float | None, tau: float) -> str:
     if farthest is None or not farthest < tau:
         return ""
     return " " + tr(
@@ -145,7 +145,7 @@ def _cut_off(farthest: float | None, tau: float) -> str:
     )
 
 
-def _who(judged: ElementScore, field: Field) -> str:
+def _element_label(judged: ElementScore, field: Field) -> str:
     title = tr(field.title_of(judged.annotated_name))
     if judged.name == judged.annotated_name:
         return title
@@ -153,7 +153,7 @@ def _who(judged: ElementScore, field: Field) -> str:
     return tr("{title} (judged as {other}, labels mirrored)", title=title, other=other)
 
 
-def _why_missed(judged: ElementScore, measurement: Measurement, field: Field) -> str:
+def _missed_reason(judged: ElementScore, measurement: Measurement, field: Field) -> str:
     element = field.element(judged.name)
     if element is None:
         return word(
@@ -172,8 +172,8 @@ def _why_missed(judged: ElementScore, measurement: Measurement, field: Field) ->
 def px_text(distance: float, tau: float) -> str:
     """A distance, px, with one decimal, or as many as it takes to be on its side of the threshold:
     what fails at 5 px does not read as 5.0, nor does what passes."""
-    for digits in range(1, _MOST_DIGITS):
+    for digits in range(1, _MAX_DIGITS):
         shown = round(distance, digits)
         if (shown < tau, shown > tau) == (distance < tau, distance > tau):
             return f"{distance:.{digits}f}"
-    return f"{distance:.{_MOST_DIGITS}f}"
+    return f"{distance:.{_MAX_DIGITS}f}"

@@ -15,26 +15,26 @@ import numpy as np
 from procc_annotator.camera.base import Camera, projects_only_ground
 from procc_annotator.field.geometry import Line, Part, Spot, angles_of, parts_of
 from procc_annotator.field.model import Field
-from procc_annotator.metric.clip import Chords, Courses, courses_of
+from procc_annotator.metric.clip import Chords, ClippedPolylines, clip_chords
 from procc_annotator.metric.polylines import BoolArray, FloatArray, IntArray
 
-_COARSE_M = 1.0
-_COARSE_CURVE_M = 0.5
-_LEAST_INTERVALS = 16
+_COARSE_STEP_M = 1.0
+_COARSE_CURVE_STEP_M = 0.5
+_MIN_INTERVALS = 16
 
 # Chords inside the picture may leave their curve by this much; halving moves distances by less.
 _TOLERANCE_PX = 0.0025
 # A chord at the border decides where the element ends, at any grazing angle, so it is nearly exact.
 _BORDER_TOLERANCE_PX = 1e-5
 # Beyond the picture it may leave it by this much of its distance from the picture, if that is more.
-_TOLERANCE_BEYOND = 1e-4
+_TOLERANCE_OUTSIDE = 1e-4
 # Below these lengths a chord is not split for being crooked: that is noise of the camera's numbers.
-_SHORT_PX = 0.008
-_BORDER_SHORT_PX = 0.005
+_MIN_CHORD_PX = 0.008
+_BORDER_MIN_CHORD_PX = 0.005
 
 _BISECTIONS = 40
-_ROUNDS = 14
-_PROBES = np.array([0.25, 0.5, 0.75])
+_SUBDIVISION_ROUNDS = 14
+_PROBE_SHARES = np.array([0.25, 0.5, 0.75])
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,7 +59,7 @@ class ElementCurves:
     @classmethod
     def of(cls, field: Field) -> ElementCurves:
         parts = [parts_of(e.geometry) for e in field.elements]
-        rows = [_curve(part) for own in parts for part in own]
+        rows = [_curve_coefficients(part) for own in parts for part in own]
         table = np.array([r[:15] for r in rows], dtype=np.float64).reshape(-1, 15)
         intervals = np.array([r[15] for r in rows], dtype=np.intp)
         element = np.repeat(np.arange(len(parts)), [len(own) for own in parts])
@@ -94,18 +94,18 @@ class ElementCurves:
         return row, t, self.at(row, t)
 
 
-def _curve(part: Part) -> tuple[float, ...]:
+def _curve_coefficients(part: Part) -> tuple[float, ...]:
     nowhere = (0.0, 0.0, 0.0)
     if isinstance(part, Spot):
         return (*part.position, *nowhere, *nowhere, *nowhere, 0.0, 0.0, 0.0, 1)
     if isinstance(part, Line):
         length = math.dist(part.start, part.end)
         along = tuple(b - a for a, b in zip(part.start, part.end, strict=True))
-        steps = max(_LEAST_INTERVALS, math.ceil(length / _COARSE_M))
+        steps = max(_MIN_INTERVALS, math.ceil(length / _COARSE_STEP_M))
         return (*part.start, *along, *nowhere, *nowhere, 0.0, 0.0, 0.0, steps)
     first, last = angles_of(part)
     sweep = last - first
-    steps = max(_LEAST_INTERVALS, math.ceil(sweep * part.radius / _COARSE_CURVE_M))
+    steps = max(_MIN_INTERVALS, math.ceil(sweep * part.radius / _COARSE_CURVE_STEP_M))
     round_ = (*part.ahead, *part.aside, part.radius, first, sweep)
     return (*part.centre, *nowhere, *round_, steps)
 
@@ -129,7 +129,7 @@ class _Projector:
         return (px if seen.all() else np.where(seen[:, None], px, 0.0)), seen
 
 
-def fine_courses(
+def project_curves(
     camera: Camera,
     field: Field,
     curves: ElementCurves,
@@ -137,7 +137,7 @@ def fine_courses(
     *,
     only: BoolArray | None = None,
     halvings: int = 0,
-) -> Courses:
+) -> ClippedPolylines:
     """Project every element so finely that a finer sampling changes nothing.
 
     Args:
@@ -158,22 +158,22 @@ def fine_courses(
         wanted = wanted & field.on_ground
     active = _coarse_chords(curves, wanted[curves.element], project)
     in_reach = np.zeros(len(field.elements), dtype=bool)
-    in_reach[curves.element[active.rows[_near_picture(active, size)]]] = True
+    in_reach[curves.element[active.rows[_near_image(active, size)]]] = True
     active = active.select(in_reach[curves.element[active.rows]])
     done: list[Chords] = []
-    for _ in range(_ROUNDS):
-        active = active.select(_gap(active, size) < sum(size))
+    for _ in range(_SUBDIVISION_ROUNDS):
+        active = active.select(_outside_distance(active, size) < sum(size))
         if not len(active.rows):
             break
-        good, active = _split_crooked(active, project, size)
+        good, active = _split_curved_chords(active, project, size)
         done.append(good)
     # What is still crooked is no curve but a jump (a pole of a distortion model): no chord there.
     chords = Chords.concatenate(done)
     for _ in range(halvings):
         chords = _chords_between(
-            chords.rows, *_with_probes(chords, np.array([0.5]), project), project
+            chords.rows, *_probe_chords(chords, np.array([0.5]), project), project
         )
-    return courses_of(chords, curves.element, len(field.elements), size)
+    return clip_chords(chords, curves.element, len(field.elements), size)
 
 
 def _coarse_chords(curves: ElementCurves, wanted: BoolArray, project: _Projector) -> Chords:
@@ -204,11 +204,11 @@ def _chords_between(
     chords = Chords(rows[some], t[some], px[some])
     mixed = np.flatnonzero(~seen[some].all(axis=1))
     if len(mixed):
-        _cut_at_last_seen(chords, mixed, seen[some][mixed], project)
+        _bisect_to_visible(chords, mixed, seen[some][mixed], project)
     return chords
 
 
-def _cut_at_last_seen(
+def _bisect_to_visible(
     chords: Chords, which: IntArray, seen: BoolArray, project: _Projector
 ) -> None:
     """Move the unseen end of chords ``which`` to the last seen point, by bisecting the 3D curve."""
@@ -225,17 +225,17 @@ def _cut_at_last_seen(
     chords.px[which, lost] = px
 
 
-def _near_picture(chords: Chords, size: tuple[int, int]) -> BoolArray:
+def _near_image(chords: Chords, size: tuple[int, int]) -> BoolArray:
     """Whether a chord comes near enough for its curve to bulge into the picture."""
     low, high = _bounds(chords.px)
-    return _touches(low, high, np.hypot(*(high - low).T), size)
+    return _box_meets_image(low, high, np.hypot(*(high - low).T), size)
 
 
-def _gap(chords: Chords, size: tuple[int, int]) -> FloatArray:
-    return _gap_of(*_bounds(chords.px), size)
+def _outside_distance(chords: Chords, size: tuple[int, int]) -> FloatArray:
+    return _box_outside_distance(*_bounds(chords.px), size)
 
 
-def _gap_of(low: FloatArray, high: FloatArray, size: tuple[int, int]) -> FloatArray:
+def _box_outside_distance(low: FloatArray, high: FloatArray, size: tuple[int, int]) -> FloatArray:
     """(K,) how far outside the picture boxes low..high (K, 2) begin, px; 0 within."""
     gaps = np.maximum(np.maximum(-high, low - (np.array(size) - 1.0)), 0.0)
     return np.maximum(gaps[:, 0], gaps[:, 1])
@@ -247,7 +247,7 @@ def _bounds(px: FloatArray) -> tuple[FloatArray, FloatArray]:
     return reduce(np.minimum, columns), reduce(np.maximum, columns)
 
 
-def _touches(
+def _box_meets_image(
     low: FloatArray, high: FloatArray, margin: FloatArray, size: tuple[int, int]
 ) -> BoolArray:
     """(K,) whether boxes low..high (K, 2), grown by margin (K,), meet the picture."""
@@ -260,28 +260,28 @@ def _touches(
     return touching
 
 
-def _split_crooked(
+def _split_curved_chords(
     chords: Chords, project: _Projector, size: tuple[int, int]
 ) -> tuple[Chords, Chords]:
     """Chords that follow their curve well enough, and the quarters of those that do not."""
-    t, px, seen = _with_probes(chords, _PROBES, project)
-    deviation = np.where(seen.all(axis=1), _deviation(px), np.inf)
+    t, px, seen = _probe_chords(chords, _PROBE_SHARES, project)
+    deviation = np.where(seen.all(axis=1), _chord_deviation(px), np.inf)
     low, high = _bounds(px)
-    touching = _touches(low, high, deviation, size)
-    within = ~_touches_border(low, high, deviation, size)
+    touching = _box_meets_image(low, high, deviation, size)
+    within = ~_box_meets_border(low, high, deviation, size)
     at_border = touching & ~within
-    allowed = np.maximum(_TOLERANCE_PX, _TOLERANCE_BEYOND * _gap_of(low, high, size))
+    allowed = np.maximum(_TOLERANCE_PX, _TOLERANCE_OUTSIDE * _box_outside_distance(low, high, size))
     allowed[at_border] = _BORDER_TOLERANCE_PX
     length = np.hypot(*(px[:, -1] - px[:, 0]).T)
     # Not for an infinite deviation: a chord with an unseen point is no matter of noise.
-    tiny = np.maximum(length, deviation) < np.where(at_border, _BORDER_SHORT_PX, _SHORT_PX)
+    tiny = np.maximum(length, deviation) < np.where(at_border, _BORDER_MIN_CHORD_PX, _MIN_CHORD_PX)
     good = (deviation <= allowed) | tiny
     split = ~good
     quarters = _chords_between(chords.rows[split], t[split], px[split], seen[split], project)
     return chords.select(good), quarters
 
 
-def _with_probes(
+def _probe_chords(
     chords: Chords, fractions: FloatArray, project: _Projector
 ) -> tuple[FloatArray, FloatArray, BoolArray]:
     """Both ends and n points between: t (K, n + 2), pixels (K, n + 2, 2), visibility."""
@@ -298,7 +298,7 @@ def _with_probes(
     return t, px, seen
 
 
-def _touches_border(
+def _box_meets_border(
     low: FloatArray, high: FloatArray, margin: FloatArray, size: tuple[int, int]
 ) -> BoolArray:
     """(K,) whether grown boxes that meet the picture reach its border or beyond."""
@@ -311,7 +311,7 @@ def _touches_border(
     return beyond
 
 
-def _deviation(px: FloatArray) -> FloatArray:
+def _chord_deviation(px: FloatArray) -> FloatArray:
     """(K,) largest distance of the points between from the segment of the ends; px (K, n, 2)."""
     start_x, start_y = px[:, :1, 0], px[:, :1, 1]
     along_x, along_y = px[:, -1:, 0] - start_x, px[:, -1:, 1] - start_y

@@ -11,18 +11,18 @@ from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.field.load import load_field
 from procc_annotator.metric.setup import FieldTables
-from procc_annotator.words import count_of
+from procc_annotator.words import count_words
 
-_NAMED = 5
+_MAX_NAMED = 5
 
 
 @cache
-def official_tables() -> FieldTables:
+def soccernet_tables() -> FieldTables:
     """The field that the official evaluation knows."""
     return FieldTables.of(load_field())
 
 
-def folds_into_picture(
+def folds_into_image(
     camera: CameraOrProjections, tables: FieldTables, size: tuple[int, int]
 ) -> bool:
     """Whether the official evaluation would show field points in the picture that a lens folds
@@ -41,12 +41,12 @@ def folds_into_picture(
     return bool(((folded >= 0) & (folded < np.array(size))).all(axis=1).any())
 
 
-def folds_remark(frames: Sequence[str]) -> tuple[str, ...]:
+def fold_back_warnings(frames: Sequence[str]) -> tuple[str, ...]:
     """One line for all frames whose cameras do so; nothing without any."""
     if not frames:
         return ()
-    shown = ", ".join(frames[:_NAMED]) + (", ..." if len(frames) > _NAMED else "")
-    cameras = count_of(len(frames), "camera folds", "cameras fold")
+    shown = ", ".join(frames[:_MAX_NAMED]) + (", ..." if len(frames) > _MAX_NAMED else "")
+    cameras = count_words(len(frames), "camera folds", "cameras fold")
     return (
         f"{cameras} lines from far outside back into the picture in the official evaluation, which"
         f" does not know of folds; they may count as false positives there: {shown}",

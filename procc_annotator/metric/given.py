@@ -6,12 +6,12 @@ import numpy as np
 
 from procc_annotator.camera.projections import ElementProjections
 from procc_annotator.field.model import Field
-from procc_annotator.metric.clip import Chords, Courses, courses_of
+from procc_annotator.metric.clip import Chords, ClippedPolylines, clip_chords
 from procc_annotator.metric.official import visible_polylines
 from procc_annotator.metric.polylines import BoolArray, FloatArray, IntArray, Polylines
 
 
-def given_official(
+def clip_given_official(
     projections: ElementProjections, field: Field, size: tuple[int, int]
 ) -> Polylines:
     """The official walk along the vertices as if they were a camera's projected samples.
@@ -24,7 +24,7 @@ def given_official(
         field: classes that it does not have are passed over.
         size: (width, height) px.
     """
-    px, row, piece = _vertices(projections, field)
+    px, row, piece = _flat_vertices(projections, field)
     whole = visible_polylines(
         px, np.ones(len(px), dtype=bool), piece, size, element_count=int(piece.max(initial=-1)) + 1
     )
@@ -39,23 +39,23 @@ def given_official(
     )
 
 
-def given_fine(projections: ElementProjections, field: Field, size: tuple[int, int]) -> Courses:
+def clip_given_exact(projections: ElementProjections, field: Field, size: tuple[int, int]) -> ClippedPolylines:
     """The pieces, and their parts inside the picture; a single vertex has none, unless it is a
     spot.
 
-    Args: as `given_official`.
+    Args: as `clip_given_official`.
     """
-    px, row, piece = _vertices(projections, field)
+    px, row, piece = _flat_vertices(projections, field)
     first = np.flatnonzero(piece[1:] == piece[:-1])
     is_spot = np.array([e.is_spot for e in field.elements], dtype=bool)
     spots = np.flatnonzero(is_spot[row] & (np.bincount(piece)[piece] == 1))
     position = np.arange(len(px), dtype=np.float64)
     ends = np.concatenate((np.column_stack((first, first + 1)), np.column_stack((spots, spots))))
     rows = np.arange(len(field.elements))
-    return courses_of(Chords(row[ends[:, 0]], position[ends], px[ends]), rows, len(rows), size)
+    return clip_chords(Chords(row[ends[:, 0]], position[ends], px[ends]), rows, len(rows), size)
 
 
-def _vertices(
+def _flat_vertices(
     projections: ElementProjections, field: Field
 ) -> tuple[FloatArray, IntArray, IntArray]:
     """All vertices in field order (n, 2) px, the element and the piece (n,) each belongs to.

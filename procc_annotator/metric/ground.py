@@ -11,14 +11,14 @@ from procc_annotator.camera.base import Camera, FloatArray
 from procc_annotator.camera.projections import CameraOrProjections, ElementProjections
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.field.sample import sample_every
+from procc_annotator.field.sample import sample_evenly
 from procc_annotator.metric.polylines import BoolArray
 
 _CURVE_SPACING_M = 0.1
 
 
 @dataclass(frozen=True, slots=True)
-class Rectangle:
+class GroundRectangle:
     """A rectangle on the ground, metres, world frame; its border belongs to it."""
 
     left: float
@@ -47,7 +47,7 @@ class Rectangle:
         return inside
 
 
-def field_rectangle(field: Field) -> Rectangle:
+def field_rectangle(field: Field) -> GroundRectangle:
     """The field of play: its length and width about the centre.
 
     A field without these dimensions has the smallest rectangle along the axes that holds every
@@ -59,8 +59,8 @@ def field_rectangle(field: Field) -> Rectangle:
     length, width = field.dimension("length"), field.dimension("width")
     if length is not None and width is not None:
         x, y = length.value / 2, width.value / 2
-        return Rectangle(-x, -y, x, y)
-    samples = sample_every(field, _CURVE_SPACING_M)
+        return GroundRectangle(-x, -y, x, y)
+    samples = sample_evenly(field, _CURVE_SPACING_M)
     rows = [i for i, element in enumerate(field.elements) if element.on_ground]
     needed = [i for i in rows if not field.elements[i].optional]
     ground = [samples.of(i)[:, :2] for i in needed or rows]
@@ -68,10 +68,10 @@ def field_rectangle(field: Field) -> Rectangle:
         raise UsageError(f"the field {field.title} has no element on the ground to compare over")
     points = np.concatenate(ground)
     (left, top), (right, bottom) = points.min(axis=0), points.max(axis=0)
-    return Rectangle(float(left), float(top), float(right), float(bottom))
+    return GroundRectangle(float(left), float(top), float(right), float(bottom))
 
 
-def require_ground(camera: CameraOrProjections) -> Camera:
+def require_camera_model(camera: CameraOrProjections) -> Camera:
     """The camera itself; a source that has none, only shown elements, is refused.
 
     Raises:
@@ -85,7 +85,7 @@ def require_ground(camera: CameraOrProjections) -> Camera:
     return camera
 
 
-def ground_seen(camera: CameraOrProjections, points_px: FloatArray) -> FloatArray:
+def ground_points_seen(camera: CameraOrProjections, points_px: FloatArray) -> FloatArray:
     """The ground points (z = 0) that pixels show.
 
     Args:
@@ -98,4 +98,4 @@ def ground_seen(camera: CameraOrProjections, points_px: FloatArray) -> FloatArra
     Raises:
         UsageError: a source that shares only projections.
     """
-    return ground_from_px(require_ground(camera), points_px)
+    return ground_from_px(require_camera_model(camera), points_px)

@@ -10,11 +10,11 @@ import numpy as np
 from procc_annotator.camera.base import Camera, FloatArray
 from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.camera.pinhole import PinholeCamera
-from procc_annotator.metric.ground import Rectangle, ground_seen
+from procc_annotator.metric.ground import GroundRectangle, ground_points_seen
 
-_SAMPLES = (48, 27)
-_LEAST_SAMPLES = 8
-_IN_THE_GROUND_M = 1e-6
+_FIT_GRID = (48, 27)
+_MIN_SAMPLES = 8
+_ON_GROUND_TOLERANCE_M = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,8 +37,8 @@ class GroundHomography:
         return np.asarray(planes, dtype=np.float64)
 
 
-def ground_homography(
-    camera: Camera, rectangle: Rectangle, size: tuple[int, int]
+def ground_homography_of(
+    camera: Camera, rectangle: GroundRectangle, size: tuple[int, int]
 ) -> GroundHomography | None:
     """Reduce a camera to a homography of the ground.
 
@@ -58,12 +58,12 @@ def ground_homography(
     if isinstance(camera, HomographyCamera):
         return GroundHomography(camera.image_from_world, True)
     if isinstance(camera, PinholeCamera) and not camera.is_distorted:
-        in_the_ground = abs(camera.position_world[2]) < _IN_THE_GROUND_M
-        return None if in_the_ground else GroundHomography(_of_pinhole(camera), True)
-    return _fitted(camera, rectangle, size)
+        in_the_ground = abs(camera.position_world[2]) < _ON_GROUND_TOLERANCE_M
+        return None if in_the_ground else GroundHomography(_homography_of_pinhole(camera), True)
+    return _fit_homography(camera, rectangle, size)
 
 
-def _of_pinhole(camera: PinholeCamera) -> FloatArray:
+def _homography_of_pinhole(camera: PinholeCamera) -> FloatArray:
     (fx, fy), (cx, cy) = camera.focal_px, camera.principal_point_px
     intrinsic = np.array([[fx, 0.0, cx], [0.0, fy, cy], [0.0, 0.0, 1.0]])
     rotation = camera.rotation_cam_from_world
@@ -71,12 +71,12 @@ def _of_pinhole(camera: PinholeCamera) -> FloatArray:
     return np.asarray(intrinsic @ np.column_stack((rotation[:, :2], shift)), dtype=np.float64)
 
 
-def _fitted(camera: Camera, rectangle: Rectangle, size: tuple[int, int]) -> GroundHomography | None:
-    x, y = np.meshgrid(*(np.linspace(0.0, n - 1.0, k) for n, k in zip(size, _SAMPLES, strict=True)))
+def _fit_homography(camera: Camera, rectangle: GroundRectangle, size: tuple[int, int]) -> GroundHomography | None:
+    x, y = np.meshgrid(*(np.linspace(0.0, n - 1.0, k) for n, k in zip(size, _FIT_GRID, strict=True)))
     points_px = np.column_stack((x.ravel(), y.ravel()))
-    ground = ground_seen(camera, points_px)
+    ground = ground_points_seen(camera, points_px)
     on_field = rectangle.holds(ground)
-    if np.count_nonzero(on_field) < _LEAST_SAMPLES:
+    if np.count_nonzero(on_field) < _MIN_SAMPLES:
         return None
     found, _ = cv2.findHomography(ground[on_field], points_px[on_field], 0)
     if found is None or not np.isfinite(found).all():

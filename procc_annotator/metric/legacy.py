@@ -14,9 +14,9 @@ import numpy as np
 
 from procc_annotator.camera.base import Camera, FloatArray
 from procc_annotator.field.model import Field
-from procc_annotator.metric.ground import Rectangle, field_rectangle, ground_seen, require_ground
-from procc_annotator.metric.ground_homography import GroundHomography, ground_homography
-from procc_annotator.metric.polygons import area, clipped, clipped_by, transformed
+from procc_annotator.metric.ground import GroundRectangle, field_rectangle, ground_points_seen, require_camera_model
+from procc_annotator.metric.ground_homography import GroundHomography, ground_homography_of
+from procc_annotator.metric.polygons import polygon_area, clip_by_half_planes, convex_intersection, transform_points
 from procc_annotator.metric.polylines import BoolArray
 
 RASTER_M = 0.25
@@ -24,11 +24,11 @@ RASTER_M = 0.25
 
 _PIXEL_STEP = 8.0
 _GROUND_STEP_M = 1.0
-_RETURNS_WITHIN_M = 0.05
+_ROUND_TRIP_TOLERANCE_M = 0.05
 _CM_PER_M = 100.0
 
 # The picture's points that the basketball challenge compares, as shares of width and height.
-_SIX_POINTS = np.array([(1.0, 1.0), (1.0, 0.5), (0.5, 1.0), (0.5, 0.5), (0.0, 1.0), (0.0, 0.5)])
+_SIX_GROUND_POINTS = np.array([(1.0, 1.0), (1.0, 0.5), (0.5, 1.0), (0.5, 0.5), (0.0, 1.0), (0.0, 0.5)])
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,12 +58,12 @@ class LegacyMetrics:
     six_point_rmse_cm: float | None
 
 
-FIGURES = ("iou_whole", "iou_part", "projection_m", "reprojection", "six_point_rmse_cm")
+LEGACY_METRIC_NAMES = ("iou_whole", "iou_part", "projection_m", "reprojection", "six_point_rmse_cm")
 """The figures a set is summed up by."""
 
 
 @dataclass(frozen=True, slots=True)
-class Average:
+class MetricAverage:
     """Mean and median over the frames that have the figure; ``frames`` says how many do."""
 
     mean: float | None
@@ -71,17 +71,17 @@ class Average:
     frames: int
 
     @classmethod
-    def of(cls, values: Iterable[float | None]) -> Average:
+    def of(cls, values: Iterable[float | None]) -> MetricAverage:
         found = np.array([v for v in values if v is not None], dtype=np.float64)
         if not len(found):
             return cls(None, None, 0)
         return cls(float(found.mean()), float(np.median(found)), len(found))
 
 
-def legacy_averages(frames: Iterable[LegacyMetrics]) -> dict[str, Average]:
-    """Mean and median of each of `FIGURES` over a set."""
+def legacy_averages(frames: Iterable[LegacyMetrics]) -> dict[str, MetricAverage]:
+    """Mean and median of each of `LEGACY_METRIC_NAMES` over a set."""
     found = list(frames)
-    return {name: Average.of(getattr(f, name) for f in found) for name in FIGURES}
+    return {name: MetricAverage.of(getattr(f, name) for f in found) for name in LEGACY_METRIC_NAMES}
 
 
 def legacy_metrics(
@@ -99,10 +99,10 @@ def legacy_metrics(
         UsageError: a source that shares only projections, or a field without ground.
     """
     for one in (camera, reference):
-        require_ground(one)
+        require_camera_model(one)
     rectangle = field_rectangle(field)
-    ours = ground_homography(camera, rectangle, size)
-    theirs = ground_homography(reference, rectangle, size)
+    ours = ground_homography_of(camera, rectangle, size)
+    theirs = ground_homography_of(reference, rectangle, size)
     projection = _projection_error(camera, reference, rectangle, size)
     reprojection = _reprojection_error(camera, reference, rectangle, size)
     squared = _six_point_mse(camera, reference, size)
@@ -119,13 +119,13 @@ def legacy_metrics(
 # ------------------------------------------------------------------------------------------- IoU
 
 
-def _iou_whole(ours: GroundHomography, theirs: GroundHomography, rectangle: Rectangle) -> float:
+def _iou_whole(ours: GroundHomography, theirs: GroundHomography, rectangle: GroundRectangle) -> float:
     """The field against the field that went through both cameras.
 
     Where that one reaches our horizon it is infinitely large, and the IoU 0.
     """
     through_both = np.linalg.solve(ours.image_from_ground, theirs.image_from_ground)
-    mapped, in_front = transformed(through_both.astype(np.float64), rectangle.corners)
+    mapped, in_front = transform_points(through_both.astype(np.float64), rectangle.corners)
     if not in_front.all():
         return 0.0
     return _iou(rectangle.corners, mapped)
@@ -134,28 +134,28 @@ def _iou_whole(ours: GroundHomography, theirs: GroundHomography, rectangle: Rect
 def _iou_part(
     cameras: tuple[Camera, Camera],
     homographies: tuple[GroundHomography | None, GroundHomography | None],
-    rectangle: Rectangle,
+    rectangle: GroundRectangle,
     size: tuple[int, int],
 ) -> float | None:
     """The parts of the field that either camera shows; None where neither shows any."""
     ours, theirs = homographies
     if ours is not None and theirs is not None and ours.is_exact and theirs.is_exact:
-        shown = [clipped(rectangle.corners, h.half_planes(size)) for h in (ours, theirs)]
+        shown = [clip_by_half_planes(rectangle.corners, h.half_planes(size)) for h in (ours, theirs)]
         return _iou(*shown) if any(len(polygon) for polygon in shown) else None
     centres = _ground_cells(rectangle, RASTER_M)
-    masks = [_shows(camera, centres, size) for camera in cameras]
+    masks = [_in_view(camera, centres, size) for camera in cameras]
     either = np.count_nonzero(masks[0] | masks[1])
     return float(np.count_nonzero(masks[0] & masks[1]) / either) if either else None
 
 
 def _iou(a: FloatArray, b: FloatArray) -> float:
     """Of two convex polygons."""
-    both = area(clipped_by(a, b))
-    either = area(a) + area(b) - both
+    both = polygon_area(convex_intersection(a, b))
+    either = polygon_area(a) + polygon_area(b) - both
     return both / either if either > 0 else 0.0
 
 
-def _ground_cells(rectangle: Rectangle, widest_m: float) -> FloatArray:
+def _ground_cells(rectangle: GroundRectangle, widest_m: float) -> FloatArray:
     """(N, 2) centres of equal cells that fill a rectangle of the ground."""
     return _cells((rectangle.left, rectangle.right), (rectangle.top, rectangle.bottom), widest_m)
 
@@ -173,7 +173,7 @@ def _cells(x: tuple[float, float], y: tuple[float, float], widest: float) -> Flo
     return np.column_stack((columns.ravel(), rows.ravel()))
 
 
-def _shows(camera: Camera, ground: FloatArray, size: tuple[int, int]) -> BoolArray:
+def _in_view(camera: Camera, ground: FloatArray, size: tuple[int, int]) -> BoolArray:
     """(N,) whether ground points (N, 2) are in the picture.
 
     A distortion far from its centre may fold the ground back into the picture: a point counts only
@@ -181,10 +181,10 @@ def _shows(camera: Camera, ground: FloatArray, size: tuple[int, int]) -> BoolArr
     """
     px, valid = _projected(camera, ground)
     found = np.flatnonzero(valid & _in_picture(px, size))
-    back = ground_seen(camera, px[found])
+    back = ground_points_seen(camera, px[found])
     apart = np.hypot(*(back - ground[found]).T)
     shown = np.zeros(len(ground), dtype=bool)
-    shown[found[apart <= _RETURNS_WITHIN_M]] = True
+    shown[found[apart <= _ROUND_TRIP_TOLERANCE_M]] = True
     return shown
 
 
@@ -192,24 +192,24 @@ def _shows(camera: Camera, ground: FloatArray, size: tuple[int, int]) -> BoolArr
 
 
 def _projection_error(
-    camera: Camera, reference: Camera, rectangle: Rectangle, size: tuple[int, int]
+    camera: Camera, reference: Camera, rectangle: GroundRectangle, size: tuple[int, int]
 ) -> tuple[float | None, float | None]:
     """Metres over the pixels that show the field to the reference, and the share of them lost."""
     points_px = _cells((0.0, size[0] - 1.0), (0.0, size[1] - 1.0), _PIXEL_STEP)
-    truth = ground_seen(reference, points_px)
+    truth = ground_points_seen(reference, points_px)
     on_field = rectangle.holds(truth)
     if not on_field.any():
         return None, None
-    found = ground_seen(camera, points_px[on_field])
+    found = ground_points_seen(camera, points_px[on_field])
     return _mean_and_lost(np.hypot(*(found - truth[on_field]).T))
 
 
 def _reprojection_error(
-    camera: Camera, reference: Camera, rectangle: Rectangle, size: tuple[int, int]
+    camera: Camera, reference: Camera, rectangle: GroundRectangle, size: tuple[int, int]
 ) -> tuple[float | None, float | None]:
     """Of points of the field that the reference shows, over the picture's height."""
     ground = _ground_cells(rectangle, _GROUND_STEP_M)
-    ground = ground[_shows(reference, ground, size)]
+    ground = ground[_in_view(reference, ground, size)]
     if not len(ground):
         return None, None
     truth, _ = _projected(reference, ground)
@@ -226,8 +226,8 @@ def _mean_and_lost(distances: FloatArray) -> tuple[float | None, float]:
 
 def _six_point_mse(camera: Camera, reference: Camera, size: tuple[int, int]) -> float | None:
     """cm², over the 18 coordinates of six ground points (those of z are 0, as in the source)."""
-    points_px = _SIX_POINTS * size
-    apart = ground_seen(camera, points_px) - ground_seen(reference, points_px)
+    points_px = _SIX_GROUND_POINTS * size
+    apart = ground_points_seen(camera, points_px) - ground_points_seen(reference, points_px)
     squared = np.square(_CM_PER_M * apart).sum() / (3 * len(points_px))
     return float(squared) if np.isfinite(squared) else None
 

@@ -129,30 +129,30 @@ def measure_frames(
     setup: EvaluationSetup,
 ) -> list[Measurement]:
     """The same for several frames at once, at least one: the same numbers in half the time."""
-    return _measured(annotations, *project_fields(cameras, setup), setup)
+    return _build_measurements(annotations, *project_fields(cameras, setup), setup)
 
 
 def measure_projected(
     annotation: FrameAnnotation, projected: ProjectedField, setup: EvaluationSetup
 ) -> Measurement:
     """Measure an annotation against an already projected field (while only points move)."""
-    return _measured([annotation], [projected], projected.measured, setup)[0]
+    return _build_measurements([annotation], [projected], projected.measured, setup)[0]
 
 
-def _measured(
+def _build_measurements(
     annotations: Sequence[FrameAnnotation],
     shown: Sequence[ProjectedField],
     polylines: Polylines,
     setup: EvaluationSetup,
 ) -> list[Measurement]:
     """Measurements of frames; polylines: what distances are taken to, `Polylines.joined`."""
-    labels = _Labels.of(annotations, shown, setup)
+    labels = _FlatLabels.of(annotations, shown, setup)
     turns = setup.tables.turns if setup.considers_mirrored else ()
     readings = [labels.rows, *(np.where(labels.rows >= 0, t[labels.rows], -1) for t in turns)]
     hits = [(some >= 0) & polylines.detected[labels.first_row + some] for some in readings]
-    distances = _distances(labels, readings, hits, polylines)
+    distances = _point_distances(labels, readings, hits, polylines)
     labellings = [
-        _labellings(labels, some, hit, found, polylines, setup.tables, turn)
+        _build_labellings(labels, some, hit, found, polylines, setup.tables, turn)
         for some, hit, found, turn in zip(readings, hits, distances, (None, *turns), strict=True)
     ]
     points = np.split(labels.points_px, labels.points_before[1:-1])
@@ -186,7 +186,7 @@ def nearest_points(measurement: Measurement, labelling: Labelling) -> tuple[Floa
 
 
 @dataclass(frozen=True, eq=False)
-class _Labels:
+class _FlatLabels:
     """The classes of F frames that count, one after the other: C in all.
 
     Attributes:
@@ -218,7 +218,7 @@ class _Labels:
         flat: list[float] = []
         points_before = [0]
         for annotation, projected in zip(annotations, shown, strict=True):
-            names.append(_add_labelled(annotation, projected, setup, counts, flat))
+            names.append(_append_labels(annotation, projected, setup, counts, flat))
             points_before.append(len(flat) // 2)
         index = setup.tables.index
         points_px = np.array(flat, dtype=np.float64).reshape(-1, 2)
@@ -235,7 +235,7 @@ class _Labels:
         )
 
 
-def _add_labelled(
+def _append_labels(
     annotation: FrameAnnotation,
     projected: ProjectedField,
     setup: EvaluationSetup,
@@ -259,8 +259,8 @@ def _add_labelled(
     return tuple(names)
 
 
-def _distances(
-    labels: _Labels, readings: Sequence[IntArray], hits: Sequence[BoolArray], polylines: Polylines
+def _point_distances(
+    labels: _FlatLabels, readings: Sequence[IntArray], hits: Sequence[BoolArray], polylines: Polylines
 ) -> list[FloatArray]:
     """Distances of the points of projected classes, for all labellings in one go.
 
@@ -285,8 +285,8 @@ def _distances(
     return found
 
 
-def _labellings(
-    labels: _Labels,
+def _build_labellings(
+    labels: _FlatLabels,
     rows: IntArray,
     hit: BoolArray,
     distances: FloatArray,
@@ -309,7 +309,7 @@ def _labellings(
     extra_cuts = np.searchsorted(extra_frame, np.arange(len(labels.names) + 1)).tolist()
     counts, hits = labels.counts.tolist(), hit.tolist()
     return [
-        _labelling(
+        _build_labelling(
             names, rows[begin:end], tuple(counts[begin:end]), tuple(hits[begin:end]), near,
             extra_row[first:last], tables, before,
         )
@@ -319,7 +319,7 @@ def _labellings(
     ]  # fmt: skip
 
 
-def _labelling(
+def _build_labelling(
     names: tuple[str, ...],
     rows: IntArray,
     counts: tuple[int, ...],

@@ -36,7 +36,7 @@ def official_polylines(
         One piece an element, px, also across gaps; what the cameras show one after the other, as
         `Polylines.joined` has it.
     """
-    shown = [_project(camera, tables) for camera in cameras]
+    shown = [_project_float32(camera, tables) for camera in cameras]
     elements = len(tables.names)
     first_row = np.repeat(np.arange(len(shown)) * elements, len(tables.element_of_sample))
     return visible_polylines(
@@ -48,7 +48,7 @@ def official_polylines(
     )
 
 
-def _project(camera: Camera, tables: FieldTables) -> tuple[FloatArray, BoolArray]:
+def _project_float32(camera: Camera, tables: FieldTables) -> tuple[FloatArray, BoolArray]:
     points = tables.points_world
     if hasattr(camera, "project_float32"):
         points_px, valid = cast(_Float32Camera, camera).project_float32(points)
@@ -82,7 +82,7 @@ def visible_polylines(
     if not valid.all():
         points_px, element = points_px[valid], element[valid]
     x, y = points_px.T.copy()
-    inside = _inside(x, y, size)
+    inside = _inside_image(x, y, size)
     crossing = np.flatnonzero(inside[1:] != inside[:-1]) + 1
     crossing = crossing[element[crossing] == element[crossing - 1]]
     border, found = _border_points(
@@ -105,7 +105,7 @@ def visible_polylines(
     return Polylines(vertices, owner, is_end, element_count, nan_if_zero_length=True)
 
 
-def _inside(
+def _inside_image(
     x: NDArray[np.float64], y: NDArray[np.float64], size: tuple[int, int]
 ) -> NDArray[np.bool_]:
     return (x >= 0) & (x < size[0]) & (y >= 0) & (y < size[1])
@@ -138,7 +138,7 @@ def _border_points(
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         candidates[:, :2, 1] = y + (sides[0] - x) * (along[:, 1:] / along[:, :1])
         candidates[:, 2:, 0] = x + (sides[1] - y) * (along[:, :1] / along[:, 1:])
-        usable = _inside(candidates[..., 0], candidates[..., 1], size)
+        usable = _inside_image(candidates[..., 0], candidates[..., 1], size)
         usable &= np.isfinite(along[:, :1]) & np.isfinite(along[:, 1:])
         offset = candidates - current[:, None, :]
         distance2 = np.where(usable, np.einsum("ksc,ksc->ks", offset, offset), np.inf)

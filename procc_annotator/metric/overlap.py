@@ -10,13 +10,13 @@ from __future__ import annotations
 import numpy as np
 
 from procc_annotator.metric.polylines import FloatArray
-from procc_annotator.metric.trace import Trace
+from procc_annotator.metric.trace import ClickedCurve
 
 # The shorter course is walked in this many steps.
-_STEPS = 100
+_OVERLAP_SAMPLES = 100
 
 
-def overlap(a: Trace, clicks_a: FloatArray, b: Trace, clicks_b: FloatArray) -> float:
+def curve_overlap(a: ClickedCurve, clicks_a: FloatArray, b: ClickedCurve, clicks_b: FloatArray) -> float:
     """Share of the shorter course's length that runs along the longer one.
 
     A part runs along as far as its feet on the other advance: a line across another one, or away
@@ -31,37 +31,37 @@ def overlap(a: Trace, clicks_a: FloatArray, b: Trace, clicks_b: FloatArray) -> f
         0 (at most a place in common) to 1 (the shorter lies all along the longer).
     """
     (own, first, last), (other, low, high) = sorted(
-        ((a, *extent(a, clicks_a)), (b, *extent(b, clicks_b))), key=lambda c: c[2] - c[1]
+        ((a, *clicked_extent(a, clicks_a)), (b, *clicked_extent(b, clicks_b))), key=lambda c: c[2] - c[1]
     )
     if not last > first:
         return 0.0
-    at = _lengths(own)
-    walked = np.linspace(first, last, _STEPS + 1)
+    at = _arc_lengths_of(own)
+    walked = np.linspace(first, last, _OVERLAP_SAMPLES + 1)
     places = np.column_stack([np.interp(walked, at, own.vertices[:, axis]) for axis in (0, 1)])
-    at_other = np.clip(feet(other, places), low, high)
+    at_other = np.clip(closest_arc_lengths(other, places), low, high)
     advance = np.abs(np.diff(at_other))
     if other.closed:  # past the first vertex they begin anew
         advance = np.minimum(advance, high - low - advance)
     # A foot that jumps to another branch goes no further along than the walk itself.
-    advance = np.minimum(advance, (last - first) / _STEPS)
+    advance = np.minimum(advance, (last - first) / _OVERLAP_SAMPLES)
     beside = ~np.isnan(other.distances(places))
     return float(advance[beside[1:] & beside[:-1]].sum() / (last - first))
 
 
-def extent(trace: Trace, clicks: FloatArray) -> tuple[float, float]:
+def clicked_extent(trace: ClickedCurve, clicks: FloatArray) -> tuple[float, float]:
     """Where along a course its first and its last click lie, px from its first vertex."""
     if trace.closed:
-        return 0.0, float(_lengths(trace)[-1])
-    at = feet(trace, clicks)
+        return 0.0, float(_arc_lengths_of(trace)[-1])
+    at = closest_arc_lengths(trace, clicks)
     return float(at.min()), float(at.max())
 
 
-def _lengths(trace: Trace) -> FloatArray:
+def _arc_lengths_of(trace: ClickedCurve) -> FloatArray:
     """(M,) px along the course to each vertex."""
     return np.concatenate(((0.0,), np.hypot(*np.diff(trace.vertices, axis=0).T).cumsum()))
 
 
-def feet(trace: Trace, points: FloatArray) -> FloatArray:
+def closest_arc_lengths(trace: ClickedCurve, points: FloatArray) -> FloatArray:
     """(n,) px along the course to its nearest position to each of (n, 2) points."""
     # Coordinate by coordinate: three times as fast as vectors.
     x, y = trace.vertices.T
@@ -72,6 +72,6 @@ def feet(trace: Trace, points: FloatArray) -> FloatArray:
     off_x -= share * along_x
     off_y -= share * along_y
     nearest = (off_x * off_x + off_y * off_y).argmin(axis=1)
-    at = _lengths(trace)
+    at = _arc_lengths_of(trace)
     part = share[np.arange(len(points)), nearest]
     return np.asarray(at[nearest] + part * (at[nearest + 1] - at[nearest]), dtype=np.float64)

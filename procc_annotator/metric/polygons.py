@@ -9,7 +9,7 @@ import numpy as np
 from procc_annotator.metric.polylines import BoolArray, FloatArray
 
 
-def area(polygon: FloatArray) -> float:
+def polygon_area(polygon: FloatArray) -> float:
     """The area of a polygon (n, 2), whichever way around; 0 for fewer than three points."""
     if len(polygon) < 3:
         return 0.0
@@ -17,7 +17,7 @@ def area(polygon: FloatArray) -> float:
     return 0.5 * abs(float(x @ np.roll(y, -1) - y @ np.roll(x, -1)))
 
 
-def clipped(polygon: FloatArray, half_planes: Iterable[FloatArray]) -> FloatArray:
+def clip_by_half_planes(polygon: FloatArray, half_planes: Iterable[FloatArray]) -> FloatArray:
     """The part of a convex polygon where all ``a x + b y + c >= 0`` (Sutherland and Hodgman 1974).
 
     Args:
@@ -43,7 +43,7 @@ def clipped(polygon: FloatArray, half_planes: Iterable[FloatArray]) -> FloatArra
     return polygon
 
 
-def clipped_by(polygon: FloatArray, other: FloatArray) -> FloatArray:
+def convex_intersection(polygon: FloatArray, other: FloatArray) -> FloatArray:
     """The intersection of two convex polygons, (n, 2) and (m, 2), whichever way around."""
     if len(other) < 3:
         return np.empty((0, 2))
@@ -52,10 +52,10 @@ def clipped_by(polygon: FloatArray, other: FloatArray) -> FloatArray:
     x, y = (other - other[0]).T
     if x @ np.roll(y, -1) < y @ np.roll(x, -1):
         inward = -inward
-    return clipped(polygon, np.column_stack((inward, -(inward * start).sum(axis=1))))
+    return clip_by_half_planes(polygon, np.column_stack((inward, -(inward * start).sum(axis=1))))
 
 
-def transformed(matrix: FloatArray, points: FloatArray) -> tuple[FloatArray, BoolArray]:
+def transform_points(matrix: FloatArray, points: FloatArray) -> tuple[FloatArray, BoolArray]:
     """What a homography (3, 3) makes of points (n, 2), and (n,) whether they stay in front."""
     homogeneous = points @ matrix[:, :2].T + matrix[:, 2]
     in_front = homogeneous[:, 2] > 0

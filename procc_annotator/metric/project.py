@@ -10,10 +10,10 @@ import numpy as np
 
 from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.camera.projections import CameraOrProjections, ElementProjections
-from procc_annotator.field.paint import paint_of
-from procc_annotator.metric.clip import Courses
-from procc_annotator.metric.fine import fine_courses
-from procc_annotator.metric.given import given_fine, given_official
+from procc_annotator.field.paint import marking_field
+from procc_annotator.metric.clip import ClippedPolylines
+from procc_annotator.metric.fine import project_curves
+from procc_annotator.metric.given import clip_given_exact, clip_given_official
 from procc_annotator.metric.official import official_polylines
 from procc_annotator.metric.polylines import BoolArray, FloatArray, Polylines
 from procc_annotator.metric.setup import EvaluationSetup
@@ -69,13 +69,13 @@ def project_fields(
         What each of them shows, and what distances are taken to in all of them as
         `Polylines.joined` has it.
     """
-    shown, measured = _polylines(cameras, setup)
+    shown, measured = _project_all(cameras, setup)
     if setup.planar_only:
         planar = np.tile(setup.tables.on_ground, len(cameras))
         shown, measured = shown.of_elements(planar), measured.of_elements(planar)
     count = len(cameras)
     fields = [
-        _field(camera, pieces, near, setup)
+        _projected_field(camera, pieces, near, setup)
         for camera, pieces, near in zip(
             cameras, shown.of_frames(count), measured.of_frames(count), strict=True
         )
@@ -83,27 +83,27 @@ def project_fields(
     return fields, measured
 
 
-def _polylines(
+def _project_all(
     cameras: Sequence[CameraOrProjections], setup: EvaluationSetup
 ) -> tuple[Polylines, Polylines]:
     """The visible pieces of all frames, and what is measured, `Polylines.joined`."""
     if setup.is_official:
-        shown = _official(cameras, setup)
+        shown = _project_official(cameras, setup)
         return shown, shown
-    courses = [_fine(camera, setup) for camera in cameras]
+    courses = [_project_exact(camera, setup) for camera in cameras]
     return (
         Polylines.joined([frame.in_sight for frame in courses]),
         Polylines.joined([frame.unclipped for frame in courses]),
     )
 
 
-def _official(cameras: Sequence[CameraOrProjections], setup: EvaluationSetup) -> Polylines:
+def _project_official(cameras: Sequence[CameraOrProjections], setup: EvaluationSetup) -> Polylines:
     real = [camera for camera in cameras if not isinstance(camera, ElementProjections)]
     if len(real) == len(cameras):
         return official_polylines(real, setup.tables, setup.size)
     return Polylines.joined(
         [
-            given_official(camera, setup.field, setup.size).of_elements(setup.tables.is_official)
+            clip_given_official(camera, setup.field, setup.size).of_elements(setup.tables.is_official)
             if isinstance(camera, ElementProjections)
             else official_polylines([camera], setup.tables, setup.size)
             for camera in cameras
@@ -111,13 +111,13 @@ def _official(cameras: Sequence[CameraOrProjections], setup: EvaluationSetup) ->
     )
 
 
-def _fine(camera: CameraOrProjections, setup: EvaluationSetup) -> Courses:
+def _project_exact(camera: CameraOrProjections, setup: EvaluationSetup) -> ClippedPolylines:
     if isinstance(camera, ElementProjections):
-        return given_fine(camera, setup.field, setup.size)
-    return fine_courses(camera, setup.field, setup.curves, setup.size)
+        return clip_given_exact(camera, setup.field, setup.size)
+    return project_curves(camera, setup.field, setup.curves, setup.size)
 
 
-def _field(
+def _projected_field(
     camera: CameraOrProjections, polylines: Polylines, measured: Polylines, setup: EvaluationSetup
 ) -> ProjectedField:
     tables = setup.tables
@@ -130,7 +130,7 @@ def _field(
     return ProjectedField(tables.names, polylines, measured, left_out, ground_only, camera)
 
 
-def unclipped(camera: CameraOrProjections, setup: EvaluationSetup, only: BoolArray) -> Polylines:
+def project_unclipped(camera: CameraOrProjections, setup: EvaluationSetup, only: BoolArray) -> Polylines:
     """Elements as they go on beyond the picture, whatever the protocol measures distances to.
 
     Args:
@@ -138,11 +138,11 @@ def unclipped(camera: CameraOrProjections, setup: EvaluationSetup, only: BoolArr
         only: (E,) the elements wanted; of those that have no part in the picture nothing is found.
     """
     if isinstance(camera, ElementProjections):
-        return given_fine(camera, setup.field, setup.size).unclipped.of_elements(only)
-    return fine_courses(camera, setup.field, setup.curves, setup.size, only=only).unclipped
+        return clip_given_exact(camera, setup.field, setup.size).unclipped.of_elements(only)
+    return project_curves(camera, setup.field, setup.curves, setup.size, only=only).unclipped
 
 
-def measured_pieces(
+def project_measured(
     camera: CameraOrProjections, setup: EvaluationSetup
 ) -> dict[str, tuple[FloatArray, ...]]:
     """Where a camera shows the elements in sight: all that the protocol measures distances to.
@@ -154,11 +154,11 @@ def measured_pieces(
     if setup.is_official:
         return shown.pieces
     names = np.array(shown.names)
-    whole = unclipped(camera, setup, shown.polylines.detected)
+    whole = project_unclipped(camera, setup, shown.polylines.detected)
     return {str(names[row]): whole.pieces_of(row) for row in whole.detected.nonzero()[0].tolist()}
 
 
-def why_clipped(camera: CameraOrProjections, setup: EvaluationSetup) -> str:
+def clipped_projection_error(camera: CameraOrProjections, setup: EvaluationSetup) -> str:
     """Why projections cannot be judged by a protocol that measures beyond the picture; empty if
     they can."""
     if setup.is_official or not isinstance(camera, ElementProjections):
@@ -171,7 +171,7 @@ def why_clipped(camera: CameraOrProjections, setup: EvaluationSetup) -> str:
     )
 
 
-def project_paint(camera: CameraOrProjections, setup: EvaluationSetup) -> ProjectedField | None:
+def project_markings(camera: CameraOrProjections, setup: EvaluationSetup) -> ProjectedField | None:
     """The borders of all painted bands in the picture, as true curves whatever the protocol.
 
     Args:
@@ -184,7 +184,7 @@ def project_paint(camera: CameraOrProjections, setup: EvaluationSetup) -> Projec
     """
     if isinstance(camera, ElementProjections):
         return None
-    paint = paint_of(setup.field)
+    paint = marking_field(setup.field)
     if not paint.elements:
         return None
     return project_field(camera, replace(setup, field=paint, protocol="procc"))

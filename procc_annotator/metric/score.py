@@ -104,7 +104,7 @@ class FrameScore:
         annotated = zip(labels.names, labels.annotated_names, labels.distances, strict=True)
         others = zip(labels.not_annotated, labels.not_annotated_labels, strict=True)
         return (
-            *(_judged(name, own, found, self.threshold) for name, own, found in annotated),
+            *(_element_score(name, own, found, self.threshold) for name, own, found in annotated),
             *(ElementScore(name, own, "not_annotated", _NO_DISTANCES) for name, own in others),
         )
 
@@ -124,7 +124,7 @@ def score(measurement: Measurement, threshold: float) -> FrameScore:
     tp = int(best.worst.searchsorted(threshold))
     for mirrored in measurement.mirrored:
         other = int(mirrored.worst.searchsorted(threshold))
-        gain = _gain(other, mirrored, tp, best)
+        gain = _labelling_gain(other, mirrored, tp, best)
         if gain > 0:
             best, tp, read = mirrored, other, mirrored
         elif gain == 0 and best is measurement.plain and measurement.setup.is_official:
@@ -132,7 +132,7 @@ def score(measurement: Measurement, threshold: float) -> FrameScore:
     return _frame_score(threshold, tp, best, best is not measurement.plain, read)
 
 
-def score_to_read(measurement: Measurement, threshold: float) -> FrameScore:
+def display_score(measurement: Measurement, threshold: float) -> FrameScore:
     """The score as a person reads it: the same JaC, with the labels as they are on a tie.
 
     On a tie the official evaluation takes the mirrored labels. Its JaC is the same, but every
@@ -149,7 +149,7 @@ def score_to_read(measurement: Measurement, threshold: float) -> FrameScore:
     return _frame_score(threshold, int(plain.worst.searchsorted(threshold)), plain, False, plain)
 
 
-def _gain(tp: int, labelling: Labelling, other_tp: int, other: Labelling) -> int:
+def _labelling_gain(tp: int, labelling: Labelling, other_tp: int, other: Labelling) -> int:
     """Whether the JaC of a labelling is above (> 0) that of another one, or the same (0).
 
     Compared without dividing; all counts zero is JaC 0.
@@ -194,7 +194,7 @@ def _frame_score(
     )
 
 
-def _judged(name: str, own: str, distances: FloatArray | None, threshold: float) -> ElementScore:
+def _element_score(name: str, own: str, distances: FloatArray | None, threshold: float) -> ElementScore:
     if distances is None:
         return ElementScore(name, own, "missed", _NO_DISTANCES)
     deciding = int(np.argmax(distances))  # the first NaN, if any: it decides as well

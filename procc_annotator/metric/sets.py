@@ -16,13 +16,13 @@ from procc_annotator.metric.measure import Labelling, Measurement
 from procc_annotator.metric.score import FrameScore
 from procc_annotator.metric.setup import EvaluationSetup
 
-Counts = NDArray[np.int64]
+CountArray = NDArray[np.int64]
 
 # The devkit's stand-ins for the points of an element that is projected but not annotated; a place
 # is one click, of which the devkit knows none.
-_POINTS_OF_A_CURVE = 9
-_POINTS_OF_A_LINE = 2
-_POINTS_OF_A_SPOT = 1
+_CURVE_POINTS = 9
+_LINE_POINTS = 2
+_SPOT_POINTS = 1
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,7 +79,7 @@ class SetSummary:
 
 
 @dataclass(slots=True)
-class _Gathered:
+class _ThresholdSums:
     """What one threshold needs: the JaC of every image, and sums; of errors under the labelling
     that counts, and under the one that is read."""
 
@@ -107,7 +107,7 @@ class _Gathered:
         self.read_error_sum += score.read.error_sum
         self.read_error_count += len(score.read.all_distances)
 
-    def merge(self, other: _Gathered) -> None:
+    def merge(self, other: _ThresholdSums) -> None:
         self.jacs.extend(other.jacs)
         self.precision_sum += other.precision_sum
         self.precision_count += other.precision_count
@@ -132,12 +132,12 @@ class SetAccumulator:
         self.thresholds = tuple(float(t) for t in thresholds)
         self._taus = np.array(self.thresholds, dtype=np.float64)
         self._missing = 0
-        self._gathered = [_Gathered() for _ in self.thresholds]
+        self._gathered = [_ThresholdSums() for _ in self.thresholds]
         self._class_index: dict[str, int] = {}
         # (T, classes, 3) points: tp, fp, fn; grows with the class names met.
-        self._classes: Counts = np.zeros((len(self.thresholds), 0, 3), dtype=np.int64)
+        self._classes: CountArray = np.zeros((len(self.thresholds), 0, 3), dtype=np.int64)
         self._reserve(e.name for e in setup.field.elements)
-        self._stand_ins = {e.name: _stand_in(e) for e in setup.field.elements}
+        self._stand_ins = {e.name: _placeholder_points(e) for e in setup.field.elements}
 
     def add(
         self, name: str, measurement: Measurement | None, scores: Mapping[float, FrameScore]
@@ -152,7 +152,7 @@ class SetAccumulator:
         Raises:
             UsageError: a threshold has no score, or the frame was measured differently.
         """
-        if measurement is not None and not _same_conditions(self.setup, measurement.setup):
+        if measurement is not None and not _same_setup(self.setup, measurement.setup):
             raise UsageError(f"{name}: measured with {measurement.setup.describe()}")
         missing = [t for t in self.thresholds if t not in scores]
         if missing:
@@ -173,7 +173,7 @@ class SetAccumulator:
         Raises:
             UsageError: it gathered other thresholds or another protocol or size.
         """
-        if other.thresholds != self.thresholds or not _same_conditions(other.setup, self.setup):
+        if other.thresholds != self.thresholds or not _same_setup(other.setup, self.setup):
             raise UsageError("sets scored differently cannot be merged")
         self._missing += other._missing
         for mine, theirs in zip(self._gathered, other._gathered, strict=True):
@@ -246,13 +246,13 @@ class SetAccumulator:
         self._classes = np.pad(self._classes, ((0, 0), (0, grown), (0, 0)))
 
 
-def _stand_in(element: Element) -> int:
+def _placeholder_points(element: Element) -> int:
     if element.is_spot:
-        return _POINTS_OF_A_SPOT
-    return _POINTS_OF_A_CURVE if element.is_curved else _POINTS_OF_A_LINE
+        return _SPOT_POINTS
+    return _CURVE_POINTS if element.is_curved else _LINE_POINTS
 
 
-def _same_conditions(a: EvaluationSetup, b: EvaluationSetup) -> bool:
+def _same_setup(a: EvaluationSetup, b: EvaluationSetup) -> bool:
     def conditions(s: EvaluationSetup) -> tuple[object, ...]:
         return s.protocol, s.size, s.allow_mirrored, s.off_plane, s.planar_only
 

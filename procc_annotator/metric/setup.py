@@ -15,10 +15,10 @@ from procc_annotator.errors import UsageError
 from procc_annotator.field.load import default_field_name
 from procc_annotator.field.model import Field
 from procc_annotator.field.sample import sample_official
-from procc_annotator.field.stadiums import field_of_frame
+from procc_annotator.field.stadiums import field_for_frame
 from procc_annotator.metric.fine import ElementCurves
 from procc_annotator.metric.polylines import BoolArray, FloatArray, IntArray
-from procc_annotator.words import count_of
+from procc_annotator.words import count_words
 
 PROTOCOLS = ("soccernet", "procc")
 OFF_PLANE = ("missed", "left_out")
@@ -54,13 +54,13 @@ class EvaluationSetup:
     off_plane: str = "missed"
     planar_only: bool = False
     unsized: tuple[int, int] | None = None
-    _of_field: _OfField | None = dataclass_field(default=None, compare=False, repr=False)
+    _of_field: _FieldCache | None = dataclass_field(default=None, compare=False, repr=False)
 
     def __post_init__(self) -> None:
         if self._of_field is None or self._of_field.field is not self.field:
-            object.__setattr__(self, "_of_field", _OfField(self.field))
-        _one_of("protocol", self.protocol, PROTOCOLS)
-        _one_of("choice for off-plane elements", self.off_plane, OFF_PLANE)
+            object.__setattr__(self, "_of_field", _FieldCache(self.field))
+        _require_choice("protocol", self.protocol, PROTOCOLS)
+        _require_choice("choice for off-plane elements", self.off_plane, OFF_PLANE)
         if min(self.size) < 2:
             raise UsageError(f"the evaluation size {self.size[0]}x{self.size[1]} is too small")
 
@@ -81,7 +81,7 @@ class EvaluationSetup:
     def of_frame(self, name: str) -> EvaluationSetup:
         """The same with the field as it is in a frame: the dimensions of its stadium, the landmarks
         where they are then; itself where the frame has nothing of its own."""
-        field = field_of_frame(self.field, name)
+        field = field_for_frame(self.field, name)
         if field is self.field:
             return self
         assert self._of_field is not None  # see above
@@ -102,7 +102,7 @@ class EvaluationSetup:
             words.append(self.field.described)
         placed = len({m.name for m in self.field.landmarks if m.position is not None})
         if placed and not self.is_official:
-            words.append(count_of(placed, "landmark"))
+            words.append(count_words(placed, "landmark"))
         return ", ".join([*words, *self.options(ground_only)])
 
     def options(self, ground_only: bool = False) -> tuple[str, ...]:
@@ -135,17 +135,17 @@ class EvaluationSetup:
 
 
 @dataclass(frozen=True, eq=False)
-class _OfField:
+class _FieldCache:
     """What is computed of a field once; it does not depend on the picture's size."""
 
     field: Field
-    _of_stadiums: dict[int, _OfField] = dataclass_field(default_factory=dict)
+    _of_stadiums: dict[int, _FieldCache] = dataclass_field(default_factory=dict)
 
-    def of(self, field: Field) -> _OfField:
+    def of(self, field: Field) -> _FieldCache:
         """The same of the field as it is in a frame; kept for each stadium."""
         if not any(field is own for own in self.field.of_stadiums.values()):
-            return _OfField(field)
-        return self._of_stadiums.setdefault(id(field), _OfField(field))
+            return _FieldCache(field)
+        return self._of_stadiums.setdefault(id(field), _FieldCache(field))
 
     @cached_property
     def tables(self) -> FieldTables:
@@ -227,7 +227,7 @@ def check_thresholds(thresholds: Sequence[float]) -> tuple[float, ...]:
     return tuple(dict.fromkeys(float(t) for t in thresholds))
 
 
-def _one_of(what: str, value: str, choices: tuple[str, ...]) -> None:
+def _require_choice(what: str, value: str, choices: tuple[str, ...]) -> None:
     if value in choices:
         return
     close = difflib.get_close_matches(value, choices, n=1)

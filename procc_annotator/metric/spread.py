@@ -10,7 +10,7 @@ from procc_annotator.metric.polylines import FloatArray
 
 
 @dataclass(frozen=True, slots=True)
-class Spread:
+class MapSummary:
     """Least, median and largest of a map over the area that counts; None where nothing counts."""
 
     minimum: float | None
@@ -18,7 +18,7 @@ class Spread:
     maximum: float | None
 
 
-def spread(values: FloatArray, areas: FloatArray) -> Spread:
+def map_summary(values: FloatArray, areas: FloatArray) -> MapSummary:
     """The spread of a map.
 
     Args:
@@ -28,16 +28,16 @@ def spread(values: FloatArray, areas: FloatArray) -> Spread:
     counts = ~np.isnan(values)
     found, weights = values[counts], areas[counts]
     if not len(found):
-        return Spread(None, None, None)
+        return MapSummary(None, None, None)
     order = np.argsort(found)
     found, weights = found[order], weights[order]
     # Each sample's weight is centred on it; with equal weights this is the usual median.
     position = np.cumsum(weights) - weights / 2
     median = float(np.interp(weights.sum() / 2, position, found))
-    return Spread(float(found[0]), median, float(found[-1]))
+    return MapSummary(float(found[0]), median, float(found[-1]))
 
 
-def share_within(values: FloatArray, areas: FloatArray, limit: float) -> float | None:
+def area_share_within(values: FloatArray, areas: FloatArray, limit: float) -> float | None:
     """The share of the area that counts with values up to a limit, in [0, 1].
 
     Args:

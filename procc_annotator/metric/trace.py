@@ -8,7 +8,7 @@ A chain runs in clicked order, too: from click to click if all its parts are str
 spline. A spot is where it was clicked.
 
 Nobody clicks the same extent twice. A course therefore reaches a little beyond its first and last
-click (`REACH` of its length, at least `SHORTEST_REACH_PX`); a point past that has no distance.
+click (`REACH` of its length, at least `MIN_EXTENSION_PX`); a point past that has no distance.
 """
 
 from __future__ import annotations
@@ -24,34 +24,34 @@ from procc_annotator.metric.polylines import BoolArray, FloatArray
 
 # Beyond the clicks a course is a guess whose error grows with the distance from them: at 5 % of
 # the length it is a fifth above the error between them, and clicks a few pixels further still meet.
-REACH = 0.05
-SHORTEST_REACH_PX = 3.0
+EXTENSION_SHARE = 0.05
+MIN_EXTENSION_PX = 3.0
 
 # The direction in which a line goes on is taken over a part of it: over the last clicks alone it
 # would be as uncertain as they are close, over the whole of it a bent line would go on beside.
-_DIRECTION_PART = 0.25
+_DIRECTION_SHARE = 0.25
 _DIRECTION_PX = 20.0
 
 # A conic has five unknowns.
-_POINTS_OF_AN_ELLIPSE = 5
-_CLICKS_OF_A_CHAIN = 4  # a chain of so few clicks is coarse, as other curves are
+_ELLIPSE_POINTS = 5
+_CHAIN_CLICKS = 4  # a chain of so few clicks is coarse, as other curves are
 # How far off the ellipse, as a share of its radius there, clicks may lie that belong to it.
-_FARTHEST_OFF_ELLIPSE = 0.25
+_MAX_ELLIPSE_DEVIATION = 0.25
 # An ellipse this many times as long as wide, or as large as its clicks' extent, is as good as a
 # line, and its angles are rounding errors.
-_FLATTEST = 1000.0
-_LARGEST = 1000.0
+_MAX_AXIS_RATIO = 1000.0
+_MAX_AXIS_PX = 1000.0
 # A circle whose clicks leave no larger gap than this is known all round.
 _CLOSED_GAP = np.deg2rad(120.0)
 
 # Chords this fine stand for a curve: they pass it by no more than this, or there are this many.
 _SAGITTA_PX = 0.02
-_MOST_CHORDS = 720
-_CHORDS_OF_A_SPAN = 32
+_MAX_CHORDS = 720
+_CHORDS_PER_SPAN = 32
 
 
 @dataclass(frozen=True, eq=False)
-class Trace:
+class ClickedCurve:
     """One element's course in the picture.
 
     Attributes:
@@ -120,7 +120,7 @@ class Trace:
         return np.asarray(after_first > last - first)
 
 
-def trace_of(points_px: FloatArray, element: Element) -> Trace:
+def clicked_curve(points_px: FloatArray, element: Element) -> ClickedCurve:
     """The course of an element through the points clicked on it.
 
     Args:
@@ -129,57 +129,57 @@ def trace_of(points_px: FloatArray, element: Element) -> Trace:
     """
     shape = element.geometry
     if isinstance(shape, Spot):
-        return Trace(points_px.mean(axis=0, keepdims=True))
+        return ClickedCurve(points_px.mean(axis=0, keepdims=True))
     if isinstance(shape, Line):
-        return _straight(_along(points_px))
+        return _polyline_curve(_order_clicks(points_px))
     if isinstance(shape, Chain):
         bent = not all(isinstance(part, Line) for part in shape.parts)
-        course = _spline(points_px) if bent else _straight(points_px)
+        course = _catmull_rom(points_px) if bent else _polyline_curve(points_px)
         # Whoever leaves corners out goes far beside them.
-        return replace(course, coarse=len(points_px) <= max(len(shape.parts), _CLICKS_OF_A_CHAIN))
-    if len(points_px) < _POINTS_OF_AN_ELLIPSE:
-        return replace(_spline(points_px), coarse=True)
-    around = _around_ellipse(points_px, is_circle=isinstance(shape, Circle))
-    return _spline(points_px) if around is None else around
+        return replace(course, coarse=len(points_px) <= max(len(shape.parts), _CHAIN_CLICKS))
+    if len(points_px) < _ELLIPSE_POINTS:
+        return replace(_catmull_rom(points_px), coarse=True)
+    around = _ellipse_curve(points_px, is_circle=isinstance(shape, Circle))
+    return _catmull_rom(points_px) if around is None else around
 
 
 # ------------------------------------------------------------------------------------- straight
 
 
-def _along(points: FloatArray) -> FloatArray:
+def _order_clicks(points: FloatArray) -> FloatArray:
     """The clicks in their order along the line, whatever order they were clicked in."""
     if len(points) <= 2:
         return points
-    one = points[_farthest(points, points[0])]
-    other = points[_farthest(points, one)]
+    one = points[_farthest_point(points, points[0])]
+    other = points[_farthest_point(points, one)]
     return np.asarray(points[((points - one) @ (other - one)).argsort(kind="stable")])
 
 
-def _straight(points: FloatArray) -> Trace:
+def _polyline_curve(points: FloatArray) -> ClickedCurve:
     """From click to click in this order."""
-    points = _without_repetitions(points)
+    points = _distinct_consecutive(points)
     if len(points) < 2:
-        return Trace(points)
+        return ClickedCurve(points)
     steps = np.hypot(*np.diff(points, axis=0).T)
     at = np.concatenate(((0.0,), steps.cumsum()))
-    back = min(at[-1], max(_DIRECTION_PART * at[-1], _DIRECTION_PX))
-    reach = _reach(at[-1])
-    first = _further(points[0], _at(points, at, back), reach)
-    last = _further(points[-1], _at(points, at, at[-1] - back), reach)
-    return Trace(np.vstack((first, points, last)))
+    back = min(at[-1], max(_DIRECTION_SHARE * at[-1], _DIRECTION_PX))
+    reach = _extension_length(at[-1])
+    first = _extrapolate(points[0], _point_at_length(points, at, back), reach)
+    last = _extrapolate(points[-1], _point_at_length(points, at, at[-1] - back), reach)
+    return ClickedCurve(np.vstack((first, points, last)))
 
 
-def _farthest(points: FloatArray, place: FloatArray) -> int:
+def _farthest_point(points: FloatArray, place: FloatArray) -> int:
     off = points - place
     return int((off * off).sum(axis=1).argmax())
 
 
-def _at(points: FloatArray, at: FloatArray, position: float) -> FloatArray:
+def _point_at_length(points: FloatArray, at: FloatArray, position: float) -> FloatArray:
     """The place at a length along the polyline."""
     return np.array([np.interp(position, at, points[:, axis]) for axis in (0, 1)])
 
 
-def _further(end: FloatArray, inner: FloatArray, reach: float) -> FloatArray:
+def _extrapolate(end: FloatArray, inner: FloatArray, reach: float) -> FloatArray:
     """The place ``reach`` px beyond an end, seen from a place within."""
     direction = end - inner
     length = np.hypot(*direction)
@@ -188,11 +188,11 @@ def _further(end: FloatArray, inner: FloatArray, reach: float) -> FloatArray:
     return np.asarray(end + away, dtype=np.float64)
 
 
-def _reach(length: float) -> float:
-    return max(REACH * length, SHORTEST_REACH_PX)
+def _extension_length(length: float) -> float:
+    return max(EXTENSION_SHARE * length, MIN_EXTENSION_PX)
 
 
-def _without_repetitions(points: FloatArray) -> FloatArray:
+def _distinct_consecutive(points: FloatArray) -> FloatArray:
     """The points without those in the same place as the one before."""
     kept = np.ones(len(points), dtype=bool)
     kept[1:] = (points[1:] != points[:-1]).any(axis=1)
@@ -247,7 +247,7 @@ class Ellipse:
             axes = np.linalg.inv(half.T)
         except np.linalg.LinAlgError:
             return None
-        if not (np.linalg.cond(axes) < _FLATTEST and np.linalg.norm(axes) < _LARGEST):
+        if not (np.linalg.cond(axes) < _MAX_AXIS_RATIO and np.linalg.norm(axes) < _MAX_AXIS_PX):
             return None
         return cls(middle + scale * centre, scale * axes)
 
@@ -267,7 +267,7 @@ class Ellipse:
         return np.asarray(np.hypot(along[0], along[1]))
 
 
-def _around_ellipse(points: FloatArray, *, is_circle: bool) -> Trace | None:
+def _ellipse_curve(points: FloatArray, *, is_circle: bool) -> ClickedCurve | None:
     """Along the ellipse of the clicks and through each of them, in their order around it.
 
     Between two clicks the radius goes evenly from that of one to that of the other.
@@ -276,7 +276,7 @@ def _around_ellipse(points: FloatArray, *, is_circle: bool) -> Trace | None:
     if ellipse is None:
         return None
     angles, radii = ellipse.polar(points)
-    if not np.abs(radii - 1.0).max() < _FARTHEST_OFF_ELLIPSE:
+    if not np.abs(radii - 1.0).max() < _MAX_ELLIPSE_DEVIATION:
         return None
     order = angles.argsort(kind="stable")
     angles, radii = angles[order], radii[order]
@@ -288,7 +288,7 @@ def _around_ellipse(points: FloatArray, *, is_circle: bool) -> Trace | None:
     closed = is_circle and gap <= _CLOSED_GAP
     if closed:
         angles, radii = np.append(angles, angles[0] + 2 * np.pi), np.append(radii, radii[0])
-    between = _fine(angles[0], angles[-1], ellipse)[1:-1]
+    between = _ellipse_angles(angles[0], angles[-1], ellipse)[1:-1]
     at = np.concatenate((between, angles))
     order = at.argsort(kind="stable")
     at = at[order]
@@ -297,47 +297,47 @@ def _around_ellipse(points: FloatArray, *, is_circle: bool) -> Trace | None:
     vertices = ellipse.places(at, out)
     if not closed:
         length = float(np.hypot(*np.diff(vertices, axis=0).T).sum())
-        before, after = np.minimum(_reach(length) / ellipse.speeds(at[[0, -1]]), gap / 2)
-        first = _fine(at[0] - before, at[0], ellipse)[:-1]
-        last = _fine(at[-1], at[-1] + after, ellipse)[1:]
+        before, after = np.minimum(_extension_length(length) / ellipse.speeds(at[[0, -1]]), gap / 2)
+        first = _ellipse_angles(at[0] - before, at[0], ellipse)[:-1]
+        last = _ellipse_angles(at[-1], at[-1] + after, ellipse)[1:]
         out = np.concatenate((np.full(len(first), radii[0]), out, np.full(len(last), radii[-1])))
         at = np.concatenate((first, at, last))
-        vertices = _without_repetitions(ellipse.places(at, out))
-        return Trace(vertices, ellipse=ellipse, angles=(float(at[0]), float(at[-1])))
-    return Trace(_without_repetitions(vertices), closed=True)
+        vertices = _distinct_consecutive(ellipse.places(at, out))
+        return ClickedCurve(vertices, ellipse=ellipse, angles=(float(at[0]), float(at[-1])))
+    return ClickedCurve(_distinct_consecutive(vertices), closed=True)
 
 
-def _fine(first: float, last: float, ellipse: Ellipse) -> FloatArray:
+def _ellipse_angles(first: float, last: float, ellipse: Ellipse) -> FloatArray:
     """Angles from the first to the last, close enough for chords."""
     largest = np.linalg.norm(ellipse.axes)  # no less than the longest half axis
     chords = np.ceil((last - first) / np.sqrt(8 * _SAGITTA_PX / largest))
-    return np.linspace(first, last, int(np.clip(chords, 1, _MOST_CHORDS)) + 1)
+    return np.linspace(first, last, int(np.clip(chords, 1, _MAX_CHORDS)) + 1)
 
 
 # --------------------------------------------------------------------------------------- splines
 
 
-def _spline(points: FloatArray) -> Trace:
+def _catmull_rom(points: FloatArray) -> ClickedCurve:
     """A centripetal Catmull-Rom spline; at its ends it goes on as the parabola of three clicks."""
-    points = _without_repetitions(points)
+    points = _distinct_consecutive(points)
     if len(points) < 3:
-        return _straight(points)
+        return _polyline_curve(points)
     steps = np.diff(points, axis=0)
     spans = np.sqrt(np.hypot(*steps.T))[:, None]
     slopes = steps / spans
     inner = (spans[1:] * slopes[:-1] + spans[:-1] * slopes[1:]) / (spans[1:] + spans[:-1])
     tangents = np.vstack((2 * slopes[0] - inner[0], inner, 2 * slopes[-1] - inner[-1]))
     count = len(steps)
-    at = np.arange(count * _CHORDS_OF_A_SPAN + 1) / _CHORDS_OF_A_SPAN
+    at = np.arange(count * _CHORDS_PER_SPAN + 1) / _CHORDS_PER_SPAN
     vertices = _hermite(points, tangents, spans, at)
-    reach = _reach(float(np.hypot(*np.diff(vertices, axis=0).T).sum()))
+    reach = _extension_length(float(np.hypot(*np.diff(vertices, axis=0).T).sum()))
     first, last = (
         min(reach / max(float(np.hypot(*tangents[end]) * spans[end, 0]), reach), 0.5)
         for end in (0, -1)
     )
     thirds = np.array((1.0, 2.0, 3.0)) / 3
     at = np.concatenate((-first * thirds[::-1], at, count + last * thirds))
-    return Trace(_without_repetitions(_hermite(points, tangents, spans, at)))
+    return ClickedCurve(_distinct_consecutive(_hermite(points, tangents, spans, at)))
 
 
 def _hermite(

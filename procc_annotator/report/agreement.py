@@ -10,15 +10,15 @@ from typing import Any
 import numpy as np
 
 from procc_annotator.errors import UsageError
-from procc_annotator.io.atomic import replacing
-from procc_annotator.metric.agreement import AgreementSummary, quantile
-from procc_annotator.metric.chance.sampling import Draws
+from procc_annotator.io.atomic import open_replacing
+from procc_annotator.metric.agreement import AgreementSummary, sorted_quantile
+from procc_annotator.metric.chance.sampling import BootstrapSettings
 from procc_annotator.report.agreement_figures import (
     ELEMENT_COLUMNS,
     WORST,
     element_rows,
     farthest,
-    floor_entry,
+    inter_annotator_entry,
     frame_entry,
     intervals_described,
     status_row,
@@ -27,8 +27,8 @@ from procc_annotator.report.field_terms import field_terms
 from procc_annotator.report.scores.score_files import score_format
 from procc_annotator.report.scores.tables import pixels, worst_words
 from procc_annotator.report.sheet.as_csv import csv_bytes
-from procc_annotator.report.sheet.as_json import encoded, figure_entry
-from procc_annotator.report.sheet.figure import shortest, values_of
+from procc_annotator.report.sheet.as_json import encoded, metric_entry
+from procc_annotator.report.sheet.figure import shortest_number, metric_values
 from procc_annotator.report.sheet.figures import (
     APART,
     COMMON,
@@ -42,21 +42,21 @@ from procc_annotator.report.sheet.figures import (
     ONLY_B,
     POINTS,
 )  # fmt: skip
-from procc_annotator.report.sheet.sheet import TAU, Column, Row, Sheet, of, whole
+from procc_annotator.report.sheet.sheet import TAU, Column, Row, MetricTable, metric_column, count_column
 from procc_annotator.session.runs.agreement_run import AgreementRun
 from procc_annotator.session.runs.clusters import Clusters, clusters_of
-from procc_annotator.session.runs.consensus_run import SeveralResult
-from procc_annotator.session.runs.sure_agreement import SureAgreement, sure_agreement
-from procc_annotator.words import count_of
+from procc_annotator.session.runs.consensus_run import ConsensusResult
+from procc_annotator.session.runs.sure_agreement import AgreementInference, agreement_inference
+from procc_annotator.words import count_words
 
 _LONE = ("only_a", "only_b")
 
 ClustersOf = Callable[[Sequence[str]], Clusters]
-Progress = Callable[[Iterable[SeveralResult], int, str], Iterator[SeveralResult]]
+Progress = Callable[[Iterable[ConsensusResult], int, str], Iterator[ConsensusResult]]
 
 
 @dataclass(frozen=True)
-class Agreed:
+class AgreementReport:
     """A set's agreement and what has to be said about it.
 
     Attributes:
@@ -67,9 +67,9 @@ class Agreed:
 
     summary: AgreementSummary
     described: str
-    floor: SureAgreement
+    floor: AgreementInference
     known: str
-    results: tuple[SeveralResult, ...]
+    results: tuple[ConsensusResult, ...]
     errors: list[str]
 
 
@@ -79,7 +79,7 @@ def agree_sets(
     outputs: Sequence[Path] = (),
     progress: Progress = lambda items, _total, _what: iter(items),
     clusters: ClustersOf = lambda frames: clusters_of(frames, None, {}),
-) -> Agreed:
+) -> AgreementReport:
     """Compare two annotators' files and write what is found.
 
     Args:
@@ -102,13 +102,13 @@ def agree_sets(
             f" the first: {errors[0]}"
         )
     names = [name for name, _ in found]
-    alike, draws = clusters(names), Draws()
-    floor = sure_agreement(names, found, run.thresholds, alike, draws)
+    alike, draws = clusters(names), BootstrapSettings()
+    floor = agreement_inference(names, found, run.thresholds, alike, draws)
     known = intervals_described(draws, alike)
-    agreed = Agreed(run.summary(), run.describe(), floor, known, results, errors)
+    agreed = AgreementReport(run.summary(), run.describe(), floor, known, results, errors)
     for output in outputs:
         is_json = score_format(output) == "json"
-        with replacing(output) as stream:
+        with open_replacing(output) as stream:
             stream.write(_json(agreed, run) if is_json else csv_bytes(_frames_sheet(agreed, run)))
     return agreed
 
@@ -116,44 +116,44 @@ def agree_sets(
 # ---------------------------------------------------------------------------------------- tables
 
 
-def noise_floor_line(agreed: Agreed) -> str:
+def inter_annotator_line(agreed: AgreementReport) -> str:
     """The one line a paper would quote."""
     found = agreed.summary.overall
     return (
         f"Noise floor: median {pixels(found.median)} px, 95 % {pixels(found.p95)} px,"
-        f" max {pixels(found.largest)} px, over {count_of(found.points, 'distance')}"
-        f" of {count_of(found.common, 'element')} ({agreed.described})"
+        f" max {pixels(found.largest)} px, over {count_words(found.points, 'distance')}"
+        f" of {count_words(found.common, 'element')} ({agreed.described})"
     )
 
 
-def jac_table(agreed: Agreed) -> Sheet:
+def jac_table(agreed: AgreementReport) -> MetricTable:
     """One row a threshold: the JaC one annotator would score if the other were a camera."""
     summary = agreed.summary
     counts = (COMMON, ONLY_A, ONLY_B)
-    columns = (TAU, of(JAC), *(whole(figure.key, figure.title) for figure in counts))
-    found = values_of(counts, summary.overall)
+    columns = (TAU, metric_column(JAC), *(count_column(figure.key, figure.title) for figure in counts))
+    found = metric_values(counts, summary.overall)
     rows = tuple((tau, jac, *found) for tau, jac in summary.mean_jac.items())
-    title = f"Agreement of {count_of(summary.frames, 'frame')} both annotated"
-    return Sheet("agreement", title, columns, rows, agreed.described)
+    title = f"Agreement of {count_words(summary.frames, 'frame')} both annotated"
+    return MetricTable("agreement", title, columns, rows, agreed.described)
 
 
-def agreement_classes_table(agreed: Agreed) -> Sheet:
+def agreement_classes_table(agreed: AgreementReport) -> MetricTable:
     """Per class and, last, all classes together."""
     per_class, overall = agreed.summary.per_class, agreed.summary.overall
     told = (POINTS, LEFT_OUT, COMMON, APART, ONLY_A, ONLY_B)
     columns = (
-        Column("class", "class"), *(whole(count.key, count.title) for count in told),
-        *map(of, DISTANCES),
+        Column("class", "class"), *(count_column(count.key, count.title) for count in told),
+        *map(metric_column, DISTANCES),
     )  # fmt: skip
     rows = tuple(
-        (name, *values_of((*told, *DISTANCES), figures))
+        (name, *metric_values((*told, *DISTANCES), figures))
         for name, figures in [*((n.strip(), f) for n, f in per_class.items()), ("all", overall)]
     )
     title, parts = "Distances between A and B", (len(per_class),)
-    return Sheet("classes", title, columns, rows, agreed.described, parts=parts)
+    return MetricTable("classes", title, columns, rows, agreed.described, parts=parts)
 
 
-def worst_agreement_table(agreed: Agreed) -> Sheet:
+def worst_agreement_table(agreed: AgreementReport) -> MetricTable:
     """The frames to look at first: lowest JaC, then largest distance."""
     tau = next(iter(agreed.summary.mean_jac))
     found = [
@@ -163,38 +163,38 @@ def worst_agreement_table(agreed: Agreed) -> Sheet:
     ]
     found.sort(key=lambda one: (one[1].jac(tau), -(one[2] or 0.0)))
     columns = (
-        Column("frame", "frame"), of(JAC), whole("common", "in common"), whole("only_a", "only A"),
-        whole("only_b", "only B"), of(MEDIAN_PX), of(LARGEST_PX),
+        Column("frame", "frame"), metric_column(JAC), count_column("common", "in common"), count_column("only_a", "only A"),
+        count_column("only_b", "only B"), metric_column(MEDIAN_PX), metric_column(LARGEST_PX),
         Column("farthest", "farthest element"), Column("labels", "labels"),
     )  # fmt: skip
     rows = tuple(
         (
             name, frame.jac(tau), len(frame.by_class), len(frame.only_a), len(frame.only_b),
-            quantile(np.sort(frame.distances), 0.5), largest, element,
+            sorted_quantile(np.sort(frame.distances), 0.5), largest, element,
             "mirrored?" if frame.mirrored_hint else None,
         )
         for name, frame, largest, element in found[:WORST]
     )  # fmt: skip
     title = f"{worst_words(len(rows))} at {tau:g} px"
-    return Sheet("worst_frames", title, columns, rows, agreed.described)
+    return MetricTable("worst_frames", title, columns, rows, agreed.described)
 
 
 # ----------------------------------------------------------------------------------------- files
 
 
-def _json(agreed: Agreed, run: AgreementRun) -> bytes:
+def _json(agreed: AgreementReport, run: AgreementRun) -> bytes:
     """A line a frame: the terms of the field, then ``"size", "thresholds", "a", "b", "images",
     "summary"``."""
     a, b = (str(source.path) for source in run.sources)
     terms = {"size": list(run.size), "thresholds": list(run.thresholds), "a": a, "b": b}
     images = b",\n".join(encoded(_frame_entry(one, run.thresholds)) for one in agreed.results)
-    floor = {"noise_floor": floor_entry(agreed.floor, agreed.known)}
+    floor = {"noise_floor": inter_annotator_entry(agreed.floor, agreed.known)}
     summary = encoded(_summary_entry(agreed.summary) | floor)
     head = encoded({**field_terms(run.field), **terms})[:-1]
     return head + b',"images":[\n' + images + b'\n],"summary":' + summary + b"}\n"
 
 
-def _frame_entry(result: SeveralResult, thresholds: Sequence[float]) -> dict[str, Any]:
+def _frame_entry(result: ConsensusResult, thresholds: Sequence[float]) -> dict[str, Any]:
     entry: dict[str, Any] = {"name": result.name, "errors": list(result.errors)}
     found = result.agreement
     return entry if found is None else entry | frame_entry(found, thresholds, _LONE)
@@ -206,18 +206,18 @@ def _summary_entry(summary: AgreementSummary) -> dict[str, Any]:
         "frames_only_a": list(summary.frames_only_a),
         "frames_only_b": list(summary.frames_only_b),
         "mirrored_hint": list(summary.mirrored),
-        "mean_jac": {shortest(tau): jac for tau, jac in summary.mean_jac.items()},
-        "per_class": {n: figure_entry(OF_AGREEMENT, f) for n, f in summary.per_class.items()},
+        "mean_jac": {shortest_number(tau): jac for tau, jac in summary.mean_jac.items()},
+        "per_class": {n: metric_entry(OF_AGREEMENT, f) for n, f in summary.per_class.items()},
     }
 
 
-def _frames_sheet(agreed: Agreed, run: AgreementRun) -> Sheet:
+def _frames_sheet(agreed: AgreementReport, run: AgreementRun) -> MetricTable:
     """One row a frame and class; a frame with nothing to show has a row without class.
 
     The status of a class is ``common``, ``apart``, ``only_a`` or ``only_b``; that of a row without
     class ``empty``, ``unreadable``, ``frame_only_a`` or ``frame_only_b``.
     """
-    columns = (Column("name"), Column("field"), whole("width"), whole("height"), *ELEMENT_COLUMNS)
+    columns = (Column("name"), Column("field"), count_column("width"), count_column("height"), *ELEMENT_COLUMNS)
     terms = (run.field.described, *run.size)
     found: list[tuple[str, Row]] = []
     for one in agreed.results:
@@ -228,4 +228,4 @@ def _frames_sheet(agreed: Agreed, run: AgreementRun) -> Sheet:
         found += [(one.name, row) for row in own]
     for status, names in (("frame_only_a", run.only_a), ("frame_only_b", run.only_b)):
         found += [(name, status_row(status)) for name in names]
-    return Sheet("frames", "Frames", columns, tuple((name, *terms, *row) for name, row in found))
+    return MetricTable("frames", "Frames", columns, tuple((name, *terms, *row) for name, row in found))

@@ -7,19 +7,19 @@ from typing import Any
 
 from procc_annotator.metric.agreement import FrameAgreement
 from procc_annotator.metric.chance.intervals import Interval
-from procc_annotator.metric.chance.sampling import Draws
+from procc_annotator.metric.chance.sampling import BootstrapSettings
 from procc_annotator.report.scores.chance_sheets import interval_columns, interval_ends
 from procc_annotator.report.scores.tables import pixels
-from procc_annotator.report.sheet.as_json import figure_entry
-from procc_annotator.report.sheet.figure import shortest, values_of
+from procc_annotator.report.sheet.as_json import metric_entry
+from procc_annotator.report.sheet.figure import shortest_number, metric_values
 from procc_annotator.report.sheet.figures import DISTANCES, JAC, MEDIAN_PX, OF_AGREEMENT, P95_PX
-from procc_annotator.report.sheet.sheet import TAU, Column, Row, Sheet, Value, of, whole
+from procc_annotator.report.sheet.sheet import TAU, Column, Row, MetricTable, Value, metric_column, count_column
 from procc_annotator.session.runs.clusters import Clusters
-from procc_annotator.session.runs.sure_agreement import SureAgreement
+from procc_annotator.session.runs.sure_agreement import AgreementInference
 
 WORST = 10  # frames that tables of the worst show
 ELEMENT_COLUMNS = (
-    Column("class"), Column("status"), whole("points"), whole("left_out"), *map(of, DISTANCES),
+    Column("class"), Column("status"), count_column("points"), count_column("left_out"), *map(metric_column, DISTANCES),
     Column("mirrored_hint", kind="yes_no"), Column("error"),
 )  # fmt: skip
 _POINTS = (0.01, 0.02, 0.05)  # of JaC
@@ -35,7 +35,7 @@ def element_rows(frame: FrameAgreement, lone: tuple[str, str]) -> list[Row]:
     hint = frame.mirrored_hint
     rows: list[Row] = [
         (own.class_name, "apart" if own.apart else "common", len(own.distances), own.left_out,
-         *values_of(DISTANCES, own), hint, None)
+         *metric_values(DISTANCES, own), hint, None)
         for own in frame.by_class.values()
     ]  # fmt: skip
     for status, names in zip(lone, (frame.only_a, frame.only_b), strict=True):
@@ -55,12 +55,12 @@ def frame_entry(
 ) -> dict[str, Any]:
     """The agreement of two annotations of one frame in files; ``lone`` as of `element_rows`."""
     return {
-        "jac": {shortest(tau): frame.jac(tau) for tau in thresholds},
+        "jac": {shortest_number(tau): frame.jac(tau) for tau in thresholds},
         lone[0]: list(frame.only_a),
         lone[1]: list(frame.only_b),
         "mirrored_hint": frame.mirrored_hint,
         "elements": {
-            name: figure_entry(DISTANCES, own)
+            name: metric_entry(DISTANCES, own)
             | {"left_out": own.left_out, "distances": own.distances.tolist()}
             for name, own in frame.by_class.items()
         },
@@ -74,14 +74,14 @@ def farthest(frame: FrameAgreement) -> tuple[float | None, str]:
     return largest, name.strip()
 
 
-def sure_columns() -> list[Column]:
+def agreement_columns() -> list[Column]:
     """JaC, median and 95 %, each with its interval."""
     figures = (JAC, MEDIAN_PX, P95_PX)
-    return [c for figure in figures for c in (of(figure), *interval_columns(figure))]
+    return [c for figure in figures for c in (metric_column(figure), *interval_columns(figure))]
 
 
-def sure_values(found: SureAgreement, tau: float) -> tuple[Value, ...]:
-    """The values of `sure_columns` at a threshold, px."""
+def agreement_values(found: AgreementInference, tau: float) -> tuple[Value, ...]:
+    """The values of `agreement_columns` at a threshold, px."""
     overall, known = found.summary.overall, found.known
     low, high = interval_ends(known.jac[tau])
     ends = (None if low is None else max(0.0, low), None if high is None else min(1.0, high))
@@ -91,13 +91,13 @@ def sure_values(found: SureAgreement, tau: float) -> tuple[Value, ...]:
     )  # fmt: skip
 
 
-def intervals_described(draws: Draws, clusters: Clusters) -> str:
+def intervals_described(draws: BootstrapSettings, clusters: Clusters) -> str:
     """What the intervals of an agreement rest on, in words."""
     said = f"{100 * draws.level:g} % intervals (t, jackknife of clusters); {clusters.described}"
     return f"{said}. {clusters.caution.rstrip('.')}" if clusters.caution else said
 
 
-def floor_words(floor: SureAgreement) -> str:
+def inter_annotator_words(floor: AgreementInference) -> str:
     """The noise floor with its intervals, in words."""
     found, known = floor.summary.overall, floor.known
 
@@ -110,7 +110,7 @@ def floor_words(floor: SureAgreement) -> str:
     return f"median {told(found.median, known.median)}, 95 % {told(found.p95, known.p95)}"
 
 
-def floor_entry(floor: SureAgreement, described: str) -> dict[str, Any]:
+def inter_annotator_entry(floor: AgreementInference, described: str) -> dict[str, Any]:
     """The noise floor in files: the figures, and the intervals of median and 95 %.
 
     Args:
@@ -121,10 +121,10 @@ def floor_entry(floor: SureAgreement, described: str) -> dict[str, Any]:
         f"{figure.key}_interval": None if found is None else [found.low, found.high]
         for figure, found in ((MEDIAN_PX, known.median), (P95_PX, known.p95))
     }
-    return figure_entry(OF_AGREEMENT, floor.summary.overall) | ends | {"intervals": described}
+    return metric_entry(OF_AGREEMENT, floor.summary.overall) | ends | {"intervals": described}
 
 
-def needed_sheet(found: SureAgreement, described: str, known: str) -> Sheet:
+def sample_size_table(found: AgreementInference, described: str, known: str) -> MetricTable:
     """How many frames such a study needs before JaC is known to 1, 2 and 5 points and distances to
     5, 10 and 20 %.
 
@@ -132,9 +132,9 @@ def needed_sheet(found: SureAgreement, described: str, known: str) -> Sheet:
         found: the pilot. described: field and size. known: what intervals rest on.
     """
     columns = (
-        Column("figure", "figure"), TAU, whole("frames", "frames now"),
+        Column("figure", "figure"), TAU, count_column("frames", "frames now"),
         Column("known_to", "known to ±", "number", written=".3g"),
-        Column("wanted", "wanted ±", "number", written=".3g"), whole("needed", "frames needed"),
+        Column("wanted", "wanted ±", "number", written=".3g"), count_column("needed", "frames needed"),
     )  # fmt: skip
     rows: list[Row] = []
     overall = found.summary.overall
@@ -161,7 +161,7 @@ def needed_sheet(found: SureAgreement, described: str, known: str) -> Sheet:
         "Frames of the same kind, in clusters like these. No answer where an interval ends with the"
         f" largest distance: how far it would reach is not known. {known}."
     )
-    return Sheet("power", "Frames needed", columns, tuple(rows), described, (note,))
+    return MetricTable("power", "Frames needed", columns, tuple(rows), described, (note,))
 
 
 def _half(interval: Interval | None, times: float) -> float | None:

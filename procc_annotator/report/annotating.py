@@ -20,9 +20,9 @@ from procc_annotator.session.facts.origins import (
     default_author,
     new_origins,
 )
-from procc_annotator.session.runs.annotation_run import AnnotationRun, PaintedFrame
+from procc_annotator.session.runs.annotation_run import AnnotationRun, AnnotatedPicture
 
-Progress = Callable[[Iterable[PaintedFrame], int, str], Iterable[PaintedFrame]]
+Progress = Callable[[Iterable[AnnotatedPicture], int, str], Iterable[AnnotatedPicture]]
 
 
 @dataclass
@@ -87,7 +87,7 @@ def annotate_pictures(
 
 
 def _write(
-    found: PaintedFrame,
+    found: AnnotatedPicture,
     path: Path,
     databases: Sequence[tuple[WorkspaceDatabase, bool]],
     author: str,

@@ -13,12 +13,12 @@ from natsort import natsorted
 from procc_annotator.io.camera_files.fitted_on import DIGEST, TABLE_FILE
 from procc_annotator.io.camera_files.held_out_table import (
     COLUMNS,
-    HELD_OUT_FILE,
-    HeldOutElement,
+    LEFT_OUT_FILE,
+    LeftOutElement,
     camera_hash,
 )
 from procc_annotator.io.collections import CAMERA_PREFIX, camera_names
-from procc_annotator.metric.folds import folds_remark
+from procc_annotator.metric.folds import fold_back_warnings
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.report.camera_tables import DEVIATION_COLUMNS, deviation_values
 from procc_annotator.report.scores.tables import FrameRow, WorstFrames
@@ -26,16 +26,16 @@ from procc_annotator.report.sheet.as_csv import csv_bytes
 from procc_annotator.report.sheet.figures import (
     FRAME_ERROR,
     FRAME_ERROR_COUNTED,
-    HELD_OUT,
+    LEFT_OUT_SCORE,
     IN_SAMPLE,
     JAC,
 )
-from procc_annotator.report.sheet.sheet import TAU, Column, Row, Sheet, of, whole
+from procc_annotator.report.sheet.sheet import TAU, Column, Row, MetricTable, metric_column, count_column
 from procc_annotator.report.targets import Interrupted, is_archive, open_target
 from procc_annotator.session.dataset.fit_sizes import SizesUsed
 from procc_annotator.session.runs.calibration_run import Calibrated
 from procc_annotator.session.runs.held_out import passed
-from procc_annotator.words import count_of
+from procc_annotator.words import count_words
 
 _FAILURES_SHOWN = 20
 
@@ -90,7 +90,7 @@ class CalibrationReport:
     open: list[str] = field(default_factory=list)
     folded: list[str] = field(default_factory=list)
     remarks: list[str] = field(default_factory=list)
-    held_out: list[HeldOutElement] = field(default_factory=list)
+    held_out: list[LeftOutElement] = field(default_factory=list)
 
 
 def calibrate_set(
@@ -137,17 +137,17 @@ def calibrate_set(
             raise Interrupted(len(written), run.total) from None
         columns = _columns(thresholds)
         columns += _held_out_columns(thresholds) if hold_out else ()
-        table = Sheet("calibration", "", columns, tuple(rows))
+        table = MetricTable("calibration", "", columns, tuple(rows))
         target.write(TABLE_FILE, csv_bytes(table))
         if hold_out:
-            elements = Sheet("held_out", "", _ELEMENT_COLUMNS, tuple(element_rows))
-            target.write(HELD_OUT_FILE, csv_bytes(elements))
+            elements = MetricTable("held_out", "", _ELEMENT_COLUMNS, tuple(element_rows))
+            target.write(LEFT_OUT_FILE, csv_bytes(elements))
         for file_name, data in (more or {}).items():
             target.write(file_name, data)
     report.described, report.summaries = run.describe(), run.summary()
     report.frames, report.cameras = run.counted, run.with_camera
     report.worst = worst.rows()
-    report.remarks = [*run.sizes.remarks(), *folds_remark(report.folded)]
+    report.remarks = [*run.sizes.remarks(), *fold_back_warnings(report.folded)]
     if not is_archive(out):
         report.stale = list(_stale(out, run.names, written))
     return report
@@ -182,10 +182,10 @@ def _stale(out: Path, names: Iterable[str], written: set[str]) -> Iterator[str]:
 
 def _columns(thresholds: tuple[float, ...]) -> tuple[Column, ...]:
     return (
-        Column("name"), Column("model"), whole("elements"), Column("left_out"),
-        *(of(JAC, key=f"jac_{threshold:g}") for threshold in thresholds),
-        of(FRAME_ERROR_COUNTED), of(FRAME_ERROR), *DEVIATION_COLUMNS, Column("camera"),
-        Column("failure"), Column("position"), whole("width"), whole("height"),
+        Column("name"), Column("model"), count_column("elements"), Column("left_out"),
+        *(metric_column(JAC, key=f"jac_{threshold:g}") for threshold in thresholds),
+        metric_column(FRAME_ERROR_COUNTED), metric_column(FRAME_ERROR), *DEVIATION_COLUMNS, Column("camera"),
+        Column("failure"), Column("position"), count_column("width"), count_column("height"),
         Column("hardly_determined"), Column(DIGEST),
     )  # fmt: skip
 
@@ -207,8 +207,8 @@ def _row(result: Calibrated, thresholds: tuple[float, ...]) -> Row:
 
 
 def _held_out_columns(thresholds: tuple[float, ...]) -> tuple[Column, ...]:
-    passed_at = (whole(f"held_out_passed_{threshold:g}") for threshold in thresholds)
-    return (whole("held_out_elements"), *passed_at)
+    passed_at = (count_column(f"held_out_passed_{threshold:g}") for threshold in thresholds)
+    return (count_column("held_out_elements"), *passed_at)
 
 
 def _held_out_row(result: Calibrated, thresholds: tuple[float, ...]) -> Row:
@@ -221,7 +221,7 @@ def _held_out_row(result: Calibrated, thresholds: tuple[float, ...]) -> Row:
 # Those of `held_out_table.COLUMNS`, after the name.
 _ELEMENT_COLUMNS = (
     Column("name"), *(
-        whole(key) if key in ("width", "height")
+        count_column(key) if key in ("width", "height")
         else Column(key, kind="number" if key.endswith("_px") else "text")
         for key in COLUMNS
     ),
@@ -240,7 +240,7 @@ def _element_rows(result: Calibrated) -> Iterator[Row]:
         yield (result.name, None, None, None, *said)
 
 
-def held_out_table(report: CalibrationReport) -> Sheet:
+def held_out_table(report: CalibrationReport) -> MetricTable:
     """The share of elements that the camera of the others shows well, beside that of all."""
     count = len(report.held_out)
     rows = []
@@ -250,28 +250,28 @@ def held_out_table(report: CalibrationReport) -> Sheet:
             passed((e.explained_px for e in report.held_out), tau),
         )
         rows.append((tau, count, *(n / count if count else None for n in found)))
-    columns = (TAU, whole("elements", "elements"), of(HELD_OUT), of(IN_SAMPLE))
-    return Sheet("held_out", "Elements left out in turn", columns, tuple(rows), report.described)
+    columns = (TAU, count_column("elements", "elements"), metric_column(LEFT_OUT_SCORE), metric_column(IN_SAMPLE))
+    return MetricTable("held_out", "Elements left out in turn", columns, tuple(rows), report.described)
 
 
-def deviations_table(report: CalibrationReport) -> Sheet:
+def deviations_table(report: CalibrationReport) -> MetricTable:
     """How surely the cameras are known: median and 95th percentile of their standard deviations."""
     values = np.array(report.deviations, dtype=np.float64)
     rows = tuple(
         (label, *np.percentile(values, share, axis=0).tolist())
         for label, share in (("median", 50), ("95 % of them below", 95))
     )
-    title = f"Standard deviations of {count_of(len(report.deviations), 'camera')}"
+    title = f"Standard deviations of {count_words(len(report.deviations), 'camera')}"
     columns = (Column("share"), *DEVIATION_COLUMNS)
-    return Sheet("deviations", title, columns, rows, notes=(report.described,))
+    return MetricTable("deviations", title, columns, rows, notes=(report.described,))
 
 
-def failures_table(report: CalibrationReport) -> Sheet:
+def failures_table(report: CalibrationReport) -> MetricTable:
     """Frames without a camera and the reason, the first ones of many."""
-    title = f"{count_of(len(report.failures), 'frame')} without a camera"
+    title = f"{count_words(len(report.failures), 'frame')} without a camera"
     columns = (Column("frame", "frame"), Column("why", "why"))
     more = len(report.failures) - _FAILURES_SHOWN
     notes = (f"{more} more in {TABLE_FILE}",) if more > 0 else ()
-    return Sheet(
+    return MetricTable(
         "failures", title, columns, tuple(report.failures[:_FAILURES_SHOWN]), notes=notes
     )  # fmt: skip

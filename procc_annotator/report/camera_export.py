@@ -40,7 +40,7 @@ def export_cameras(
         UsageError: no such format, or ``out`` is where the cameras are.
         SaveError: writing failed; an archive is then not there, or the old one.
     """
-    _keep_off_the_source(cameras.path, out)
+    _check_apart_from_source(cameras.path, out)
     return write_cameras(
         _read(cameras, camera_size),
         out,
@@ -64,7 +64,7 @@ def _read(
             yield frame, replace(loaded, size=loaded.size_where(camera_size))
 
 
-def _keep_off_the_source(source: Path, out: Path) -> None:
+def _check_apart_from_source(source: Path, out: Path) -> None:
     """What is read must never be replaced by what is written."""
     target = os.path.realpath(out)
     own = os.path.realpath(source)

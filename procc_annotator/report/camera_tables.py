@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 
-from procc_annotator.fit.result import PoseDeviations
+from procc_annotator.fit.result import PoseStandardDeviations
 from procc_annotator.report.sheet.figures import DEVIATIONS
-from procc_annotator.report.sheet.sheet import of
+from procc_annotator.report.sheet.sheet import metric_column
 
-DEVIATION_COLUMNS = tuple(map(of, DEVIATIONS))
+DEVIATION_COLUMNS = tuple(map(metric_column, DEVIATIONS))
 
 
-def deviation_values(deviations: PoseDeviations | None) -> tuple[float | None, ...]:
+def deviation_values(deviations: PoseStandardDeviations | None) -> tuple[float | None, ...]:
     """Standard deviations in the order of `DEVIATION_COLUMNS`: degrees, px, metres."""
     if deviations is None:
         return (None,) * len(DEVIATION_COLUMNS)

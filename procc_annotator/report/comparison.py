@@ -10,20 +10,20 @@ from typing import Any
 
 from procc_annotator.errors import ImageError, InputError, UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.field.stadiums import field_of_frame
+from procc_annotator.field.stadiums import field_for_frame
 from procc_annotator.io.atomic import make_folder, write_atomic
-from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, Fitted, marked
+from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, FitCounts, name_with_mark
 from procc_annotator.io.frame_names import file_of_frame
 from procc_annotator.metric.contours import OFFSIDE_ACCURACY_M
 from procc_annotator.metric.disagreement import Disagreement
-from procc_annotator.metric.legacy import Average, LegacyMetrics
+from procc_annotator.metric.legacy import MetricAverage, LegacyMetrics
 from procc_annotator.report.field_terms import field_terms
 from procc_annotator.report.scores.score_files import score_format
 from procc_annotator.report.sheet.as_csv import csv_bytes
-from procc_annotator.report.sheet.as_json import json_bytes, sheet_entry
-from procc_annotator.report.sheet.figure import values_of
+from procc_annotator.report.sheet.as_json import json_bytes, table_entry
+from procc_annotator.report.sheet.figure import metric_values
 from procc_annotator.report.sheet.figures import LEGACY, METRES, PIXELS, WITHIN
-from procc_annotator.report.sheet.sheet import Column, Row, Sheet, of, whole
+from procc_annotator.report.sheet.sheet import Column, Row, MetricTable, metric_column, count_column
 from procc_annotator.session.runs.comparison_run import (
     CameraPair,
     ComparedFrame,
@@ -31,16 +31,16 @@ from procc_annotator.session.runs.comparison_run import (
     ComparisonSummary,
     worst_frames,
 )
-from procc_annotator.words import count_of
+from procc_annotator.words import count_words
 
 WORST = 10
 
 _LEGACY = tuple(one.name for one in fields(LegacyMetrics))
 _COLUMNS = (
-    Column("name"), Column("field"), whole("width"), whole("height"),
+    Column("name"), Column("field"), count_column("width"), count_column("height"),
     *(Column(f"{unit}_{end}", kind="number")
       for unit in ("metres", "pixels") for end in ("min", "median", "max")),
-    of(WITHIN), Column("compared_share", kind="number"),
+    metric_column(WITHIN), Column("compared_share", kind="number"),
     *(Column(name, kind="number") for name in _LEGACY), Column("error"),
 )  # fmt: skip
 
@@ -77,15 +77,15 @@ class ComparisonReport:
     errors: list[str] = field(default_factory=list)
     notices: Counter[str] = field(default_factory=Counter)
     pictures: list[Path] = field(default_factory=list)
-    fitted: tuple[Fitted, Fitted] = (NOT_FITTED, NOT_FITTED)
-    chance: tuple[Sheet, ...] = ()  # intervals, where they were asked for
+    fitted: tuple[FitCounts, FitCounts] = (NOT_FITTED, NOT_FITTED)
+    chance: tuple[MetricTable, ...] = ()  # intervals, where they were asked for
 
     @property
     def marked_names(self) -> tuple[str, str]:
         """The names as tables tell them, with the mark of one that was fitted to the dataset's
         annotations."""
         (a, b), (of_a, of_b) = self.names, self.fitted
-        return marked(a, of_a), marked(b, of_b)
+        return name_with_mark(a, of_a), name_with_mark(b, of_b)
 
 
 def _no_progress(
@@ -158,7 +158,7 @@ def paint_frames(
                 compared.names,
                 cameras,
                 comparison.map_for_picture(frame.name, cameras),
-                field_of_frame(comparison.field, frame.name),
+                field_for_frame(comparison.field, frame.name),
             )
             data = paint(scene)
         except (ImageError, InputError) as error:
@@ -174,55 +174,55 @@ def paint_frames(
 # ---------------------------------------------------------------------------------------- tables
 
 
-def disagreement_table(compared: ComparisonReport) -> Sheet:
+def disagreement_table(compared: ComparisonReport) -> MetricTable:
     """Metres and pixels over the set."""
     summary = compared.summary
     a, b = compared.marked_names
     headings = ("min", "median of frames", "max")
-    columns = (Column("where"), *(Column(h, h, "number") for h in headings), of(WITHIN))
+    columns = (Column("where"), *(Column(h, h, "number") for h in headings), metric_column(WITHIN))
     rows = (
-        ("on the ground, m", *values_of(METRES, summary.metres), summary.within),
-        ("in the picture, px", *values_of(PIXELS, summary.pixels), None),
+        ("on the ground, m", *metric_values(METRES, summary.metres), summary.within),
+        ("in the picture, px", *metric_values(PIXELS, summary.pixels), None),
     )
-    title = f"Disagreement of {a} and {b} in {count_of(summary.frames, 'frame')}"
+    title = f"Disagreement of {a} and {b} in {count_words(summary.frames, 'frame')}"
     of_rows = (METRES[0], PIXELS[0])
-    return Sheet("disagreement", title, columns, rows, compared.described, of_rows=of_rows)
+    return MetricTable("disagreement", title, columns, rows, compared.described, of_rows=of_rows)
 
 
-def legacy_table(compared: ComparisonReport) -> Sheet:
+def legacy_table(compared: ComparisonReport) -> MetricTable:
     """The metrics of earlier papers over the set."""
     a, b = compared.marked_names
     columns = (
         Column("metric", "metric"), Column("mean", "mean", "number"),
-        Column("median", "median", "number"), whole("frames"),
+        Column("median", "median", "number"), count_column("frames"),
     )  # fmt: skip
     rows = []
     for figure in LEGACY:
-        found = compared.summary.legacy.get(figure.key, Average(None, None, 0))
+        found = compared.summary.legacy.get(figure.key, MetricAverage(None, None, 0))
         words = f"{figure.title}, {figure.unit}"
         rows.append((words, found.mean, found.median, found.frames))
     title = f"{b} against {a} as reference"
-    return Sheet("legacy", title, columns, tuple(rows), compared.described, of_rows=LEGACY)
+    return MetricTable("legacy", title, columns, tuple(rows), compared.described, of_rows=LEGACY)
 
 
-def worst_comparison_table(compared: ComparisonReport, count: int = WORST) -> Sheet:
+def worst_comparison_table(compared: ComparisonReport, count: int = WORST) -> MetricTable:
     """The frames to look at first: largest median disagreement."""
     worst = worst_frames(compared.frames, count)
     told = LEGACY[:3]
     columns = (
-        Column("frame", "frame"), *map(of, METRES), of(WITHIN), *map(of, PIXELS[1:]),
-        *map(of, told),
+        Column("frame", "frame"), *map(metric_column, METRES), metric_column(WITHIN), *map(metric_column, PIXELS[1:]),
+        *map(metric_column, told),
     )  # fmt: skip
     rows = tuple(
         (
-            frame.name, *values_of(METRES, frame.statistics.metres), frame.within,
-            *values_of(PIXELS[1:], frame.statistics.pixels), *values_of(told, frame.legacy),
+            frame.name, *metric_values(METRES, frame.statistics.metres), frame.within,
+            *metric_values(PIXELS[1:], frame.statistics.pixels), *metric_values(told, frame.legacy),
         )
         for frame in worst
         if frame.statistics is not None and frame.legacy is not None
     )  # fmt: skip
-    title = f"Largest disagreement, {count_of(len(worst), 'frame')}"
-    return Sheet("worst_frames", title, columns, rows, compared.described)
+    title = f"Largest disagreement, {count_words(len(worst), 'frame')}"
+    return MetricTable("worst_frames", title, columns, rows, compared.described)
 
 
 # ----------------------------------------------------------------------------------------- files
@@ -263,7 +263,7 @@ def _json(compared: ComparisonReport, comparison: ComparisonRun) -> bytes:
         },
     }
     if compared.chance:
-        content["chance"] = {sheet.name: sheet_entry(sheet) for sheet in compared.chance}
+        content["chance"] = {sheet.name: table_entry(sheet) for sheet in compared.chance}
     return json_bytes(content)
 
 
@@ -291,7 +291,7 @@ def _csv(compared: ComparisonReport, comparison: ComparisonRun) -> bytes:
         (frame.name, *terms, *_values(frame), "; ".join(frame.errors))
         for frame in compared.frames
     )  # fmt: skip
-    return csv_bytes(Sheet("comparison", "", _COLUMNS, rows))
+    return csv_bytes(MetricTable("comparison", "", _COLUMNS, rows))
 
 
 def _values(frame: ComparedFrame) -> Row:

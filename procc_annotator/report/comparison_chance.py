@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from procc_annotator.metric.chance.paired import PairedDifference
-from procc_annotator.metric.chance.sampling import Draws
+from procc_annotator.metric.chance.sampling import BootstrapSettings
 from procc_annotator.report.agreement_figures import intervals_described
 from procc_annotator.report.scores.chance_sheets import interval_ends
-from procc_annotator.report.sheet.figure import Figure
+from procc_annotator.report.sheet.figure import Metric
 from procc_annotator.report.sheet.figures import (
     LEGACY,
     METRES,
@@ -17,20 +17,20 @@ from procc_annotator.report.sheet.figures import (
     PIXELS,
     WITHIN,
 )
-from procc_annotator.report.sheet.sheet import Column, Row, Sheet, of, whole
+from procc_annotator.report.sheet.sheet import Column, Row, MetricTable, metric_column, count_column
 from procc_annotator.session.runs.clusters import Clusters
 from procc_annotator.session.runs.comparison_certainty import (
     KEYS,
     SHARES,
-    KnownFigure,
-    known_figures,
-    known_medians,
-    nearer,
+    MetricWithInterval,
+    metrics_with_intervals,
+    medians_with_intervals,
+    closer_source,
 )
 from procc_annotator.session.runs.comparison_run import ComparedFrame
 
 # By the keys of `KEYS`; of the distances the median of a frame is meant.
-_FIGURES: dict[str, Figure] = {
+_FIGURES: dict[str, Metric] = {
     "metres": METRES[1],
     "pixels": PIXELS[1],
     "within": WITHIN,
@@ -46,14 +46,14 @@ _ENDS = (
 )
 
 
-def comparison_intervals_sheet(
+def comparison_intervals_table(
     frames: Sequence[ComparedFrame],
     clusters: Clusters,
-    draws: Draws,
+    draws: BootstrapSettings,
     names: tuple[str, str],
     described: str,
     name: str = "intervals",
-) -> Sheet:
+) -> MetricTable:
     """Every figure of a comparison with its interval.
 
     Args:
@@ -61,11 +61,11 @@ def comparison_intervals_sheet(
         names: of the two sources. described: field and size.
         name: of the sheet.
     """
-    known, medians = known_figures(frames, clusters, draws), known_medians(frames, clusters, draws)
+    known, medians = metrics_with_intervals(frames, clusters, draws), medians_with_intervals(frames, clusters, draws)
     rows: list[Row] = []
-    figures: list[Figure] = []
+    figures: list[Metric] = []
 
-    def add(over: str, key: str, found: KnownFigure) -> None:
+    def add(over: str, key: str, found: MetricWithInterval) -> None:
         figures.append(_FIGURES[key])
         rows.append((_words(key), over, found.value, *interval_ends(found.interval), found.frames))
 
@@ -75,22 +75,22 @@ def comparison_intervals_sheet(
             add("median", key, medians[key])
     columns = (
         Column("figure", "figure"), Column("over", "over frames"),
-        Column("value", "value", "number"), *_ENDS, whole("frames"),
+        Column("value", "value", "number"), *_ENDS, count_column("frames"),
     )  # fmt: skip
     note = f"In brackets {intervals_described(draws, clusters)}."
-    return Sheet(
+    return MetricTable(
         name, f"{names[1]} against {names[0]}, intervals", columns, tuple(rows), described,
         (note,), of_rows=tuple(figures),
     )  # fmt: skip
 
 
-def nearer_sheet(
+def closer_method_table(
     pair: tuple[Sequence[ComparedFrame], Sequence[ComparedFrame]],
     clusters: Clusters,
-    draws: Draws,
+    draws: BootstrapSettings,
     names: tuple[str, str, str],
     described: str,
-) -> Sheet:
+) -> MetricTable:
     """Which of two sources is nearer to a third, figure by figure.
 
     Args:
@@ -98,10 +98,10 @@ def nearer_sheet(
         names: of the third, and of the two.
         described: field and size.
     """
-    found = nearer(pair[0], pair[1], clusters, draws)
+    found = closer_source(pair[0], pair[1], clusters, draws)
     columns = (
         Column("figure", "figure"), Column("difference", f"{names[1]} less {names[2]}", "number"),
-        *_ENDS, whole("frames", "frames of all"), of(P_VALUE), of(P_CORRECTED),
+        *_ENDS, count_column("frames", "frames of all"), metric_column(P_VALUE), metric_column(P_CORRECTED),
         Column("nearer", f"nearer to {names[0]}"),
     )  # fmt: skip
     rows = tuple(
@@ -116,7 +116,7 @@ def nearer_sheet(
     )
     title = f"Is {names[1]} or {names[2]} nearer to {names[0]}"
     figures = tuple(_FIGURES[key] for key in found)
-    return Sheet("nearer", title, columns, rows, described, notes, of_rows=figures)
+    return MetricTable("nearer", title, columns, rows, described, notes, of_rows=figures)
 
 
 def _words(key: str) -> str:

@@ -13,29 +13,29 @@ import numpy as np
 
 from procc_annotator.errors import UsageError
 from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation
-from procc_annotator.io.atomic import replacing
+from procc_annotator.io.atomic import open_replacing
 from procc_annotator.metric.agreement import ClassAgreement, FrameAgreement
-from procc_annotator.metric.chance.sampling import Draws
+from procc_annotator.metric.chance.sampling import BootstrapSettings
 from procc_annotator.metric.polylines import FloatArray
 from procc_annotator.report.agreement_figures import (
     ELEMENT_COLUMNS,
     WORST,
     element_rows,
     farthest,
-    floor_entry,
-    floor_words,
+    inter_annotator_entry,
+    inter_annotator_words,
     frame_entry,
     intervals_described,
     status_row,
-    sure_columns,
-    sure_values,
+    agreement_columns,
+    agreement_values,
 )
 from procc_annotator.report.field_terms import field_terms
 from procc_annotator.report.scores.score_files import score_format
 from procc_annotator.report.scores.tables import worst_words
 from procc_annotator.report.sheet.as_csv import csv_bytes
-from procc_annotator.report.sheet.as_json import json_bytes, sheet_entry
-from procc_annotator.report.sheet.figure import Figure, values_of
+from procc_annotator.report.sheet.as_json import json_bytes, table_entry
+from procc_annotator.report.sheet.figure import Metric, metric_values
 from procc_annotator.report.sheet.figures import (
     ADDED,
     APART,
@@ -49,25 +49,25 @@ from procc_annotator.report.sheet.figures import (
     ONLY_B,
     POINTS,
 )  # fmt: skip
-from procc_annotator.report.sheet.sheet import TAU, Column, Row, Sheet, of, whole
+from procc_annotator.report.sheet.sheet import TAU, Column, Row, MetricTable, metric_column, count_column
 from procc_annotator.report.targets import open_target
 from procc_annotator.session.runs.clusters import Clusters
 from procc_annotator.session.runs.consensus_run import (
     ConsensusRun,
-    SeveralResult,
+    ConsensusResult,
 )
-from procc_annotator.session.runs.sure_agreement import SureAgreement, sure_agreement
-from procc_annotator.words import count_of
+from procc_annotator.session.runs.sure_agreement import AgreementInference, agreement_inference
+from procc_annotator.words import count_words
 
 _COUNTS = (COMMON, APART, ADDED, MISSED, LEFT_OUT)
 _LONE = ("added", "missed")
 
-Progress = Callable[[Iterable[SeveralResult], int, str], Iterator[SeveralResult]]
+Progress = Callable[[Iterable[ConsensusResult], int, str], Iterator[ConsensusResult]]
 ClustersOf = Callable[[Sequence[str]], Clusters]
 
 
 @dataclass(frozen=True)
-class AgreedAll:
+class ConsensusReport:
     """The agreement of several annotators over a set.
 
     Attributes:
@@ -81,10 +81,10 @@ class AgreedAll:
     """
 
     names: tuple[str, ...]
-    pairs: dict[tuple[int, int], SureAgreement]
-    others: dict[int, SureAgreement]
-    floor: SureAgreement
-    results: tuple[SeveralResult, ...]
+    pairs: dict[tuple[int, int], AgreementInference]
+    others: dict[int, AgreementInference]
+    floor: AgreementInference
+    results: tuple[ConsensusResult, ...]
     thresholds: tuple[float, ...]
     described: str
     known: str
@@ -96,14 +96,14 @@ class AgreedAll:
         return sum(len(result.pairs) == 1 for result in self.results)
 
 
-def agree_all(
+def compare_annotators(
     run: ConsensusRun,
     clusters_of: ClustersOf,
     *,
-    draws: Draws | None = None,
+    draws: BootstrapSettings | None = None,
     consensus: Path | None = None,
     progress: Progress = lambda items, _total, _what: iter(items),
-) -> AgreedAll:
+) -> ConsensusReport:
     """Compare several annotators' files.
 
     Args:
@@ -125,10 +125,10 @@ def agree_all(
         )
     frames = [result.name for result in there]
     clusters = clusters_of(frames)
-    level = draws or Draws()
+    level = draws or BootstrapSettings()
 
-    def sure(found: list[tuple[str, FrameAgreement]]) -> SureAgreement:
-        return sure_agreement(frames, found, run.thresholds, clusters, level)
+    def sure(found: list[tuple[str, FrameAgreement]]) -> AgreementInference:
+        return agreement_inference(frames, found, run.thresholds, clusters, level)
 
     count = len(run.sources)
     pairs = {
@@ -141,7 +141,7 @@ def agree_all(
     }
     if consensus is not None:
         _write_consensus(there, consensus)
-    return AgreedAll(
+    return ConsensusReport(
         short_names([source.path for source in run.sources]),
         {pair: sure(found) for pair, found in pairs.items() if found},
         {at: sure(found) for at, found in others.items() if found},
@@ -163,7 +163,7 @@ def short_names(paths: Sequence[PurePath]) -> tuple[str, ...]:
     return tuple(map(str, paths))
 
 
-def _write_consensus(results: Iterable[SeveralResult], out: Path) -> None:
+def _write_consensus(results: Iterable[ConsensusResult], out: Path) -> None:
     with open_target(out) as target:
         for result in results:
             if result.consensus is not None:
@@ -173,61 +173,61 @@ def _write_consensus(results: Iterable[SeveralResult], out: Path) -> None:
 # ---------------------------------------------------------------------------------------- tables
 
 
-def floor_line(agreed: AgreedAll) -> str:
+def consensus_line(agreed: ConsensusReport) -> str:
     """The one line a paper would quote."""
-    points = count_of(agreed.floor.summary.overall.points, "distance")
+    points = count_words(agreed.floor.summary.overall.points, "distance")
     return (
-        f"Noise floor: {floor_words(agreed.floor)}, over {points} of every two annotators"
+        f"Noise floor: {inter_annotator_words(agreed.floor)}, over {points} of every two annotators"
         f" ({agreed.described})"
     )
 
 
-def sheets_of(agreed: AgreedAll) -> tuple[Sheet, ...]:
+def consensus_tables(agreed: ConsensusReport) -> tuple[MetricTable, ...]:
     """All tables, in the order they are read."""
-    return (others_sheet(agreed), pairs_sheet(agreed), worst_sheet(agreed), classes_sheet(agreed))
+    return (others_table(agreed), pairs_table(agreed), worst_consensus_table(agreed), consensus_classes_table(agreed))
 
 
-def others_sheet(agreed: AgreedAll) -> Sheet:
+def others_table(agreed: ConsensusReport) -> MetricTable:
     """Each annotator against the consensus of the others, with intervals."""
     columns = (
-        Column("annotator", "annotator"), Column("name", "name"), TAU, whole("frames"),
-        *sure_columns(), of(LARGEST_PX), *_counts(_COUNTS),
+        Column("annotator", "annotator"), Column("name", "name"), TAU, count_column("frames"),
+        *agreement_columns(), metric_column(LARGEST_PX), *_counts(_COUNTS),
     )  # fmt: skip
     rows = [
         (ascii_uppercase[at], agreed.names[at], tau, found.summary.frames,
-         *sure_values(found, tau), found.summary.overall.largest,
-         *values_of(_COUNTS, found.summary.overall))
+         *agreement_values(found, tau), found.summary.overall.largest,
+         *metric_values(_COUNTS, found.summary.overall))
         for at, found in agreed.others.items()
         for tau in agreed.thresholds
     ]  # fmt: skip
     notes = [f"In brackets {agreed.known}."]
     if agreed.of_one_other:
-        alone = count_of(agreed.of_one_other, "frame")
+        alone = count_words(agreed.of_one_other, "frame")
         notes.append(f"Of {alone} with two annotators each is compared with the other one.")
-    return Sheet(
+    return MetricTable(
         "annotators", "Each annotator against the consensus of the others", columns, tuple(rows),
         agreed.described, tuple(notes),
     )  # fmt: skip
 
 
-def pairs_sheet(agreed: AgreedAll) -> Sheet:
+def pairs_table(agreed: ConsensusReport) -> MetricTable:
     """Every two annotators."""
     counts = (COMMON, APART, ONLY_A, ONLY_B)
     columns = (
-        Column("a", "A"), Column("b", "B"), TAU, whole("frames"), *sure_columns(),
-        of(LARGEST_PX), *_counts(counts),
+        Column("a", "A"), Column("b", "B"), TAU, count_column("frames"), *agreement_columns(),
+        metric_column(LARGEST_PX), *_counts(counts),
     )  # fmt: skip
     rows = [
         (ascii_uppercase[a], ascii_uppercase[b], tau, found.summary.frames,
-         *sure_values(found, tau), found.summary.overall.largest,
-         *values_of(counts, found.summary.overall))
+         *agreement_values(found, tau), found.summary.overall.largest,
+         *metric_values(counts, found.summary.overall))
         for (a, b), found in agreed.pairs.items()
         for tau in agreed.thresholds
     ]  # fmt: skip
-    return Sheet("pairs", "Every two annotators", columns, tuple(rows), agreed.described)
+    return MetricTable("pairs", "Every two annotators", columns, tuple(rows), agreed.described)
 
 
-def classes_sheet(agreed: AgreedAll) -> Sheet:
+def consensus_classes_table(agreed: ConsensusReport) -> MetricTable:
     """Per class, all annotators against the consensus of the others."""
     found: dict[str, list[tuple[int, ClassAgreement]]] = {}
     lone: dict[tuple[str, str], int] = {}
@@ -240,7 +240,7 @@ def classes_sheet(agreed: AgreedAll) -> Sheet:
                     found.setdefault(name, [])
                     lone[name, key] = lone.get((name, key), 0) + 1
     columns = (
-        Column("class", "class"), *_counts((POINTS, *_COUNTS)), *map(of, DISTANCES),
+        Column("class", "class"), *_counts((POINTS, *_COUNTS)), *map(metric_column, DISTANCES),
     )  # fmt: skip
     rows = []
     for name in sorted(found):
@@ -254,12 +254,12 @@ def classes_sheet(agreed: AgreedAll) -> Sheet:
             len(pooled.distances), len(found[name]), apart, lone.get((name, "added"), 0),
             lone.get((name, "missed"), 0), pooled.left_out,
         )  # fmt: skip
-        rows.append((name.strip(), *counts, *values_of(DISTANCES, pooled)))
+        rows.append((name.strip(), *counts, *metric_values(DISTANCES, pooled)))
     title = "Classes, all annotators against the others"
-    return Sheet("classes", title, columns, tuple(rows), agreed.described)
+    return MetricTable("classes", title, columns, tuple(rows), agreed.described)
 
 
-def worst_sheet(agreed: AgreedAll) -> Sheet:
+def worst_consensus_table(agreed: ConsensusReport) -> MetricTable:
     """The frames and annotators to look at first: lowest JaC against the others, then farthest."""
     tau = agreed.thresholds[0]
     rows = []
@@ -273,27 +273,27 @@ def worst_sheet(agreed: AgreedAll) -> Sheet:
             )  # fmt: skip
     rows.sort(key=lambda row: (row[2], -(row[5] or 0.0)))
     columns = (
-        Column("frame", "frame"), Column("annotator", "annotator"), of(JAC),
-        *_counts((ADDED, MISSED)), of(LARGEST_PX), Column("farthest", "farthest element"),
+        Column("frame", "frame"), Column("annotator", "annotator"), metric_column(JAC),
+        *_counts((ADDED, MISSED)), metric_column(LARGEST_PX), Column("farthest", "farthest element"),
         Column("labels", "labels"),
     )  # fmt: skip
     shown = tuple(rows[:WORST])
     title = f"{worst_words(len(shown))} and annotators at {tau:g} px"
-    return Sheet("worst_frames", title, columns, shown, agreed.described)
+    return MetricTable("worst_frames", title, columns, shown, agreed.described)
 
 
 def _joined(several: Sequence[ClassAgreement]) -> FloatArray:
     return np.concatenate([np.empty(0), *(own.distances for own in several)])
 
 
-def _counts(figures: Iterable[Figure]) -> list[Column]:
-    return [whole(figure.key, figure.title) for figure in figures]
+def _counts(figures: Iterable[Metric]) -> list[Column]:
+    return [count_column(figure.key, figure.title) for figure in figures]
 
 
 # ----------------------------------------------------------------------------------------- files
 
 
-def write_agreed(agreed: AgreedAll, run: ConsensusRun, output: Path) -> None:
+def write_agreed(agreed: ConsensusReport, run: ConsensusRun, output: Path) -> None:
     """Write every figure to a ``.json``, or one row a frame, annotator and class to a ``.csv``.
 
     Raises:
@@ -303,19 +303,19 @@ def write_agreed(agreed: AgreedAll, run: ConsensusRun, output: Path) -> None:
     if score_format(output) == "json":
         content = json_bytes(_content(agreed, run), indent=0)
     else:
-        content = csv_bytes(consensus_frames_sheet(agreed, run))
-    with replacing(output) as stream:
+        content = csv_bytes(consensus_frames_table(agreed, run))
+    with open_replacing(output) as stream:
         stream.write(content)
 
 
-def consensus_frames_sheet(agreed: AgreedAll, run: ConsensusRun) -> Sheet:
+def consensus_frames_table(agreed: ConsensusReport, run: ConsensusRun) -> MetricTable:
     """One row a frame, annotator and class, against the consensus of the others.
 
     The status of a class is ``common``, ``apart``, ``added`` or ``missed``; that of a row without
     class ``empty``, ``unreadable`` or ``alone``.
     """
     columns = (
-        Column("name"), Column("field"), whole("width"), whole("height"), Column("annotator"),
+        Column("name"), Column("field"), count_column("width"), count_column("height"), Column("annotator"),
         *ELEMENT_COLUMNS,
     )  # fmt: skip
     terms = (run.field.described, *run.size)
@@ -330,10 +330,10 @@ def consensus_frames_sheet(agreed: AgreedAll, run: ConsensusRun) -> Sheet:
             rows.append((result.name, *terms, None, *unread))
     for letter, names in zip(ascii_uppercase, run.alone, strict=False):
         rows += [(name, *terms, letter, *status_row("alone")) for name in names]
-    return Sheet("frames", "Frames", columns, tuple(rows))
+    return MetricTable("frames", "Frames", columns, tuple(rows))
 
 
-def _content(agreed: AgreedAll, run: ConsensusRun) -> dict[str, Any]:
+def _content(agreed: ConsensusReport, run: ConsensusRun) -> dict[str, Any]:
     return {
         **field_terms(run.field),
         "size": list(run.size),
@@ -349,13 +349,13 @@ def _content(agreed: AgreedAll, run: ConsensusRun) -> dict[str, Any]:
         "images": [_frame_entry(result, run.thresholds) for result in agreed.results],
         "summary": {
             "frames": agreed.floor.summary.frames,
-            "noise_floor": floor_entry(agreed.floor, agreed.known),
-            **{sheet.name: sheet_entry(sheet) for sheet in sheets_of(agreed)},
+            "noise_floor": inter_annotator_entry(agreed.floor, agreed.known),
+            **{sheet.name: table_entry(sheet) for sheet in consensus_tables(agreed)},
         },
     }
 
 
-def _frame_entry(result: SeveralResult, thresholds: Sequence[float]) -> dict[str, Any]:
+def _frame_entry(result: ConsensusResult, thresholds: Sequence[float]) -> dict[str, Any]:
     undecided = () if result.consensus is None else result.consensus.undecided
     return {
         "name": result.name,

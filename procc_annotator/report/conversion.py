@@ -13,7 +13,7 @@ from procc_annotator.image.suffixes import PICTURE_SUFFIXES
 from procc_annotator.io.annotation_files.annotation_formats import format_named
 from procc_annotator.io.annotation_files.exchange import (
     ExchangedFrame,
-    Reading,
+    ReadContext,
     Size,
 )
 from procc_annotator.io.annotation_files.label_map import LabelMap
@@ -21,12 +21,12 @@ from procc_annotator.io.annotation_files.read_set import ReadSet, SetReader, rea
 from procc_annotator.io.source import FileSource
 from procc_annotator.report.conversion_output import (
     Converted,
-    Wanted,
-    keep_apart,
+    ConversionRequest,
+    check_paths_apart,
     write_converted,
 )
 from procc_annotator.session.dataset.annotation_source import open_files
-from procc_annotator.session.dataset.dataset_folder import annotations_or_itself
+from procc_annotator.session.dataset.dataset_folder import annotations_or_path
 from procc_annotator.session.dataset.picture_names import PicturesByName
 from procc_annotator.session.dataset.picture_sizes import (
     PictureSizes,
@@ -34,7 +34,7 @@ from procc_annotator.session.dataset.picture_sizes import (
     picture_size,
     picture_tree,
 )
-from procc_annotator.session.dataset.what_lies_there import refuse_other_things
+from procc_annotator.session.dataset.what_lies_there import refuse_other_content
 from procc_annotator.session.dataset.workspace import Workspace
 
 Progress = Callable[[int, int], None]
@@ -43,7 +43,7 @@ Progress = Callable[[int, int], None]
 def convert_annotations(
     path: Path,
     out: Path,
-    wanted: Wanted,
+    wanted: ConversionRequest,
     field: Field,
     *,
     fmt: str = "auto",
@@ -72,11 +72,11 @@ def convert_annotations(
         SaveError: writing failed.
     """
     target = format_named(wanted.to)
-    folder = annotations_or_itself(path)
-    keep_apart(path, out)
+    folder = annotations_or_path(path)
+    check_paths_apart(path, out)
     with open_files(folder) as source:
         if fmt == "auto":
-            refuse_other_things(source)
+            refuse_other_content(source)
         sizes = PictureSizes(picture_folders(path, folder), size, picture_tree(path))
         reader = SetReader(
             source, field, names,
@@ -105,7 +105,7 @@ def convert_annotations(
 def export_as(
     workspace: Workspace,
     out: Path,
-    wanted: Wanted,
+    wanted: ConversionRequest,
     *,
     drafts: Collection[str] = (),
     progress: Progress | None = None,
@@ -124,7 +124,7 @@ def export_as(
         SaveError: writing failed.
     """
     target = format_named(wanted.to)
-    reading = Reading(workspace.field, total=len(workspace.frames))
+    reading = ReadContext(workspace.field, total=len(workspace.frames))
     inputs = {os.path.realpath(f.annotation_path) for f in workspace.frames}
     sized = target.in_pixels or bool(target.one_file)
     frames = _frames_of(workspace, reading, set(drafts), progress, sized=sized)
@@ -151,7 +151,7 @@ def read_annotations(
     Raises:
         UsageError, InputError: as for `convert_annotations`.
     """
-    with open_files(annotations_or_itself(path)) as source:
+    with open_files(annotations_or_path(path)) as source:
         return read_set(
             source,
             workspace.field,
@@ -169,7 +169,7 @@ def read_annotations(
 
 def _frames_of(
     workspace: Workspace,
-    reading: Reading,
+    reading: ReadContext,
     drafts: set[str],
     progress: Progress | None,
     *,

@@ -20,7 +20,7 @@ from procc_annotator.io.annotation_files.annotation_formats import (
     LABELME,
     AnnotationFormat,
 )
-from procc_annotator.io.annotation_files.exchange import ExchangedFrame, Writing
+from procc_annotator.io.annotation_files.exchange import ExchangedFrame, WriteContext
 from procc_annotator.io.annotation_files.masks import check_line_width
 from procc_annotator.io.annotation_files.soccernet_classes import (
     official_frames,
@@ -35,7 +35,7 @@ from procc_annotator.session.dataset.field_match import classes_in, mismatch_of
 
 
 @dataclass(frozen=True)
-class Wanted:
+class ConversionRequest:
     """What annotations are to become.
 
     Attributes:
@@ -89,7 +89,7 @@ class _NothingWrittenError(Exception):
     """No frame was left to be written; whatever was begun is dropped."""
 
 
-def keep_apart(path: Path, out: Path) -> None:
+def check_paths_apart(path: Path, out: Path) -> None:
     """An output must not be what is read, nor lie in it."""
     own, other = path.resolve(), out.resolve()
     if own == other or (path.is_dir() and other.is_relative_to(own)):
@@ -100,7 +100,7 @@ def write_converted(
     frames: Iterable[ExchangedFrame],
     out: Path,
     target: AnnotationFormat,
-    wanted: Wanted,
+    wanted: ConversionRequest,
     field: Field,
     inputs: set[str],
     picture_of: Callable[[ExchangedFrame], Path | None] = lambda _: None,
@@ -127,7 +127,7 @@ def write_converted(
         require_soccernet(field, target.title)
     one_file = _is_one_file(out, target)
     _check_place(out, one_file, wanted.overwrite)
-    writing = Writing(
+    writing = WriteContext(
         field,
         lambda name, data: False,
         file_name=out.name if one_file else None,
@@ -161,8 +161,8 @@ def write_converted(
 def _write(
     frames: Iterable[ExchangedFrame],
     target: AnnotationFormat,
-    writing: Writing,
-    wanted: Wanted,
+    writing: WriteContext,
+    wanted: ConversionRequest,
     picture_of: Callable[[ExchangedFrame], Path | None],
 ) -> None:
     """Write the set, or each game of a tree by itself where that is what the format's file is."""
@@ -178,9 +178,9 @@ def _write(
 def _write_game(
     game: Game,
     target: AnnotationFormat,
-    wanted: Wanted,
+    wanted: ConversionRequest,
     picture_of: Callable[[ExchangedFrame], Path | None],
-    writing: Writing,
+    writing: WriteContext,
 ) -> None:
     frames: Iterable[ExchangedFrame] = game.frames
     if wanted.pictures:
@@ -220,7 +220,7 @@ def _looked_into(
 def _with_pictures(
     frames: Iterable[ExchangedFrame],
     target: AnnotationFormat,
-    writing: Writing,
+    writing: WriteContext,
     picture_of: Callable[[ExchangedFrame], Path | None],
 ) -> Iterator[ExchangedFrame]:
     """The frames; the picture of each that the writer takes is copied into the output.
@@ -248,7 +248,7 @@ def _with_pictures(
 def _require_classes(classes: Collection[str], field: Field, target: AnnotationFormat) -> None:
     """A set without a field of its own may be of another sport all the same."""
     mismatch = mismatch_of(classes, field)
-    if mismatch is not None and mismatch.is_telling:
+    if mismatch is not None and mismatch.is_worth_reporting:
         raise UsageError(
             f"{target.title} is for the classes of SoccerNet, but {mismatch.words()}; choose"
             " soccernet, labelme, cvat or coco, which hold any class"
@@ -274,7 +274,7 @@ def _into_archive(archive: Target) -> Callable[[str, bytes], bool]:
 
 
 def _into_folder(
-    files: Target, folder: Path, writing: Writing, inputs: set[str], overwrite: bool
+    files: Target, folder: Path, writing: WriteContext, inputs: set[str], overwrite: bool
 ) -> Callable[[str, bytes], bool]:
     def put(name: str, data: bytes) -> bool:
         path = folder / name

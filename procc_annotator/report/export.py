@@ -22,15 +22,15 @@ from procc_annotator.io.annotation_files.soccernet_classes import (
     left_out_words,
     official_only,
     require_soccernet,
-    unknown_to_official,
+    without_unknown_to_official,
 )
-from procc_annotator.io.atomic import make_folder, replacing
-from procc_annotator.io.camera_files.assumed_field import NAME_THE_FORMAT, of_another_field
-from procc_annotator.io.camera_files.fitted_on import Fitted
+from procc_annotator.io.atomic import make_folder, open_replacing
+from procc_annotator.io.camera_files.assumed_field import NAME_THE_FORMAT, field_mismatch
+from procc_annotator.io.camera_files.fitted_on import FitCounts
 from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.source import open_source
-from procc_annotator.metric.clicked import clicked
-from procc_annotator.metric.project import why_clipped
+from procc_annotator.metric.clicked import annotated_extent
+from procc_annotator.metric.project import clipped_projection_error
 from procc_annotator.metric.sets import SetAccumulator, SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.scores.score_csv import CsvScores, csv_fragment
@@ -170,11 +170,11 @@ def export_split(
     with _open_target(frames, out, split) as target, ExitStack() as open_files:
         for path in paths:
             make_folder(path.parent)
-        streams = [(open_files.enter_context(replacing(path)), path) for path in paths]
+        streams = [(open_files.enter_context(open_replacing(path)), path) for path in paths]
         totals = _Totals(scoring, exported, [_writer(*stream, scoring) for stream in streams])
         for name, annotation in _annotated(frames, exported, progress):
             leaves = _leaving(annotation, frames.field, exported, keep_optional=False)
-            leaves, out_words = unknown_to_official(leaves)
+            leaves, out_words = without_unknown_to_official(leaves)
             exported.left_out.update(out_words)
             target.write(f"{split}/{name}.json", write_annotation(leaves))
             exported.annotations += 1
@@ -231,7 +231,7 @@ def export_scores(
     """
     score_format(out)
     exported = Exported(out)
-    with replacing(out) as stream:
+    with open_replacing(out) as stream:
         totals = _Totals(scoring, exported, [_writer(stream, out, scoring)])
         for name, annotation in _annotated(frames, exported, progress):
             if only is None or name in only:
@@ -312,7 +312,7 @@ class _Totals:
     def _score(self, name: str, annotation: FrameAnnotation) -> FrameResult:
         cameras, setup = self._scoring.cameras, self._scoring.setup
         if cameras is None:
-            extent = clicked(annotation, setup.field)
+            extent = annotated_extent(annotation, setup.field)
             return FrameResult(name, None, NO_CAMERAS, (), {}, clicked=extent)
         frame = FrameInput(name, annotation)
         try:
@@ -337,12 +337,12 @@ def _input(
     place: str,
     setup: EvaluationSetup,
 ) -> FrameInput:
-    problem = why_clipped(loaded.camera, setup)
-    if why := of_another_field(loaded.assumed_field, setup.field):
+    problem = clipped_projection_error(loaded.camera, setup)
+    if why := field_mismatch(loaded.assumed_field, setup.field):
         problem = f"{why} ({NAME_THE_FORMAT})"
     if problem:
         return FrameInput(name, annotation, error=f"{name}: {problem}")
-    fitted = Fitted.of(loaded.fitted_on, annotation)
+    fitted = FitCounts.of(loaded.fitted_on, annotation)
     return FrameInput(name, annotation, loaded.camera, place, model=loaded.model, fitted=fitted)
 
 

@@ -17,10 +17,10 @@ from procc_annotator.field.geometry import (
     outline_of,
 )
 from procc_annotator.field.load import default_field_name
-from procc_annotator.field.model import MIDDLE, Element, Field
-from procc_annotator.field.paint import side_of_paint
-from procc_annotator.report.sheet.figure import Figure
-from procc_annotator.report.sheet.sheet import Column, Row, Sheet, of, whole
+from procc_annotator.field.model import MIDDLE_LINE, Element, Field
+from procc_annotator.field.paint import marking_side
+from procc_annotator.report.sheet.figure import Metric
+from procc_annotator.report.sheet.sheet import Column, Row, MetricTable, metric_column, count_column
 
 _KINDS: dict[type, str] = {
     Line: "line",
@@ -41,23 +41,23 @@ def size_of(field: Field) -> str:
     return f"{' x '.join(known)} m" if known else ""
 
 
-def list_table(fields: Iterable[Field]) -> Sheet:
+def list_table(fields: Iterable[Field]) -> MetricTable:
     """One row a field."""
     columns = (
         Column("name", "name"), Column("sport", "sport"), Column("size", "size by the rules"),
-        whole("elements"), Column("rules", "rules"),
+        count_column("elements"), Column("rules", "rules"),
     )  # fmt: skip
     rows = []
     for field in fields:
         is_default = field.name == default_field_name()
         name = f"{field.name} (default)" if is_default else field.name
         rows.append((name, field.title, size_of(field), len(field.elements), field.rules))
-    return Sheet("fields", "Fields", columns, tuple(rows))
+    return MetricTable("fields", "Fields", columns, tuple(rows))
 
 
-def elements_table(field: Field) -> Sheet:
+def elements_table(field: Field) -> MetricTable:
     """One row an element: what people and files call it, where and how long it is."""
-    length = of(Figure("length", "length"))
+    length = metric_column(Metric("length", "length"))
     columns = (
         Column("element", "element"), Column("class", "class in files"), Column("group", "group"),
         Column("shortcut", "key"), Column("kind", "kind"), length, Column("height", "height"),
@@ -80,14 +80,14 @@ def elements_table(field: Field) -> Sheet:
         (None, name, None, None, "without geometry", None, None, None)
         for name in field.classes_without_geometry
     ]
-    sided = any(side_of_paint(element) for element in field.elements)
+    sided = any(marking_side(element) for element in field.elements)
     notes = (_PAINT_CAPTION,) if sided else ()
-    return Sheet(
+    return MetricTable(
         "elements", f"Elements of {field.title} (m)", columns, tuple(rows), notes=notes
     )  # fmt: skip
 
 
-def dimensions_table(field: Field) -> Sheet:
+def dimensions_table(field: Field) -> MetricTable:
     """One row a dimension, with what the rules allow."""
     columns = (
         Column("dimension", "dimension"), Column("name", "name"), Column("here", "here", "number"),
@@ -100,7 +100,7 @@ def dimensions_table(field: Field) -> Sheet:
         )
         for d in field.dimensions
     )  # fmt: skip
-    return Sheet("dimensions", "Dimensions (m)", columns, rows)
+    return MetricTable("dimensions", "Dimensions (m)", columns, rows)
 
 
 def facts(field: Field) -> list[str]:
@@ -110,7 +110,7 @@ def facts(field: Field) -> list[str]:
         said.append(f"rules: {field.rules}")
     if field.relations:
         said.append(f"between dimensions: {', '.join(map(str, field.relations))}")
-    if field.lines == MIDDLE:
+    if field.lines == MIDDLE_LINE:
         said.append("lines: in the middle of their paint, not where the rules measure them")
     turns = [f"{math.degrees(s.turn_rad):g}" for s in field.symmetries]
     said.append(
@@ -155,5 +155,5 @@ def _heights(geometry: Geometry) -> str:
 def _paint(element: Element) -> str:
     if not element.line_width:
         return ""
-    side = side_of_paint(element)
+    side = marking_side(element)
     return f"{element.line_width:.3g}{', ' if side else ''}{side}"

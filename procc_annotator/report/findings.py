@@ -10,19 +10,19 @@ from typing import Any, NamedTuple
 
 from procc_annotator.errors import UsageError
 from procc_annotator.fit.labels.finding import Finding, RemedyKind, Rule, Severity
-from procc_annotator.fit.solving.final_fit import MINIMUM_ELEMENTS
+from procc_annotator.fit.solving.final_fit import MIN_ELEMENTS
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.report.field_terms import field_terms
 from procc_annotator.report.sheet.as_csv import csv_bytes
 from procc_annotator.report.sheet.as_json import json_bytes
-from procc_annotator.report.sheet.sheet import Column, Row, Sheet, whole
+from procc_annotator.report.sheet.sheet import Column, Row, MetricTable, count_column
 from procc_annotator.session.runs.check_run import Checked, CheckRun
-from procc_annotator.words import count_of
+from procc_annotator.words import count_words
 
 _COLUMNS = (
     Column("frame"), Column("severity"), Column("rule"), Column("elements"), Column("reason"),
-    Column("suggestion"), whole("point"), Column("error_px", kind="number", written=".2f"),
-    Column("model"), whole("width"), whole("height"),
+    Column("suggestion"), count_column("point"), Column("error_px", kind="number", written=".2f"),
+    Column("model"), count_column("width"), count_column("height"),
 )  # fmt: skip
 UNREADABLE = "unreadable"
 NO_CAMERA = "no camera"
@@ -32,7 +32,7 @@ _SUFFIXES = (".csv", ".json")
 Progress = Callable[[Iterable[Checked], int, str], Iterable[Checked]]
 
 
-class ToldFinding(NamedTuple):
+class ReportedFinding(NamedTuple):
     """A finding as it is told.
 
     Attributes:
@@ -48,14 +48,14 @@ class ToldFinding(NamedTuple):
     key: str = ""
 
 
-class ByEye(NamedTuple):
+class FrameWithoutCamera(NamedTuple):
     """A frame without a camera: only the rules that need none were looked at.
 
     Attributes:
         frame: its name.
         elements: number of annotated classes.
         failure: why there is no camera.
-        size: as of `ToldFinding`.
+        size: as of `ReportedFinding`.
     """
 
     frame: str
@@ -82,15 +82,15 @@ class CheckReport:
 
     described: str = ""
     frames: int = 0
-    found: list[ToldFinding] = field(default_factory=list)
+    found: list[ReportedFinding] = field(default_factory=list)
     severities: set[Severity] = field(default_factory=set)
     unreadable: list[tuple[str, str]] = field(default_factory=list)
-    without_camera: list[ByEye] = field(default_factory=list)
+    without_camera: list[FrameWithoutCamera] = field(default_factory=list)
     remarks: list[str] = field(default_factory=list)
     wrong_field: bool = False
 
     @property
-    def worth_listing(self) -> list[ToldFinding]:
+    def worth_listing(self) -> list[ReportedFinding]:
         """What tells somebody something about a single label."""
         if not self.wrong_field:
             return self.found
@@ -139,14 +139,14 @@ def check_set(
         report.frames += 1
         if checked.failure:
             report.without_camera.append(
-                ByEye(name, checked.elements, checked.failure, checked.size)
+                FrameWithoutCamera(name, checked.elements, checked.failure, checked.size)
             )
         findings = [found.finding for found in checked.found]
         if wrong_field:
             findings = [_without_remedy(finding) for finding in findings]
         report.severities.update(finding.severity for finding in findings)
         report.found += [
-            ToldFinding(name, finding, checked.size, found.key)
+            ReportedFinding(name, finding, checked.size, found.key)
             for finding, found in zip(findings, checked.found, strict=True)
             if finding.severity.rank <= least.rank
         ]
@@ -184,7 +184,7 @@ def findings_csv(report: CheckReport) -> bytes:
     for name, problem in report.unreadable:
         known = (name, Severity.ERROR.value, UNREADABLE, None, problem)
         rows.append((*known, *nothing, None, None))
-    return csv_bytes(Sheet("findings", "Findings", _COLUMNS, tuple(rows)))
+    return csv_bytes(MetricTable("findings", "Findings", _COLUMNS, tuple(rows)))
 
 
 def findings_json(report: CheckReport, run: CheckRun) -> bytes:
@@ -210,7 +210,7 @@ def _only(sizes: Iterable[tuple[int, int]]) -> list[int] | None:
     return list(found.pop()) if len(found) == 1 else None
 
 
-def _entry(told: ToldFinding) -> dict[str, Any]:
+def _entry(told: ReportedFinding) -> dict[str, Any]:
     finding = told.finding
     return {
         "frame": told.frame,
@@ -238,18 +238,18 @@ def _suggestion(finding: Finding) -> str:
     return " or ".join(alike) if first.kind is not RemedyKind.LOOK else first.text
 
 
-def counts_table(report: CheckReport) -> Sheet:
+def counts_table(report: CheckReport) -> MetricTable:
     """One row a rule that found something: how often, and how surely."""
     columns = (
-        Column("rule", "found"), *(whole(severity.value, f"{severity}s") for severity in Severity)
+        Column("rule", "found"), *(count_column(severity.value, f"{severity}s") for severity in Severity)
     )  # fmt: skip
     counts = Counter((told.finding.rule, told.finding.severity) for told in report.found)
     by_rule: list[Row] = [(rule.value, *(counts[rule, s] for s in Severity)) for rule in Rule]
     rows = [row for row in by_rule if any(row[1:])]
     concerned: Row = ("frames concerned", *(report.frames_with(severity) for severity in Severity))
-    return Sheet(
+    return MetricTable(
         "findings",
-        f"Checked {count_of(report.frames, 'frame')}",
+        f"Checked {count_words(report.frames, 'frame')}",
         columns,
         (*rows, concerned),
         notes=(report.described,),
@@ -257,11 +257,11 @@ def counts_table(report: CheckReport) -> Sheet:
     )
 
 
-def by_eye_words(report: CheckReport) -> list[str]:
+def frames_without_camera_words(report: CheckReport) -> list[str]:
     """How many frames were checked without a camera, and why, one line each."""
     counts = [one.elements for one in report.without_camera]
     empty = sum(count == 0 for count in counts)
-    few = sum(0 < count < MINIMUM_ELEMENTS for count in counts)
+    few = sum(0 < count < MIN_ELEMENTS for count in counts)
     no_fit = len(counts) - empty - few
     lines = [
         (empty, "no element at all: nothing to look at"),
@@ -269,11 +269,11 @@ def by_eye_words(report: CheckReport) -> list[str]:
         (no_fit, "no camera that fits: looked at by eye only"),
     ]
     return [
-        f"{count_of(count, 'frame has', 'frames have')} {words}" for count, words in lines if count
+        f"{count_words(count, 'frame has', 'frames have')} {words}" for count, words in lines if count
     ]
 
 
-def findings_table(report: CheckReport, *, in_file: bool) -> Sheet:
+def findings_table(report: CheckReport, *, in_file: bool) -> MetricTable:
     """The worst findings: surest first, then the largest errors."""
     columns = (
         Column("frame", "frame"), Column("severity", "severity"), Column("reason", "why"),
@@ -289,4 +289,4 @@ def findings_table(report: CheckReport, *, in_file: bool) -> Sheet:
     more = len(worst) - _SHOWN
     where = "in the file" if in_file else "with --output"
     notes = (f"{more} more {where}",) if more > 0 else ()
-    return Sheet("worst_findings", "Worst findings", columns, rows, notes=notes)
+    return MetricTable("worst_findings", "Worst findings", columns, rows, notes=notes)

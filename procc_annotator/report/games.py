@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from dataclasses import field as attribute
 
-from procc_annotator.io.annotation_files.exchange import ExchangedFrame, Remarks, Writing
+from procc_annotator.io.annotation_files.exchange import ExchangedFrame, Remarks, WriteContext
 
 
 @dataclass
@@ -48,7 +48,7 @@ def games_of(frames: Iterable[ExchangedFrame], pictures: str) -> list[Game]:
     return list(games.values())
 
 
-def write_game(game: Game, writing: Writing, write: Callable[[Writing], None]) -> None:
+def write_game(game: Game, writing: WriteContext, write: Callable[[WriteContext], None]) -> None:
     """Write a game into its folder, and count and tell what became of it with the whole set.
 
     Args:

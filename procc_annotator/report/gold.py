@@ -11,14 +11,14 @@ from typing import Any
 import numpy as np
 
 from procc_annotator.field.model import Field
-from procc_annotator.io.atomic import replacing
-from procc_annotator.metric.agreement import quantile
-from procc_annotator.report.agreement_figures import sure_columns, sure_values
+from procc_annotator.io.atomic import open_replacing
+from procc_annotator.metric.agreement import sorted_quantile
+from procc_annotator.report.agreement_figures import agreement_columns, agreement_values
 from procc_annotator.report.field_terms import field_terms
 from procc_annotator.report.scores.score_files import score_format
 from procc_annotator.report.sheet.as_csv import csv_bytes
-from procc_annotator.report.sheet.as_json import json_bytes, sheet_entry
-from procc_annotator.report.sheet.figure import values_of
+from procc_annotator.report.sheet.as_json import json_bytes, table_entry
+from procc_annotator.report.sheet.figure import metric_values
 from procc_annotator.report.sheet.figures import (
     ADDED,
     APART,
@@ -32,16 +32,16 @@ from procc_annotator.report.sheet.figures import (
     TREND,
     TREND_P,
 )
-from procc_annotator.report.sheet.sheet import TAU, Column, Row, Sheet, of, whole
-from procc_annotator.session.runs.gold_run import THIRDS, GoldErrors, GoldFrame
-from procc_annotator.words import count_of
+from procc_annotator.report.sheet.sheet import TAU, Column, Row, MetricTable, metric_column, count_column
+from procc_annotator.session.runs.gold_run import THIRDS, ReferenceErrors, ReferenceFrame
+from procc_annotator.words import count_words
 
 _COUNTS = (COMMON, APART, ADDED, MISSED, LEFT_OUT)
 _TEN = 10
 
 
 @dataclass(frozen=True)
-class AgainstGold:
+class ReferenceComparison:
     """Annotators against gold frames.
 
     Attributes:
@@ -56,7 +56,7 @@ class AgainstGold:
     answers: Path
     paths: tuple[Path, ...]
     names: tuple[str, ...]
-    found: tuple[GoldErrors | None, ...]
+    found: tuple[ReferenceErrors | None, ...]
     gold: int
     thresholds: tuple[float, ...]
     field: Field
@@ -70,49 +70,49 @@ class AgainstGold:
         return f"{self.field.described}, {self.size[0]}x{self.size[1]}"
 
     @property
-    def there(self) -> list[tuple[str, GoldErrors]]:
+    def there(self) -> list[tuple[str, ReferenceErrors]]:
         """The annotators with gold frames."""
         pairs = zip(self.names, self.found, strict=True)
         return [(name, found) for name, found in pairs if found is not None]
 
 
-def gold_sheets(against: AgainstGold) -> tuple[Sheet, ...]:
+def reference_tables(against: ReferenceComparison) -> tuple[MetricTable, ...]:
     """All tables, in the order they are read; none over time where nobody's order is known."""
     timed = any(found.timed for _, found in against.there)
-    return (errors_sheet(against), *((over_time_sheet(against),) if timed else ()))
+    return (errors_table(against), *((learning_trend_table(against),) if timed else ()))
 
 
-def errors_sheet(against: AgainstGold) -> Sheet:
+def errors_table(against: ReferenceComparison) -> MetricTable:
     """Each annotator over all gold frames."""
     columns = (
-        Column("annotator", "annotator"), TAU, whole("frames"),
-        *sure_columns(),
-        of(LARGEST_PX), *(whole(figure.key, figure.title) for figure in _COUNTS),
+        Column("annotator", "annotator"), TAU, count_column("frames"),
+        *agreement_columns(),
+        metric_column(LARGEST_PX), *(count_column(figure.key, figure.title) for figure in _COUNTS),
     )  # fmt: skip
     rows = [
-        (name, tau, len(found.frames), *sure_values(found.sure, tau),
+        (name, tau, len(found.frames), *agreement_values(found.sure, tau),
          found.sure.summary.overall.largest,
-         *values_of(_COUNTS, found.sure.summary.overall))
+         *metric_values(_COUNTS, found.sure.summary.overall))
         for name, found in against.there
         for tau in against.thresholds
     ]  # fmt: skip
-    notes = [f"Gold: {count_of(against.gold, 'frame')}. In brackets {against.known}."]
+    notes = [f"Gold: {count_words(against.gold, 'frame')}. In brackets {against.known}."]
     if not any(found.timed for _, found in against.there):
         notes.append("Nothing tells when points were put: errors have no order of work.")
     title = "Each annotator against gold"
-    return Sheet("gold", title, columns, tuple(rows), against.described, tuple(notes))
+    return MetricTable("gold", title, columns, tuple(rows), against.described, tuple(notes))
 
 
-def over_time_sheet(against: AgainstGold) -> Sheet:
+def learning_trend_table(against: ReferenceComparison) -> MetricTable:
     """The thirds of each annotator's gold frames in the order of work, and the trend."""
     tau = against.thresholds[0]
     columns: list[Column] = [Column("annotator", "annotator")]
     for third in THIRDS:
         columns += [
-            of(MEDIAN_PX, key=f"{third}_median", group=f"{third} third"),
-            of(JAC, f" @{tau:g}", key=f"{third}_jac", group=f"{third} third"),
+            metric_column(MEDIAN_PX, key=f"{third}_median", group=f"{third} third"),
+            metric_column(JAC, f" @{tau:g}", key=f"{third}_jac", group=f"{third} third"),
         ]
-    columns += [of(TREND), of(TREND_P)]
+    columns += [metric_column(TREND), metric_column(TREND_P)]
     rows: list[Row] = []
     for name, found in against.there:
         row: list[float | None] = []
@@ -126,35 +126,35 @@ def over_time_sheet(against: AgainstGold) -> Sheet:
     if untold:
         notes.append(f"No times are known of all frames of {', '.join(untold)}.")
     title = "Over the order of work"
-    return Sheet("over_time", title, tuple(columns), tuple(rows), against.described, tuple(notes))
+    return MetricTable("over_time", title, tuple(columns), tuple(rows), against.described, tuple(notes))
 
 
-def gold_frames_sheet(against: AgainstGold) -> Sheet:
+def reference_frames_table(against: ReferenceComparison) -> MetricTable:
     """One row a gold frame and annotator, in the order of work."""
     jacs = tuple(
         Column(f"jac_{tau:g}", f"JaC @{tau:g}", "number", JAC) for tau in against.thresholds
     )
     columns = (
-        Column("annotator", "annotator"), whole("place"), Column("frame", "frame"),
-        Column("time", "time"), *jacs, of(MEDIAN_PX), of(P95_PX), of(LARGEST_PX),
-        whole("added"), whole("missed"),
+        Column("annotator", "annotator"), count_column("place"), Column("frame", "frame"),
+        Column("time", "time"), *jacs, metric_column(MEDIAN_PX), metric_column(P95_PX), metric_column(LARGEST_PX),
+        count_column("added"), count_column("missed"),
     )  # fmt: skip
     rows = [
         (name, place, frame.name, _time_text(frame), *_figures(frame, against.thresholds))
         for name, found in against.there
         for place, frame in enumerate(found.frames, 1)
     ]
-    return Sheet("frames", "Gold frames", columns, tuple(rows), against.described)
+    return MetricTable("frames", "Gold frames", columns, tuple(rows), against.described)
 
 
-def write_gold(against: AgainstGold, output: Path) -> None:
+def write_reference_comparison(against: ReferenceComparison, output: Path) -> None:
     """Write all tables to a ``.json``, or the frames to a ``.csv``.
 
     Raises:
         UsageError: an output of another kind.
         SaveError: it cannot be written.
     """
-    frames = gold_frames_sheet(against)
+    frames = reference_frames_table(against)
     content: bytes
     if score_format(output) == "csv":
         content = csv_bytes(frames)
@@ -166,22 +166,22 @@ def write_gold(against: AgainstGold, output: Path) -> None:
             "answers": str(against.answers),
             "annotators": dict(zip(against.names, map(str, against.paths), strict=True)),
         }
-        entries |= {sheet.name: sheet_entry(sheet) for sheet in (*gold_sheets(against), frames)}
+        entries |= {sheet.name: table_entry(sheet) for sheet in (*reference_tables(against), frames)}
         content = json_bytes(entries)
-    with replacing(output) as stream:
+    with open_replacing(output) as stream:
         stream.write(content)
 
 
-def _figures(frame: GoldFrame, thresholds: Sequence[float]) -> tuple[float | None, ...]:
+def _figures(frame: ReferenceFrame, thresholds: Sequence[float]) -> tuple[float | None, ...]:
     ascending = np.sort(frame.agreement.distances)
     return (
         *(frame.agreement.jac(tau) for tau in thresholds),
-        *(quantile(ascending, share) for share in (0.5, 0.95, 1.0)),
+        *(sorted_quantile(ascending, share) for share in (0.5, 0.95, 1.0)),
         len(frame.agreement.only_a), len(frame.agreement.only_b),
     )  # fmt: skip
 
 
-def _time_text(frame: GoldFrame) -> str | None:
+def _time_text(frame: ReferenceFrame) -> str | None:
     if frame.time is None:
         return None
     return datetime.fromtimestamp(frame.time, UTC).isoformat(timespec="seconds")

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from procc_annotator.report.sheet.figure import Figure
-from procc_annotator.report.sheet.sheet import Column, Sheet, of, whole
+from procc_annotator.report.sheet.figure import Metric
+from procc_annotator.report.sheet.sheet import Column, MetricTable, metric_column, count_column
 from procc_annotator.session.landmarks.landmark_clicks import LocatedLandmark
 
 
-def landmarks_table(located: Sequence[LocatedLandmark], described: str) -> Sheet:
+def landmarks_table(located: Sequence[LocatedLandmark], described: str) -> MetricTable:
     """One row a landmark, and an instant if it moves.
 
     Args:
@@ -17,9 +17,9 @@ def landmarks_table(located: Sequence[LocatedLandmark], described: str) -> Sheet
         described: where the cameras come from.
     """
     columns = (
-        Column("landmark", "landmark"), Column("instant", "instant"), whole("views"),
-        whole("clicked", joined=" of {}"), *_axes("position"), *_axes("sd"),
-        of(Figure("angle", "angle,", "deg", digits=1)), of(Figure("off", "off,", "px", digits=1)),
+        Column("landmark", "landmark"), Column("instant", "instant"), count_column("views"),
+        count_column("clicked", joined=" of {}"), *_axes("position"), *_axes("sd"),
+        metric_column(Metric("angle", "angle,", "deg", digits=1)), metric_column(Metric("off", "off,", "px", digits=1)),
         Column("remark", "remark"),
     )  # fmt: skip
     rows = []
@@ -38,14 +38,14 @@ def landmarks_table(located: Sequence[LocatedLandmark], described: str) -> Sheet
             max(kept) if kept and (one.kept or position is not None) else None,
             "; ".join(_remarks(one)),
         ))  # fmt: skip
-    return Sheet("landmarks", "Landmarks", columns, tuple(rows), notes=(described,))
+    return MetricTable("landmarks", "Landmarks", columns, tuple(rows), notes=(described,))
 
 
 def _axes(what: str) -> tuple[Column, ...]:
-    figure, heading = Figure(what, what), f"{what} (x, y, z), m"
+    figure, heading = Metric(what, what), f"{what} (x, y, z), m"
     return (
-        of(figure, key=f"{what}_x_m", heading=heading),
-        *(of(figure, key=f"{what}_{axis}_m", joined=", {}") for axis in "yz"),
+        metric_column(figure, key=f"{what}_x_m", heading=heading),
+        *(metric_column(figure, key=f"{what}_{axis}_m", joined=", {}") for axis in "yz"),
     )
 
 

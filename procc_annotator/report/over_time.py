@@ -11,17 +11,17 @@ from typing import Any
 import numpy as np
 
 from procc_annotator.errors import UsageError
-from procc_annotator.io.camera_files.fitted_on import FITTED_KEYS, NOT_FITTED, Fitted, marked
+from procc_annotator.io.camera_files.fitted_on import FITTED_KEYS, NOT_FITTED, FitCounts, name_with_mark
 from procc_annotator.metric.over_time.frame_offset import FrameOffset
-from procc_annotator.metric.over_time.positions import way_back
-from procc_annotator.metric.over_time.steadiness import of_shot
+from procc_annotator.metric.over_time.positions import offsets_along_axis
+from procc_annotator.metric.over_time.steadiness import shot_rms
 from procc_annotator.metric.polylines import FloatArray
 from procc_annotator.report.sheet import figures
 from procc_annotator.report.sheet.as_csv import csv_bytes
-from procc_annotator.report.sheet.as_json import json_bytes, sheet_entry
-from procc_annotator.report.sheet.sheet import Column, Sheet, Value, of, whole
+from procc_annotator.report.sheet.as_json import json_bytes, table_entry
+from procc_annotator.report.sheet.sheet import Column, MetricTable, Value, metric_column, count_column
 from procc_annotator.session.runs.over_time_run import ShotOverTime
-from procc_annotator.words import count_of
+from procc_annotator.words import count_words
 
 SUFFIXES = (".json", ".csv")
 
@@ -29,33 +29,33 @@ _OF_SHOT = (
     Column("set", "set"),
     Column("source", "source"),
     Column("shot", "shot"),
-    whole("frames"),
-    *map(whole, FITTED_KEYS),  # of so many frames
-    of(figures.MEAN_JAC),
-    *(of(figure) for figure in figures.JAC_THIRDS),
-    of(figures.JITTER_PX),
-    of(figures.JITTER_M),
-    *(of(figure) for figure in figures.POSE_JITTER),
-    of(figures.WANDER_M),
-    of(figures.FARTHEST_M),
-    of(figures.VERTIGO),
-    of(figures.VERTIGO_WAY),
-    whole("jumps"),
-    whole("jumps_that_stay", "stay"),
-    whole("outages"),
-    whole("longest_outage", "longest"),
-    of(figures.OUTAGE_SHARE),
+    count_column("frames"),
+    *map(count_column, FITTED_KEYS),  # of so many frames
+    metric_column(figures.MEAN_JAC),
+    *(metric_column(figure) for figure in figures.JAC_THIRDS),
+    metric_column(figures.JITTER_PX),
+    metric_column(figures.JITTER_M),
+    *(metric_column(figure) for figure in figures.POSE_JITTER),
+    metric_column(figures.POSITION_DRIFT_M),
+    metric_column(figures.FARTHEST_M),
+    metric_column(figures.FOCAL_DISTANCE_AMBIGUITY),
+    metric_column(figures.FOCAL_DISTANCE_DIRECTION),
+    count_column("jumps"),
+    count_column("jumps_that_stay", "stay"),
+    count_column("outages"),
+    count_column("longest_outage", "longest"),
+    metric_column(figures.OUTAGE_SHARE),
     Column("back_after", "back after", "number"),
     Column("offset", "offset"),
-    whole("offset_frames", "frames late"),
+    count_column("offset_frames", "frames late"),
     Column("offset_sure", "sure", "yes_no"),
-    of(figures.OFFSET_COST),
-    of(figures.OFFSET_AS_IS),
-    of(figures.OFFSET_MARGIN),
+    metric_column(figures.OFFSET_COST),
+    metric_column(figures.OFFSET_AS_IS),
+    metric_column(figures.OFFSET_MARGIN),
     Column("picture_offset", "offset of pictures"),
-    whole("picture_offset_frames", "frames late"),
+    count_column("picture_offset_frames", "frames late"),
     Column("picture_offset_sure", "sure", "yes_no"),
-    of(figures.OFFSET_MARGIN, key="picture_offset_margin_px"),
+    metric_column(figures.OFFSET_MARGIN, key="picture_offset_margin_px"),
 )
 _SHOWN = (
     (
@@ -80,13 +80,13 @@ _OF_FRAME = (
     Column("source", "source"),
     Column("shot", "shot"),
     Column("frame", "frame"),
-    whole("number"),
+    count_column("number"),
     Column("camera", "camera", "yes_no"),
     *(Column(key, kind="yes_no") for key in FITTED_KEYS),
-    of(figures.JAC),
-    of(figures.STEP_PX),
-    of(figures.JITTER_PX),
-    of(figures.JITTER_M),
+    metric_column(figures.JAC),
+    metric_column(figures.STEP_PX),
+    metric_column(figures.JITTER_PX),
+    metric_column(figures.JITTER_M),
     Column("jump", "jump", "yes_no"),
     *(
         Column(key, key, "number")
@@ -104,13 +104,13 @@ _OF_BREAK = (
     Column("frame", "frame"),
     Column("what", "what"),
     Column("size_px", "px", "number", written=".2f"),
-    whole("length", "frames"),
-    whole("back_after", "back after"),
+    count_column("length", "frames"),
+    count_column("back_after", "back after"),
 )
 
 
 @dataclass(frozen=True, eq=False)
-class SourceOverTime:
+class TemporalMetrics:
     """One source of cameras over the shots of a set.
 
     Attributes:
@@ -129,7 +129,7 @@ class SourceOverTime:
     @property
     def marked_name(self) -> str:
         """Its name as tables and charts tell it beside others."""
-        return marked(self.source, sum((shot.fits for shot in self.shots), NOT_FITTED))
+        return name_with_mark(self.source, sum((shot.fits for shot in self.shots), NOT_FITTED))
 
     @property
     def errors(self) -> list[str]:
@@ -137,12 +137,12 @@ class SourceOverTime:
         return [error for one in self.shots for error in one.errors]
 
 
-def terms_over_time(found: Sequence[SourceOverTime]) -> str:
+def terms_over_time(found: Sequence[TemporalMetrics]) -> str:
     """Protocol, size and options behind the figures; of several sources what goes for all."""
     return min((one.described for one in found), key=len)
 
 
-def shots_sheet(found: Sequence[SourceOverTime]) -> Sheet:
+def shots_over_time_table(found: Sequence[TemporalMetrics]) -> MetricTable:
     """Every figure: a row a source and shot; above those of several shots one of all of them."""
     rows: list[tuple[Value, ...]] = []
     for one in found:
@@ -160,18 +160,18 @@ def shots_sheet(found: Sequence[SourceOverTime]) -> Sheet:
             else ()
         ),
     )
-    return Sheet("over_time", "Over time", _OF_SHOT, tuple(rows), described, notes)
+    return MetricTable("over_time", "Over time", _OF_SHOT, tuple(rows), described, notes)
 
 
-def shown_sheets(whole_sheet: Sheet) -> list[Sheet]:
+def terminal_tables(whole_sheet: MetricTable) -> list[MetricTable]:
     """The same in sheets that fit a terminal; columns that say nothing are left out, and a source
     that was fitted to the clicks is marked."""
     keys = [column.key for column in whole_sheet.columns]
-    fits: dict[tuple[Value, ...], Fitted] = {}
+    fits: dict[tuple[Value, ...], FitCounts] = {}
     for row in whole_sheet.rows:
-        own = Fitted(*(int(row[keys.index(key)] or 0) for key in FITTED_KEYS))
+        own = FitCounts(*(int(row[keys.index(key)] or 0) for key in FITTED_KEYS))
         fits[row[:2]] = fits.get(row[:2], NOT_FITTED) + own
-    named = [(row[0], marked(str(row[1]), fits[row[:2]]), *row[2:]) for row in whole_sheet.rows]
+    named = [(row[0], name_with_mark(str(row[1]), fits[row[:2]]), *row[2:]) for row in whole_sheet.rows]
     parts = []
     for number, (title, chosen) in enumerate(zip(_TITLES, _SHOWN, strict=True)):
         places = [keys.index(key) for key in chosen]
@@ -187,17 +187,17 @@ def shown_sheets(whole_sheet: Sheet) -> list[Sheet]:
         described = "" if number else whole_sheet.described
         notes = () if number else whole_sheet.notes
         if any(at > 3 for at in kept):
-            parts.append(Sheet(f"over_time_{number}", title, columns, rows, described, notes))
+            parts.append(MetricTable(f"over_time_{number}", title, columns, rows, described, notes))
     return parts
 
 
-def frames_over_time_sheet(found: Sequence[SourceOverTime]) -> Sheet:
+def frames_over_time_table(found: Sequence[TemporalMetrics]) -> MetricTable:
     """A row a source and frame."""
     rows = [row for one in found for shot in one.shots for row in _frame_rows(one, shot)]
-    return Sheet("over_time_frames", "Frames over time", _OF_FRAME, tuple(rows))
+    return MetricTable("over_time_frames", "Frames over time", _OF_FRAME, tuple(rows))
 
 
-def breaks_sheet(found: Sequence[SourceOverTime], *, shown: bool = False) -> Sheet:
+def breaks_table(found: Sequence[TemporalMetrics], *, shown: bool = False) -> MetricTable:
     """A row a jump or outage, in the order of the frames; where it is shown, a source that was
     fitted to the clicks is marked."""
     rows: list[tuple[Value, ...]] = []
@@ -215,10 +215,10 @@ def breaks_sheet(found: Sequence[SourceOverTime], *, shown: bool = False) -> She
                 (one.set_name, name, shot.shot.name, names[at], *rest)
                 for at, rest in sorted(events, key=lambda event: event[0])
             ]
-    return Sheet("over_time_breaks", "Jumps and outages", _OF_BREAK, tuple(rows))
+    return MetricTable("over_time_breaks", "Jumps and outages", _OF_BREAK, tuple(rows))
 
 
-def over_time_bytes(found: Sequence[SourceOverTime], path: Path) -> bytes:
+def over_time_bytes(found: Sequence[TemporalMetrics], path: Path) -> bytes:
     """A file of figures over time: as JSON all of them, as CSV a row a source and frame.
 
     Raises:
@@ -227,13 +227,13 @@ def over_time_bytes(found: Sequence[SourceOverTime], path: Path) -> bytes:
     if path.suffix.lower() == ".json":
         return json_bytes(over_time_entries(found))
     check_suffix(path)
-    return csv_bytes(frames_over_time_sheet(found))
+    return csv_bytes(frames_over_time_table(found))
 
 
-def over_time_entries(found: Sequence[SourceOverTime]) -> dict[str, Any]:
+def over_time_entries(found: Sequence[TemporalMetrics]) -> dict[str, Any]:
     """All figures over time, for a file: shots, jumps and outages, frames."""
-    sheets = (shots_sheet(found), breaks_sheet(found), frames_over_time_sheet(found))
-    return {sheet.name: sheet_entry(sheet) for sheet in sheets}
+    sheets = (shots_over_time_table(found), breaks_table(found), frames_over_time_table(found))
+    return {sheet.name: table_entry(sheet) for sheet in sheets}
 
 
 def check_suffix(path: Path) -> None:
@@ -249,7 +249,7 @@ def check_suffix(path: Path) -> None:
 # --- rows -----------------------------------------------------------------------------------------
 
 
-def _shot_row(one: SourceOverTime, shot: ShotOverTime) -> tuple[Value, ...]:
+def _shot_row(one: TemporalMetrics, shot: ShotOverTime) -> tuple[Value, ...]:
     pose, moved, traded, broken = shot.pose_jitter, shot.wander, shot.vertigo, shot.broken
     ends = [jump.back_after for jump in broken.jumps] + [o.back_after for o in broken.outages]
     backs = [frames for frames in ends if frames is not None]
@@ -261,14 +261,14 @@ def _shot_row(one: SourceOverTime, shot: ShotOverTime) -> tuple[Value, ...]:
         shot.fits.these,
         shot.fits.another,
         shot.mean_jac,
-        *(shot.jac_third(third) for third in range(3)),
+        *(shot.jac_by_third(third) for third in range(3)),
         shot.jitter_px,
         shot.jitter_m,
         pose.pan_deg, pose.tilt_deg, pose.roll_deg, pose.zoom, pose.position_m,
         None if moved is None else moved.rms_m,
         None if moved is None else moved.largest_m,
         None if traded is None else traded.correlation,
-        None if traded is None else traded.metres_a_percent,
+        None if traded is None else traded.metres_per_percent,
         len(broken.jumps),
         sum(jump.back_after is None for jump in broken.jumps),
         len(broken.outages),
@@ -288,7 +288,7 @@ def _offset_values(offset: FrameOffset | None, *, costs: bool) -> tuple[Value, .
     return offset.in_words, shift, offset.is_sure, *more, offset.margin_px
 
 
-def _all_shots_row(one: SourceOverTime) -> tuple[Value, ...]:
+def _all_shots_row(one: TemporalMetrics) -> tuple[Value, ...]:
     """Over the frames of all shots together; what belongs to a shot alone is left open."""
     shots = one.shots
     row: dict[str, Any] = dict.fromkeys((column.key for column in _OF_SHOT), None)
@@ -298,13 +298,13 @@ def _all_shots_row(one: SourceOverTime) -> tuple[Value, ...]:
     row |= {
         "set": one.set_name,
         "source": one.source,
-        "shot": f"all {count_of(len(shots), 'shot')}",
+        "shot": f"all {count_words(len(shots), 'shot')}",
         "frames": frames,
         **dict.fromkeys(FITTED_KEYS, 0),
         **sum((shot.fits for shot in shots), NOT_FITTED).entry(),
         "mean_jac": float(np.nanmean(jac)) if np.isfinite(jac).any() else None,
-        "jitter_px": of_shot(_joined([shot.steady.px for shot in shots]), left_out),
-        "jitter_m": of_shot(_joined([shot.steady.ground_m for shot in shots]), left_out),
+        "jitter_px": shot_rms(_joined([shot.steady.px for shot in shots]), left_out),
+        "jitter_m": shot_rms(_joined([shot.steady.ground_m for shot in shots]), left_out),
         "outage_share": sum(shot.outage_share * len(shot.shot.frames) for shot in shots) / frames,
     }
     for key in ("jumps", "outages"):
@@ -316,8 +316,8 @@ def _joined(parts: Sequence[FloatArray]) -> FloatArray:
     return np.concatenate(parts)
 
 
-def _frame_rows(one: SourceOverTime, shot: ShotOverTime) -> list[tuple[Value, ...]]:
-    poses, back = shot.poses, way_back(shot.poses)
+def _frame_rows(one: TemporalMetrics, shot: ShotOverTime) -> list[tuple[Value, ...]]:
+    poses, back = shot.poses, offsets_along_axis(shot.poses)
     gone = np.zeros(len(shot.shot.frames), dtype=bool)
     for outage in shot.broken.outages:
         gone[outage.frame : outage.frame + outage.length] = True

@@ -11,7 +11,7 @@ from statistics import median
 
 from procc_annotator.field.model import Field
 from procc_annotator.report.sheet.as_csv import CRLF, csv_bytes
-from procc_annotator.report.sheet.sheet import Column, Sheet
+from procc_annotator.report.sheet.sheet import Column, MetricTable
 from procc_annotator.session.filter.frame_query import STATUSES
 
 FINISHED = frozenset({"done", "approved"})
@@ -227,7 +227,7 @@ def overview_csv(rows: Iterable[OverviewRow]) -> bytes:
         )
         for row in rows
     )  # fmt: skip
-    return csv_bytes(Sheet("overview", "Overview", columns, values), line_end=CRLF)
+    return csv_bytes(MetricTable("overview", "Overview", columns, values), line_end=CRLF)
 
 
 def _column(key: str) -> Column:

@@ -12,8 +12,8 @@ from procc_annotator.errors import ImageError, InputError, UsageError
 from procc_annotator.io.atomic import make_folder, write_atomic
 from procc_annotator.io.frame_names import file_of_frame
 from procc_annotator.metric.measure import measure
-from procc_annotator.metric.project import project_paint
-from procc_annotator.metric.score import score_to_read
+from procc_annotator.metric.project import project_markings
+from procc_annotator.metric.score import display_score
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.scenes import Paint, Scene
 from procc_annotator.session.dataset.camera_set import CameraSet
@@ -97,13 +97,13 @@ def _scene(
         loaded = None if cameras is None else cameras.camera(frame.name, setup.size)
         if loaded is not None:
             measurement = measure(annotation, loaded.camera, setup)
-            paint = project_paint(loaded.camera, setup) if painted else None
+            paint = project_markings(loaded.camera, setup) if painted else None
             rendered.notices.update([loaded.notice] if loaded.notice else [])
     except InputError as error:  # the picture is drawn all the same, with what could be read
         rendered.problems.append(str(error))
     judged = None
     if measurement is not None and annotated:  # else it belongs to no figure
-        judged = score_to_read(measurement, threshold)
+        judged = display_score(measurement, threshold)
     source = "" if cameras is None else cameras.name
     return Scene(
         frame.image_path, annotation, setup, measurement, judged, frame.name, source, paint

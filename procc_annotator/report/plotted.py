@@ -9,19 +9,19 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.report.sheet.sheet import Column, Sheet, Value
-from procc_annotator.session.runs.audit_figures import Table
+from procc_annotator.report.sheet.sheet import Column, MetricTable, Value
+from procc_annotator.session.runs.audit_figures import PlotData
 
 _DIGITS = ".6g"
 
 
-def plotted_sheet(table: Table) -> Sheet:
+def plot_table(table: PlotData) -> MetricTable:
     """The sheet of a plot's numbers: undefined ones are None, the others have six digits."""
-    columns = tuple(map(_column, table.header, table.columns))
-    return Sheet("plot", "", columns, tuple(zip(*map(_values, table.columns), strict=True)))
+    columns = tuple(map(_plot_column, table.header, table.columns))
+    return MetricTable("plot", "", columns, tuple(zip(*map(_values, table.columns), strict=True)))
 
 
-def _column(key: str, values: Sequence[Any] | NDArray[Any]) -> Column:
+def _plot_column(key: str, values: Sequence[Any] | NDArray[Any]) -> Column:
     if isinstance(values, np.ndarray) and np.issubdtype(values.dtype, np.floating):
         return Column(key, kind="number")
     first = next(iter(values), None)

@@ -10,7 +10,7 @@ from procc_annotator.field.fingerprint import field_fingerprint
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.camera_writers import ConvertedCameras
 from procc_annotator.io.camera_files.cameras import fit_to_size
-from procc_annotator.io.camera_files.fitted_on import BESIDE, beside_content
+from procc_annotator.io.camera_files.fitted_on import SIDECAR_SUFFIX, sidecar_content
 from procc_annotator.io.camera_files.polyline_submission import (
     FORMAT,
     Manifest,
@@ -19,7 +19,7 @@ from procc_annotator.io.camera_files.polyline_submission import (
     names_sha256,
 )
 from procc_annotator.io.collections import MANIFEST_FILE
-from procc_annotator.metric.project import measured_pieces
+from procc_annotator.metric.project import project_measured
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.targets import is_archive, open_target
 from procc_annotator.version import __version__
@@ -70,9 +70,9 @@ def export_polylines(
                 done.problems.append(str(error))
                 continue
             done.losses.update([*loaded.notices, *([notice] if notice else [])])
-            pieces = measured_pieces(camera, setup.of_frame(frame))
+            pieces = project_measured(camera, setup.of_frame(frame))
             archive.write(f"{frame}.json", encode_polylines(pieces, setup.size))
             if loaded.fitted_on is not None:
-                archive.write(f"{frame}{BESIDE}", beside_content(loaded.fitted_on))
+                archive.write(f"{frame}{SIDECAR_SUFFIX}", sidecar_content(loaded.fitted_on))
             done.written += 1
     return done

@@ -10,28 +10,28 @@ from pathlib import Path
 import numpy as np
 
 from procc_annotator.errors import SaveError
-from procc_annotator.fit.from_picture.proposal import NONE, STATES, SURE, UNSURE, KnownPosition
+from procc_annotator.fit.from_picture.proposal import NONE, PROPOSAL_STATES, SURE, UNSURE, KnownPosition
 from procc_annotator.io.atomic import make_folder, remove, write_atomic
 from procc_annotator.io.collections import camera_name
 from procc_annotator.report.camera_tables import DEVIATION_COLUMNS, deviation_values
 from procc_annotator.report.sheet.as_csv import csv_bytes
-from procc_annotator.report.sheet.figure import values_of
+from procc_annotator.report.sheet.figure import metric_values
 from procc_annotator.report.sheet.figures import COVERAGE, EXPLAINED, MARGIN, RESIDUAL, SECONDS
-from procc_annotator.report.sheet.sheet import Column, Row, Sheet, of, whole
+from procc_annotator.report.sheet.sheet import Column, Row, MetricTable, metric_column, count_column
 from procc_annotator.report.targets import Interrupted
 from procc_annotator.session.runs.calibration_run import camera_file
 from procc_annotator.session.runs.proposal_run import (
     ProposalRun,
     Proposed,
-    second_look,
+    second_pass,
 )
-from procc_annotator.words import count_of
+from procc_annotator.words import count_words
 
 TABLE_FILE = "proposals.csv"
 UNSURE_FOLDER = "unsure"
 _COLUMNS = (
-    Column("frame"), Column("state"), Column("reason"), of(COVERAGE), of(EXPLAINED), of(RESIDUAL),
-    of(MARGIN), *DEVIATION_COLUMNS, of(SECONDS), whole("width"), whole("height"),
+    Column("frame"), Column("state"), Column("reason"), metric_column(COVERAGE), metric_column(EXPLAINED), metric_column(RESIDUAL),
+    metric_column(MARGIN), *DEVIATION_COLUMNS, metric_column(SECONDS), count_column("width"), count_column("height"),
     Column("camera"), Column("known_position", kind="yes_no"),
 )  # fmt: skip
 _SHOWN = 20
@@ -87,7 +87,7 @@ def propose_for_set(run: ProposalRun, out: Path, progress: Progress) -> Proposed
             found[one.name] = one
             if one.is_sure:
                 written.add(_write_camera(one, out))
-        again = second_look(run, list(found.values()))
+        again = second_pass(run, list(found.values()))
         if again is not None:
             positions = again.positions
             for one in progress(again.run, again.run.total, "proposing, positions known"):
@@ -101,7 +101,7 @@ def propose_for_set(run: ProposalRun, out: Path, progress: Progress) -> Proposed
         if not one.is_sure and _has_camera(one):
             written.add(_write_camera(one, out))
     _remove_older(out, run.names, written)
-    table = Sheet("proposals", "", _COLUMNS, tuple(map(_row, frames)))
+    table = MetricTable("proposals", "", _COLUMNS, tuple(map(_row, frames)))
     write_atomic(out / TABLE_FILE, csv_bytes(table))
     return ProposedSet(frames, positions)
 
@@ -154,19 +154,19 @@ def _row(one: Proposed) -> Row:
     )  # fmt: skip
 
 
-def states_table(found: ProposedSet) -> Sheet:
+def states_table(found: ProposedSet) -> MetricTable:
     """How many frames are in each state, and how they are, median."""
     looked_at = len(found.frames) - len(found.errors)
     told = (COVERAGE, EXPLAINED, RESIDUAL, MARGIN)
     rows = []
-    for state in STATES:
+    for state in PROPOSAL_STATES:
         own = [one for one in found.frames if one.proposal and one.proposal.state == state]
-        said = [values_of(told, one.proposal) for one in own]
+        said = [metric_values(told, one.proposal) for one in own]
         medians = (_median([values[i] for values in said]) for i in range(len(told)))
         rows.append((state, len(own), *medians, _median([one.seconds for one in own])))
-    columns = (Column("state"), whole("frames"), *map(of, told), of(SECONDS))
-    title = f"Proposals for {count_of(looked_at, 'frame')}"
-    return Sheet("proposals", title, columns, tuple(rows))
+    columns = (Column("state"), count_column("frames"), *map(metric_column, told), metric_column(SECONDS))
+    title = f"Proposals for {count_words(looked_at, 'frame')}"
+    return MetricTable("proposals", title, columns, tuple(rows))
 
 
 def _median(values: Sequence[float | None]) -> float | None:
@@ -174,15 +174,15 @@ def _median(values: Sequence[float | None]) -> float | None:
     return float(np.median(known)) if known else None
 
 
-def doubtful_table(found: ProposedSet) -> Sheet:
+def doubtful_table(found: ProposedSet) -> MetricTable:
     """The frames without a sure camera and why, the first ones of many."""
     doubtful = [(one.name, p.state, p.reason) for one in found.frames
                 if (p := one.proposal) is not None and not one.is_sure]  # fmt: skip
     columns = (Column("frame", "frame"), Column("state", "state"), Column("reason", "why"))
     more = len(doubtful) - _SHOWN
     notes = (f"{more} more in {TABLE_FILE}",) if more > 0 else ()
-    title = f"{count_of(len(doubtful), 'frame')} not sure"
-    return Sheet("doubtful", title, columns, tuple(doubtful[:_SHOWN]), notes=notes)
+    title = f"{count_words(len(doubtful), 'frame')} not sure"
+    return MetricTable("doubtful", title, columns, tuple(doubtful[:_SHOWN]), notes=notes)
 
 
 def proposed_words(found: ProposedSet) -> str:
@@ -199,6 +199,6 @@ def positions_words(found: ProposedSet) -> str:
         ", ".join(f"{value:.1f}" for value in known.position_m) + " m" for known in found.positions
     )
     gained = sum(one.from_agreement for one in found.frames)
-    positions = count_of(len(found.positions), "position")
-    became = count_of(gained, "more frame is", "more frames are")
+    positions = count_words(len(found.positions), "position")
+    became = count_words(gained, "more frame is", "more frames are")
     return f"frames agree on {positions} ({places}); with that {became} sure"

@@ -16,7 +16,7 @@ from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.facts.blind_work import BlindCommit, read_commit, setting_of
 from procc_annotator.session.facts.origins import Origin, PointKey
 
-FORMAT = "procc-annotator provenance 1"
+PROVENANCE_FORMAT = "procc-annotator provenance 1"
 
 
 @dataclass(frozen=True)
@@ -94,7 +94,7 @@ def provenance_json(frames: Iterable[FrameProvenance]) -> bytes:
             if (commit := frame.blind) is not None:
                 entry = [commit.work(frame.annotation).value, commit.author, commit.time]
                 blind.append(f"  {_json(frame.name)}: {_json(entry)}")
-    parts = [f'  "format": {_json(FORMAT)}']
+    parts = [f'  "format": {_json(PROVENANCE_FORMAT)}']
     for key, entries in (("frames", lines), ("blind", blind)):
         body = ",\n".join(entries)
         parts.append(f'  "{key}": {{\n{body}\n  }}')

@@ -21,9 +21,9 @@ from procc_annotator.io.json_text import decode_as
 from procc_annotator.io.source import read_file
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.report.recipe_further import RecipeChance, RecipeOverTime, same_value
-from procc_annotator.report.sheet.as_json import figure_entry, json_bytes
-from procc_annotator.report.sheet.figure import shortest
+from procc_annotator.report.recipe_further import ManifestInference, ManifestTemporal, same_value
+from procc_annotator.report.sheet.as_json import metric_entry, json_bytes
+from procc_annotator.report.sheet.figure import shortest_number
 from procc_annotator.report.sheet.figures import OF_SET
 from procc_annotator.version import __version__
 
@@ -47,7 +47,7 @@ CITATION = {
 
 
 @dataclass(frozen=True)
-class RecipeFile:
+class ManifestFile:
     """A file that was read: its name within the input, and what was in it."""
 
     name: str
@@ -56,7 +56,7 @@ class RecipeFile:
 
 
 @dataclass(frozen=True)
-class RecipeInput:
+class ManifestInput:
     """A folder, archive or file that was read.
 
     Attributes:
@@ -68,11 +68,11 @@ class RecipeInput:
 
     role: str
     path: str
-    files: tuple[RecipeFile, ...]
+    files: tuple[ManifestFile, ...]
 
 
 @dataclass(frozen=True)
-class RecipeField:
+class ManifestField:
     """The elements that were evaluated.
 
     Attributes:
@@ -94,7 +94,7 @@ class RecipeField:
 
 
 @dataclass(frozen=True)
-class RecipeEvaluation:
+class ManifestEvaluation:
     """One set under one source at one size, and its figures by threshold.
 
     Attributes:
@@ -108,7 +108,7 @@ class RecipeEvaluation:
     annotations: str
     cameras: str
     format: str
-    field: RecipeField
+    field: ManifestField
     size: tuple[int, int]
     protocol: str
     off_plane: str
@@ -127,7 +127,7 @@ class RecipeEvaluation:
 
 
 @dataclass(frozen=True)
-class Recipe:
+class RunManifest:
     """Everything.
 
     Attributes:
@@ -140,10 +140,10 @@ class Recipe:
     version: str
     command: str
     options: dict[str, Any]
-    inputs: tuple[RecipeInput, ...]
-    evaluations: tuple[RecipeEvaluation, ...]
-    chance: RecipeChance | None = None
-    over_time: RecipeOverTime | None = None
+    inputs: tuple[ManifestInput, ...]
+    evaluations: tuple[ManifestEvaluation, ...]
+    chance: ManifestInference | None = None
+    over_time: ManifestTemporal | None = None
     citation: dict[str, str] = field(default_factory=lambda: dict(CITATION))
 
     def encoded(self) -> bytes:
@@ -151,13 +151,13 @@ class Recipe:
         return json_bytes(msgspec.to_builtins(self))
 
 
-def read_recipe(path: Path) -> Recipe:
+def read_manifest(path: Path) -> RunManifest:
     """Read a recipe.
 
     Raises:
         InputError: it cannot be read, or is none.
     """
-    found = decode_as(read_file(path), Recipe, "recipe", path=path)
+    found = decode_as(read_file(path), RunManifest, "recipe", path=path)
     if found.format != FORMAT:
         raise InputError(path, f"is of format {found.format[:60]!r}, expected {FORMAT!r}")
     return found
@@ -168,22 +168,22 @@ def set_figures(
 ) -> dict[str, dict[str, float | int | None]]:
     """The figures of a set by threshold, with how many frames there are and were evaluated."""
     return {
-        shortest(tau): {
+        shortest_number(tau): {
             **{count: getattr(summary, count) for count in _COUNTS},
-            **figure_entry(OF_SET, summary),
+            **metric_entry(OF_SET, summary),
         }
         for tau, summary in summaries.items()
     }
 
 
-def field_of_recipe(shown: Field, given: str | None, lines: str | None) -> RecipeField:
+def manifest_field(shown: Field, given: str | None, lines: str | None) -> ManifestField:
     """What identifies a field: names and places of all that is evaluated."""
     own = {d.name: d.value for d in shown.dimensions if d.value != d.nominal}
     sha256 = field_fingerprint(shown)
-    return RecipeField(given, lines, shown.described, sha256, shown.name, own, shown.lines)
+    return ManifestField(given, lines, shown.described, sha256, shown.name, own, shown.lines)
 
 
-def setup_of(evaluation: RecipeEvaluation, shown: Field) -> EvaluationSetup:
+def setup_of(evaluation: ManifestEvaluation, shown: Field) -> EvaluationSetup:
     """What an evaluation was made with, on a field.
 
     Raises:
@@ -198,7 +198,7 @@ def setup_of(evaluation: RecipeEvaluation, shown: Field) -> EvaluationSetup:
 # --- what differs ---------------------------------------------------------------------------------
 
 
-def differing_files(recipe: RecipeInput, here: RecipeInput) -> Iterator[str]:
+def differing_files(recipe: ManifestInput, here: ManifestInput) -> Iterator[str]:
     """What is missing, more or another one among the files of an input, one line each."""
     was = {file.name: file.sha256 for file in recipe.files}
     now = {file.name: file.sha256 for file in here.files}
@@ -212,7 +212,7 @@ def differing_files(recipe: RecipeInput, here: RecipeInput) -> Iterator[str]:
             yield f"other content: {shown}"
 
 
-def differing_figures(was: RecipeEvaluation, now: RecipeEvaluation) -> Iterator[str]:
+def differing_figures(was: ManifestEvaluation, now: ManifestEvaluation) -> Iterator[str]:
     """Which figures are others, one line each."""
     if was.field.sha256 != now.field.sha256:
         yield f"other field: {was.named}: {now.field.described}, was {was.field.described}"
@@ -236,6 +236,6 @@ def sha256_of(data: bytes) -> str:
     return hashlib.sha256(data).hexdigest()
 
 
-def hashed(name: str, data: bytes) -> RecipeFile:
+def hashed(name: str, data: bytes) -> ManifestFile:
     """A file by its content."""
-    return RecipeFile(name, sha256_of(data), len(data))
+    return ManifestFile(name, sha256_of(data), len(data))

@@ -6,10 +6,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from procc_annotator.metric.chance.sampling import Draws
-from procc_annotator.report.over_time import SourceOverTime, shots_sheet
-from procc_annotator.report.scores.chance import ChanceTerms, ToldOfSet
-from procc_annotator.report.sheet.sheet import Sheet, records
+from procc_annotator.metric.chance.sampling import BootstrapSettings
+from procc_annotator.report.over_time import TemporalMetrics, shots_over_time_table
+from procc_annotator.report.scores.chance import InferenceSettings, StatisticalResult
+from procc_annotator.report.sheet.sheet import MetricTable, records
 from procc_annotator.session.runs.moved_clicks import ClickNoise
 
 SAME = 1e-12  # of a figure: the last digit that is written
@@ -17,11 +17,11 @@ Rows = list[dict[str, Any]]
 
 
 @dataclass(frozen=True)
-class RecipeChance:
+class ManifestInference:
     """What was asked of chance, and what it said.
 
     Attributes:
-        cluster, by, method, draws, power, noise: as of `ChanceTerms`.
+        cluster, by, method, draws, power, noise: as of `InferenceSettings`.
         tags, shots: paths of inputs, where such files were given.
         told: for each set and size, sheet -> its rows.
     """
@@ -29,7 +29,7 @@ class RecipeChance:
     cluster: str | None
     by: tuple[str, ...]
     method: str
-    draws: Draws
+    draws: BootstrapSettings
     power: bool
     noise: ClickNoise | None
     tags: str | None
@@ -38,7 +38,7 @@ class RecipeChance:
 
 
 @dataclass(frozen=True)
-class RecipeOverTime:
+class ManifestTemporal:
     """What was asked over the shots of the sets, and the figures of each shot.
 
     Attributes:
@@ -53,29 +53,29 @@ class RecipeOverTime:
     rows: Rows
 
 
-def recipe_chance(
-    terms: ChanceTerms, told: Sequence[ToldOfSet], tags: str | None, shots: str | None
-) -> RecipeChance:
+def manifest_inference(
+    terms: InferenceSettings, told: Sequence[StatisticalResult], tags: str | None, shots: str | None
+) -> ManifestInference:
     """What a recipe holds of chance; tags, shots: paths of inputs."""
-    return RecipeChance(
+    return ManifestInference(
         terms.cluster, terms.by, terms.method, terms.draws, terms.power, terms.noise, tags, shots,
-        chance_rows(told),
+        inference_rows(told),
     )  # fmt: skip
 
 
-def chance_rows(told: Sequence[ToldOfSet]) -> list[dict[str, Rows]]:
+def inference_rows(told: Sequence[StatisticalResult]) -> list[dict[str, Rows]]:
     """The rows of every sheet, for each set and size."""
     return [{sheet.name: _rows(sheet) for sheet in one.sheets} for one in told]
 
 
-def over_time_rows(found: Sequence[SourceOverTime]) -> Rows:
+def over_time_rows(found: Sequence[TemporalMetrics]) -> Rows:
     """The figures of every shot."""
-    return _rows(shots_sheet(found))
+    return _rows(shots_over_time_table(found))
 
 
-def differing_chance(was: RecipeChance, told: Sequence[ToldOfSet]) -> Iterator[str]:
+def differing_inference(was: ManifestInference, told: Sequence[StatisticalResult]) -> Iterator[str]:
     """Which figures are others, one line each."""
-    now = chance_rows(told)
+    now = inference_rows(told)
     for at, sheets in enumerate(was.told):
         here = now[at] if at < len(now) else {}
         of = f"set {at + 1}, " if len(was.told) > 1 else ""
@@ -83,12 +83,12 @@ def differing_chance(was: RecipeChance, told: Sequence[ToldOfSet]) -> Iterator[s
             yield from _differing_rows(f"{of}{name}", rows, here.get(name, []))
 
 
-def differing_over_time(was: RecipeOverTime, found: Sequence[SourceOverTime]) -> Iterator[str]:
+def differing_over_time(was: ManifestTemporal, found: Sequence[TemporalMetrics]) -> Iterator[str]:
     """Which figures of which shot are others, one line each."""
     yield from _differing_rows("over time", was.rows, over_time_rows(found))
 
 
-def _rows(sheet: Sheet) -> Rows:
+def _rows(sheet: MetricTable) -> Rows:
     # As JSON has them: what is undefined is null.
     return [
         {key: None if value != value else value for key, value in row.items()}

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import IO, Protocol
 
 from procc_annotator.errors import SaveError
-from procc_annotator.io.atomic import make_folder, replacing, write_atomic
+from procc_annotator.io.atomic import make_folder, open_replacing, write_atomic
 from procc_annotator.io.json_text import is_unicode, printable
 
 _ZIP_DATE = (1980, 1, 1, 0, 0, 0)  # the same dataset gives the same archive
@@ -46,7 +46,7 @@ class _Folder:
 
     def stream(self, name: str) -> AbstractContextManager[IO[bytes]]:
         make_folder(self._path)
-        return replacing(self._path / name)
+        return open_replacing(self._path / name)
 
 
 class _Archive:
@@ -82,7 +82,7 @@ def open_target(out: Path) -> Iterator[Target]:
         yield _Folder(out)
         return
     make_folder(out.parent)
-    with replacing(out) as stream, zipfile.ZipFile(stream, "w") as archive:
+    with open_replacing(out) as stream, zipfile.ZipFile(stream, "w") as archive:
         yield _Archive(archive)
 
 

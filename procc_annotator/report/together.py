@@ -7,42 +7,42 @@ from dataclasses import replace
 
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.report.sheet.as_csv import csv_bytes
-from procc_annotator.report.sheet.figure import Figure
+from procc_annotator.report.sheet.figure import Metric
 from procc_annotator.report.sheet.figures import MEAN_ERROR, MEAN_JAC
-from procc_annotator.report.sheet.sheet import Column, Row, Sheet, of, whole
-from procc_annotator.session.runs.together_run import FieldSize, SharedPlace, SharedRun
+from procc_annotator.report.sheet.sheet import Column, Row, MetricTable, metric_column, count_column
+from procc_annotator.session.runs.together_run import FieldSize, SharedCameraPosition, JointRun
 
 POSITIONS_FILE = "positions.csv"
 _AXES = "xyz"
 _FRAMES_SHOWN = 20
-_METRES = Figure("m", "m", "m")
+_METRES = Metric("m", "m", "m")
 
 
-def positions_csv(places: Sequence[SharedPlace]) -> bytes:
+def positions_csv(places: Sequence[SharedCameraPosition]) -> bytes:
     """A row a shared position: where it is, how surely, and how the frames' own positions lay."""
     kinds = ("", "sd_", "scatter_", "predicted_sd_")
     keys = [f"{kind}{axis}_m" for kind in kinds for axis in _AXES]
-    columns = (Column("position"), whole("frames"), *(Column(k, kind="number") for k in keys))
+    columns = (Column("position"), count_column("frames"), *(Column(k, kind="number") for k in keys))
     rows: tuple[Row, ...] = tuple(
         (place.name, place.frames, *(float(v) for of_kind in _axes(place) for v in of_kind))
         for place in places
     )
-    return csv_bytes(Sheet("positions", "", columns, rows))
+    return csv_bytes(MetricTable("positions", "", columns, rows))
 
 
-def _axes(place: SharedPlace) -> tuple[Iterable[float], ...]:
+def _axes(place: SharedCameraPosition) -> tuple[Iterable[float], ...]:
     """Position, its standard deviation, scatter and what was predicted, each along x, y and z."""
     found = place.tripod
     return found.position_m, found.deviations_m, found.scatter_m, found.predicted_m
 
 
-def positions_table(run: SharedRun) -> Sheet:
+def positions_table(run: JointRun) -> MetricTable:
     """The shared positions, and how the frames' own positions scattered before."""
     columns = (
-        Column("position", "position"), whole("frames"), Column("axis", "axis"),
-        of(_METRES, key="place", heading="place"), of(_METRES, key="sd", joined=" ± {}"),
-        of(_METRES, key="scatter", heading="scatter"),
-        of(_METRES, key="predicted", heading="predicted"),
+        Column("position", "position"), count_column("frames"), Column("axis", "axis"),
+        metric_column(_METRES, key="place", heading="place"), metric_column(_METRES, key="sd", joined=" ± {}"),
+        metric_column(_METRES, key="scatter", heading="scatter"),
+        metric_column(_METRES, key="predicted", heading="predicted"),
     )  # fmt: skip
     rows = tuple(
         (place.name, place.frames, axis, *map(float, along))
@@ -54,48 +54,48 @@ def positions_table(run: SharedRun) -> Sheet:
         " said of it",
     )
     parts = tuple(range(len(_AXES), len(rows), len(_AXES)))
-    return Sheet("positions", "Shared positions (m)", columns, rows, notes=notes, parts=parts)
+    return MetricTable("positions", "Shared positions (m)", columns, rows, notes=notes, parts=parts)
 
 
 def before_after_table(
     before: Mapping[float, SetSummary], after: Mapping[float, SetSummary], words: tuple[str, str]
-) -> Sheet:
+) -> MetricTable:
     """How a set scores one way and the other, on the points both were fitted to."""
     columns = (
-        Column("way"), *(of(MEAN_JAC, f"@{threshold:g}") for threshold in before),
-        of(MEAN_ERROR, heading="error px"), whole("evaluated", "with camera"),
-        whole("images", joined=" of {}"),
+        Column("way"), *(metric_column(MEAN_JAC, f"@{threshold:g}") for threshold in before),
+        metric_column(MEAN_ERROR, heading="error px"), count_column("evaluated", "with camera"),
+        count_column("images", joined=" of {}"),
     )  # fmt: skip
     rows = []
     for word, summaries in zip(words, (before, after), strict=True):
         first = next(iter(summaries.values()))
         jacs = (s.mean_jac for s in summaries.values())
         rows.append((word, *jacs, first.mean_error, first.evaluated, first.images))
-    return Sheet("before_after", "On the fitted points", columns, tuple(rows))
+    return MetricTable("before_after", "On the fitted points", columns, tuple(rows))
 
 
-def apart_table(apart: Mapping[str, str]) -> Sheet:
+def not_shared_table(apart: Mapping[str, str]) -> MetricTable:
     """Frames that share no position and the reason, the first ones of many."""
     columns = (Column("frame", "frame"), Column("why", "why"))
     more = len(apart) - _FRAMES_SHOWN
     notes = (f"{more} more",) if more > 0 else ()
     rows = tuple(list(apart.items())[:_FRAMES_SHOWN])
-    return Sheet("apart", f"Own positions: {len(apart)}", columns, rows, notes=notes)
+    return MetricTable("apart", f"Own positions: {len(apart)}", columns, rows, notes=notes)
 
 
-def field_sizes_table(sizes: Sequence[FieldSize], described: str) -> Sheet:
+def field_sizes_table(sizes: Sequence[FieldSize], described: str) -> MetricTable:
     """The dimensions of every group's stadium, and the scores before and after."""
     thresholds = next((list(size.before) for size in sizes if size.before), [])
     scores = [
-        *(of(MEAN_JAC, f"@{tau:g}", key=f"jac@{tau:g}") for tau in thresholds),
-        of(replace(MEAN_ERROR, digits=3), key="error", heading="error px"),
+        *(metric_column(MEAN_JAC, f"@{tau:g}", key=f"jac@{tau:g}") for tau in thresholds),
+        metric_column(replace(MEAN_ERROR, digits=3), key="error", heading="error px"),
     ]
     after = (replace(c, key=f"{c.key}_after", joined=" → {}") for c in scores)
     columns = (
         Column("group", "group"), Column("dimension", "dimension"),
-        of(_METRES, key="value", heading="value m"), Column("undetermined", joined=" ({})"),
-        of(_METRES, key="sd", heading="sd m"), whole("frames"),
-        whole("of_frames", joined=" of {}"), Column("low", "range of the rules", "number"),
+        metric_column(_METRES, key="value", heading="value m"), Column("undetermined", joined=" ({})"),
+        metric_column(_METRES, key="sd", heading="sd m"), count_column("frames"),
+        count_column("of_frames", joined=" of {}"), Column("low", "range of the rules", "number"),
         Column("high", kind="number", joined=" to {}"),
         *(column for pair in zip(scores, after, strict=True) for column in pair),
     )  # fmt: skip
@@ -112,7 +112,7 @@ def field_sizes_table(sizes: Sequence[FieldSize], described: str) -> Sheet:
     if not any(row[0] for row in rows):
         columns, rows = columns[1:], [row[1:] for row in rows]
     notes = (f"{described}; JaC and error on the fitted points, before → after",)
-    return Sheet("dimensions", "Dimensions of the field", columns, tuple(rows), notes=notes)
+    return MetricTable("dimensions", "Dimensions of the field", columns, tuple(rows), notes=notes)
 
 
 def remarks(size: FieldSize) -> list[str]:

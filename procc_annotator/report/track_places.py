@@ -24,7 +24,7 @@ _MOST = 4
 _DEVIATIONS = ("sd_x_m", "sd_y_m", "sd_z_m")
 
 
-def places_found(out: Path, table: TrackTable) -> tuple[KnownPosition, ...]:
+def find_positions(out: Path, table: TrackTable) -> tuple[KnownPosition, ...]:
     """The places from which the shots of a track were filmed, that of most frames first.
 
     Args:

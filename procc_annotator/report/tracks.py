@@ -22,17 +22,17 @@ from procc_annotator.report.camera_tables import DEVIATION_COLUMNS, deviation_va
 from procc_annotator.report.sheet.as_csv import csv_bytes
 from procc_annotator.report.sheet.figures import COVERAGE, RESIDUAL
 from procc_annotator.report.sheet.from_csv import value_of
-from procc_annotator.report.sheet.sheet import Column, Sheet, of, whole
+from procc_annotator.report.sheet.sheet import Column, MetricTable, metric_column, count_column
 from procc_annotator.report.targets import Interrupted
 from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.runs.calibration_run import camera_file
-from procc_annotator.session.runs.track_run import FollowedShot, TrackRun
-from procc_annotator.words import count_of
+from procc_annotator.session.runs.track_run import TrackedShot, TrackRun
+from procc_annotator.words import count_words
 
 TABLE_FILE = "track.csv"
 COLUMNS = (
-    Column("frame"), Column("shot"), Column("state"), Column("reason"), of(COVERAGE), of(RESIDUAL),
-    *DEVIATION_COLUMNS, whole("anchor_distance"), whole("width"), whole("height"),
+    Column("frame"), Column("shot"), Column("state"), Column("reason"), metric_column(COVERAGE), metric_column(RESIDUAL),
+    *DEVIATION_COLUMNS, count_column("anchor_distance"), count_column("width"), count_column("height"),
     Column("camera"),
 )  # fmt: skip
 _KEYS = tuple(column.key for column in COLUMNS)
@@ -81,7 +81,7 @@ class TrackTable:
     def encoded(self) -> bytes:
         """As a CSV file."""
         rows = tuple(tuple(line[key] for key in _KEYS) for line in self.in_order())
-        return csv_bytes(Sheet("track", "", COLUMNS, rows))
+        return csv_bytes(MetricTable("track", "", COLUMNS, rows))
 
 
 def read_table(out: Path, names: tuple[str, ...]) -> TrackTable:
@@ -217,7 +217,7 @@ class _Writing:
         self._pool.shutdown(cancel_futures=kind is not None)
 
 
-def _add_rows(shot: FollowedShot, table: TrackTable) -> None:
+def _add_rows(shot: TrackedShot, table: TrackTable) -> None:
     begin = shot.frames[0].name
     for frame, one in zip(shot.frames, shot.tracked, strict=True):
         if one.number in shot.begins:
@@ -243,13 +243,13 @@ def _row(name: str, begin: str, one: TrackedFrame) -> Line:
 # --- what is said of it -------------------------------------------------------------------------
 
 
-def shots_table(table: TrackTable) -> Sheet:
+def shots_table(table: TrackTable) -> MetricTable:
     """A row a shot: its frames by state, and how well the paint agrees, median."""
     lines = table.in_order()
     shots = [list(own) for _, own in groupby(lines, key=lambda line: line["shot"])]
     columns = (
-        Column("from", "from"), Column("to", "to"), whole("frames"), *map(whole, STATES),
-        of(COVERAGE), of(RESIDUAL),
+        Column("from", "from"), Column("to", "to"), count_column("frames"), *map(count_column, STATES),
+        metric_column(COVERAGE), metric_column(RESIDUAL),
     )  # fmt: skip
     rows = []
     for own in shots[:_SHOWN]:
@@ -260,9 +260,9 @@ def shots_table(table: TrackTable) -> Sheet:
         medians = (float(np.median(v)) if v else None for v in (coverage, residuals))
         rows.append((own[0]["frame"], own[-1]["frame"], *counts, *medians))
     more = len(shots) - _SHOWN
-    title = f"{count_of(len(lines), 'frame')} in {count_of(len(shots), 'shot')}"
+    title = f"{count_words(len(lines), 'frame')} in {count_words(len(shots), 'shot')}"
     notes = (f"{more} more",) if more > 0 else ()
-    return Sheet("shots", title, columns, tuple(rows), notes=notes)
+    return MetricTable("shots", title, columns, tuple(rows), notes=notes)
 
 
 @dataclass(frozen=True)
@@ -294,24 +294,24 @@ def gaps_of(table: TrackTable) -> list[Gap]:
     return found
 
 
-def gaps_table(gaps: Sequence[Gap]) -> Sheet:
+def gaps_table(gaps: Sequence[Gap]) -> MetricTable:
     """Gaps, the first ones of many."""
     columns = (
-        Column("from", "from"), Column("to", "to"), whole("frames"), Column("state"),
+        Column("from", "from"), Column("to", "to"), count_column("frames"), Column("state"),
         Column("why", "why"),
     )  # fmt: skip
     rows = tuple((g.first, g.last, g.frames, g.state, g.reason) for g in gaps[:_SHOWN])
     more = len(gaps) - _SHOWN
     notes = (f"{more} more in {TABLE_FILE}",) if more > 0 else ()
-    return Sheet("gaps", count_of(len(gaps), "gap"), columns, rows, notes=notes)
+    return MetricTable("gaps", count_words(len(gaps), "gap"), columns, rows, notes=notes)
 
 
 def tracked_words(table: TrackTable) -> str:
     """``430 of 436 frames have a camera (2 anchors, 420 followed, 8 bridged), 6 are lost``."""
     states = Counter(row["state"] for row in table.rows.values())
-    anchors = count_of(states["anchor"], "anchor")
+    anchors = count_words(states["anchor"], "anchor")
     have = sum(states[state] for state in STATES[:3])
     return (
-        f"{have} of {count_of(len(table.rows), 'frame')} have a camera ({anchors},"
+        f"{have} of {count_words(len(table.rows), 'frame')} have a camera ({anchors},"
         f" {states['followed']} followed, {states['bridged']} bridged), {states['lost']} lost"
     )

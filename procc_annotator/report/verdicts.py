@@ -8,7 +8,7 @@ from datetime import UTC, datetime
 from procc_annotator.field.model import Field
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.sheet.as_csv import CRLF, csv_bytes
-from procc_annotator.report.sheet.sheet import Column, Sheet
+from procc_annotator.report.sheet.sheet import Column, MetricTable
 from procc_annotator.session.runs.triage import JudgedVerdict
 
 
@@ -34,7 +34,7 @@ def verdicts_csv(
         )
         for row in rows
     )  # fmt: skip
-    return csv_bytes(Sheet("verdicts", "Verdicts", columns, values), line_end=CRLF)
+    return csv_bytes(MetricTable("verdicts", "Verdicts", columns, values), line_end=CRLF)
 
 
 def _figure(key: str) -> Column:

@@ -13,7 +13,7 @@ from drawing.sport import Sport
 from drawing.views import EVALUATION_SIZE, PICTURE_SIZE, View, late, perturbed, turned
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.model import Field
-from procc_annotator.field.sample import sample_every
+from procc_annotator.field.sample import sample_evenly
 from procc_annotator.io.camera_files.soccernet_camera import write_camera
 
 FloatArray = NDArray[np.float64]
@@ -38,7 +38,7 @@ def visible_points(
     sport: Sport, camera: PinholeCamera, size: tuple[int, int]
 ) -> tuple[FloatArray, FloatArray]:
     """Field points in the picture: (n, 3) metres and (n, 2) px."""
-    points_world = sample_every(judged(sport.field), 0.5).points_world
+    points_world = sample_evenly(judged(sport.field), 0.5).points_world
     px, in_front = camera.project(points_world)
     inside = in_front & (px >= 0).all(axis=1) & (px <= np.array(size) - 1).all(axis=1)
     return points_world[inside], px[inside]

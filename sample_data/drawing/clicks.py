@@ -10,7 +10,7 @@ from drawing.views import PICTURE_SIZE, View
 from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px
 from procc_annotator.field.geometry import Spot
 from procc_annotator.field.model import Element, Field
-from procc_annotator.field.sample import sample_every
+from procc_annotator.field.sample import sample_evenly
 from procc_annotator.metric.project import project_field
 from procc_annotator.metric.setup import EvaluationSetup
 
@@ -78,7 +78,7 @@ def _pieces(sport: Sport, view: View) -> dict[str, list[FloatArray]]:
 
 def _open_to_view(field: Field, view: View, hidden: Hidden) -> dict[str, list[FloatArray]]:
     camera = view.picture_camera
-    samples = sample_every(field, _SAMPLES_M)
+    samples = sample_evenly(field, _SAMPLES_M)
     px, seen = camera.project(samples.points_world)
     seen &= ((px >= 0) & (px <= np.array(PICTURE_SIZE) - 1)).all(axis=1)
     seen &= ~hidden(samples.points_world, camera.position_world)

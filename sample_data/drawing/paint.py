@@ -198,7 +198,7 @@ def _beyond(other: Stroke, end: NDArray[np.float64], outwards: NDArray[np.float6
 
 
 def _line_normal(line: Line) -> FloatArray:
-    """(2,) to the same side of the way from start to end as that of `_outwards`."""
+    """(2,) to the same side of the way from start to end as that of `_outward_directions`."""
     (ax, ay), (bx, by) = line.start[:2], line.end[:2]
     along = np.hypot(bx - ax, by - ay)
     return np.array([(by - ay) / along, -(bx - ax) / along], dtype=np.float32)

@@ -12,16 +12,16 @@ from typing import Any
 import numpy as np
 import pytest
 
-from procc_annotator.metric.chance.intervals import METHODS, Method
-from procc_annotator.metric.chance.sampling import Draws
+from procc_annotator.metric.chance.intervals import INTERVAL_METHODS, IntervalMethodName
+from procc_annotator.metric.chance.sampling import BootstrapSettings
 from procc_annotator.session.runs.audit import TAU_GRID
-from procc_annotator.session.runs.certainty import Certainty
+from procc_annotator.session.runs.certainty import Inference
 from procc_annotator.session.runs.clusters import clusters_of
 from procc_annotator.session.runs.frame_sums import FrameSums, SourceSums
 
 TAUS = (2.0, 5.0, 10.0, 20.0)
 FRAMES, SOURCES = 1454, 3
-DRAWS = Draws(10_000, 1)
+DRAWS = BootstrapSettings(10_000, 1)
 MOST_SECONDS = 1.0
 
 
@@ -45,16 +45,16 @@ def sources() -> tuple[SourceSums, ...]:
 
 @pytest.mark.benchmark(timer=time.process_time)
 @pytest.mark.parametrize("cluster", ["match", "none"])
-@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("method", INTERVAL_METHODS)
 def test_intervals_of_every_source(
-    benchmark: Any, sources: tuple[SourceSums, ...], method: Method, cluster: str
+    benchmark: Any, sources: tuple[SourceSums, ...], method: IntervalMethodName, cluster: str
 ) -> None:
     names = sources[0].names
     matches = {name: str(n // 30) for n, name in enumerate(names)}
     clusters = clusters_of(names, cluster, matches)
 
     def run() -> int:
-        return len(Certainty(sources, clusters, DRAWS, method).intervals)
+        return len(Inference(sources, clusters, DRAWS, method).intervals)
 
     assert benchmark.pedantic(run, rounds=3, warmup_rounds=1) == SOURCES
     assert benchmark.stats["min"] <= MOST_SECONDS
@@ -70,7 +70,7 @@ def test_differences_with_their_permutation_tests(
     clusters = clusters_of(names, cluster, matches)
 
     def run() -> int:
-        return len(Certainty(sources, clusters, DRAWS).pairs)
+        return len(Inference(sources, clusters, DRAWS).pairs)
 
     assert benchmark.pedantic(run, rounds=3, warmup_rounds=1) == 3
     assert benchmark.stats["min"] <= 2 * MOST_SECONDS  # three tests of 10,000 exchanges each

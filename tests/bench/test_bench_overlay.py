@@ -11,7 +11,7 @@ import pytest
 from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.load import load_field
-from procc_annotator.interact.overlay import OverlayBuilder, ToDraw
+from procc_annotator.interact.overlay import OverlayBuilder, OverlayContent
 from procc_annotator.metric.measure import Measurement, measure
 from procc_annotator.metric.score import score
 from procc_annotator.metric.setup import EvaluationSetup
@@ -39,7 +39,7 @@ def test_speed_of_a_crowded_frame(benchmark: Any, crowded: FrameAnnotation, what
         return (measure(crowded, CAMERA, SETUP),), {}
 
     def build(measurement: Measurement) -> None:
-        shown = ToDraw(
+        shown = OverlayContent(
             annotation=crowded,
             size=SETUP.size,
             field=FIELD,

@@ -12,7 +12,7 @@ import pytest
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.field.load import load_field
 from procc_annotator.fit.fitting import fit_camera
-from procc_annotator.fit.solving.observations import PictureFrame, observe
+from procc_annotator.fit.solving.observations import ImageFrame, build_observations
 from procc_annotator.fit.solving.residual import pinhole_residuals
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.metric.measure import measure
@@ -70,14 +70,14 @@ def test_fit_every_frame(benchmark: Any, annotations: list[FrameAnnotation], mod
 @pytest.mark.parametrize("model", ["P", "R", "R+", "auto"])
 def test_held_out_elements(benchmark: Any, annotations: list[FrameAnnotation], model: str) -> None:
     """How far the points of elements are off that the fit has not seen, each left out in turn."""
-    frame = PictureFrame((960, 540))
+    frame = ImageFrame((960, 540))
 
     def run() -> list[float]:
         means = []
         for annotation in annotations:
             start = fit_camera(annotation, FIELD, model=model).camera
             for polyline in annotation:
-                seen = observe(FrameAnnotation((polyline,)), FIELD, frame)
+                seen = build_observations(FrameAnnotation((polyline,)), FIELD, frame)
                 rest = annotation.without(polyline.class_name)
                 fit = fit_camera(rest, FIELD, model=model, start=start)
                 if seen is None or fit.vector is None:

@@ -18,7 +18,7 @@ from procc_annotator.field.load import load_field
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.labels.check import check_labels
 from procc_annotator.fit.labels.finding import Severity
-from procc_annotator.fit.labels.orientation import ACROSS, reflected_names, renamed
+from procc_annotator.fit.labels.orientation import MIRROR_Y, mirrored_names, relabelled
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 
 FIELD = load_field("soccer")
@@ -61,7 +61,7 @@ def test_injected_mistakes(
 @pytest.mark.parametrize("reflected", [False, True])
 def test_whole_frames(benchmark: Any, annotations: list[FrameAnnotation], reflected: bool) -> None:
     """Frames with a finding of each severity, as they are and with far and near exchanged."""
-    names = reflected_names(FIELD, ACROSS) if reflected else {}
+    names = mirrored_names(FIELD, MIRROR_Y) if reflected else {}
     assert names is not None
 
     seconds: list[float] = []
@@ -69,7 +69,7 @@ def test_whole_frames(benchmark: Any, annotations: list[FrameAnnotation], reflec
     def run() -> list[set[str]]:
         severities = []
         for annotation in annotations:
-            given = renamed(annotation, names)
+            given = relabelled(annotation, names)
             fit = fit_camera(given, FIELD)
             began = time.thread_time()
             found = check_labels(given, FIELD, size=SIZE, fit=fit)

@@ -11,7 +11,7 @@ import pytest
 from procc_annotator import evaluate, load_annotation
 from procc_annotator.io.camera_files.soccernet_camera import write_camera
 from procc_annotator.session.database.database import WorkspaceDatabase
-from procc_annotator.session.facts.origins import Origin, OriginKind, count_origins
+from procc_annotator.session.facts.origins import Origin, OriginKind, count_points_by_origin
 from procc_annotator.session.runs import annotation_run
 from tests.drawn_shots import DrawnShot, soccer_shot
 
@@ -55,7 +55,7 @@ def kinds_of(dataset: Path, annotation: Path) -> dict[OriginKind, int]:
     """How the points of an annotation came to be, as a dataset's workspace has it."""
     database = WorkspaceDatabase.open(dataset, "somebody")
     try:
-        return count_origins(load_annotation(annotation), database.origins(annotation.stem))
+        return count_points_by_origin(load_annotation(annotation), database.origins(annotation.stem))
     finally:
         database.close()
 
@@ -75,8 +75,8 @@ def pictures(shot: DrawnShot, tmp_path_factory: pytest.TempPathFactory) -> dict[
 def looked_at_once() -> Iterator[None]:
     """The same picture under the same camera is looked at once in this process: nearly all the time
     of the tests below would go into that."""
-    known: dict[object, annotation_run.PaintedFrame] = {}
-    look = annotation_run.painted
+    known: dict[object, annotation_run.AnnotatedPicture] = {}
+    look = annotation_run.annotate_picture
 
     def painted(name, picture, camera, field):
         key = (name, picture.tobytes(), camera, field.name)
@@ -85,7 +85,7 @@ def looked_at_once() -> Iterator[None]:
         return known[key]
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(annotation_run, "painted", painted)
+        patch.setattr(annotation_run, "annotate_picture", painted)
         yield
 
 
@@ -162,8 +162,8 @@ def test_an_annotation_that_appears_meanwhile_stays(cli, match, monkeypatch) -> 
         match.annotations.joinpath(f"{name}.json").write_text("{}")
         return painted(name, *arguments)
 
-    painted = annotation_run.painted
-    monkeypatch.setattr(annotation_run, "painted", slow)
+    painted = annotation_run.annotate_picture
+    monkeypatch.setattr(annotation_run, "annotate_picture", slow)
     done = cli("annotate", match.pictures, match.annotations, "--cameras", match.cameras)
     assert done.exit_code == 0, done.output
     assert f"not touched: {FRAMES} frames annotated already" in done.stdout
@@ -243,8 +243,8 @@ def test_an_interrupted_run_says_how_to_go_on(cli, match, monkeypatch) -> None:
             raise KeyboardInterrupt
         return painted(name, *arguments)
 
-    painted = annotation_run.painted
-    monkeypatch.setattr(annotation_run, "painted", stopped)
+    painted = annotation_run.annotate_picture
+    monkeypatch.setattr(annotation_run, "annotate_picture", stopped)
     done = cli("annotate", match.pictures, match.annotations, "--cameras", match.cameras)
     assert done.exit_code == 130
     assert f"interrupted: 2 of {FRAMES} frames looked at, 2 annotations written" in done.stderr

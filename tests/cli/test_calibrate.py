@@ -24,7 +24,7 @@ from procc_annotator.fit.result import FitResult
 from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation
 from procc_annotator.io.camera_files.fitted_on import annotation_digest
 from procc_annotator.session.runs import calibration_run, together_run
-from procc_annotator.session.runs.leaving_out import held_out_elements
+from procc_annotator.session.runs.leaving_out import leave_one_out
 from tests.bench.sports.views import Views
 
 
@@ -308,14 +308,14 @@ def test_an_interrupted_run_says_what_is_there_and_how_to_go_on(
 
 @pytest.fixture(scope="module")
 def held_out_once() -> Callable[..., object]:
-    """As `held_out_elements`, but of an annotation that was seen before it knows the outcome: most
+    """As `leave_one_out`, but of an annotation that was seen before it knows the outcome: most
     of the frames below are the same one, and its fits take longer than all the rest."""
     known: dict[str, object] = {}
 
     def held_out(annotation, fit, own, model):
         key = f"{annotation_digest(annotation)} {model}"
         if key not in known:
-            known[key] = held_out_elements(annotation, fit, own, model)
+            known[key] = leave_one_out(annotation, fit, own, model)
         return known[key]
 
     return held_out
@@ -348,7 +348,7 @@ def fits_come_from(fit: Callable[..., FitResult], patched: pytest.MonkeyPatch) -
 def test_a_stopped_run_goes_on_and_writes_the_bytes_of_one_run(
     cli, dataset, tmp_path, monkeypatch, held_out_once, fit_once, more, name
 ) -> None:
-    monkeypatch.setattr(calibration_run, "held_out_elements", held_out_once)
+    monkeypatch.setattr(calibration_run, "leave_one_out", held_out_once)
     fits_come_from(fit_once, monkeypatch)
     for number in range(15):  # more than one chunk
         copy = dataset.annotations / f"again{number}.json"

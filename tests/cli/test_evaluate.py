@@ -20,7 +20,7 @@ import pytest
 
 from procc_annotator.field.load import load_field, with_lines
 from procc_annotator.session.database.database import WorkspaceDatabase
-from procc_annotator.session.dataset.dataset_field import keep_field
+from procc_annotator.session.dataset.dataset_field import store_field
 from procc_annotator.session.dataset.dataset_folder import folder_of_dataset
 from tests.cli.conftest import camera_file
 
@@ -81,7 +81,7 @@ def test_lines_lie_where_the_rules_measure_unless_told(cli, dataset, tmp_path) -
     assert usual["summary"]["5"][error] < 0.01 < middle["summary"]["5"][error]
     folder = folder_of_dataset(dataset.annotations)
     database = WorkspaceDatabase.open(folder, "one")
-    keep_field(database, folder, with_lines(load_field("soccer"), "middle"))
+    store_field(database, folder, with_lines(load_field("soccer"), "middle"))
     assert database.close()
     assert scored() == middle  # as the dataset keeps it
     assert scored("--lines", "measured") == usual

@@ -8,16 +8,16 @@ from pathlib import Path
 
 import pytest
 
-from procc_annotator.field.load import load_field, shipped_file
+from procc_annotator.field.load import load_field, builtin_field_file
 from procc_annotator.session.database.database import WorkspaceDatabase
-from procc_annotator.session.dataset.dataset_field import keep_field
+from procc_annotator.session.dataset.dataset_field import store_field
 from procc_annotator.session.dataset.dataset_folder import FIELD_FILE
 from tests.cli.conftest import Dataset
 
 
 def keep_length(folder: Path, length: float) -> None:
     database = WorkspaceDatabase.open(folder, "tester")
-    keep_field(database, folder, load_field("soccer", length=length))
+    store_field(database, folder, load_field("soccer", length=length))
     assert database.close()
 
 
@@ -34,7 +34,7 @@ def test_commands_take_the_datasets_own_field(cli, dataset: Dataset, tmp_path: P
     assert scored(cli, dataset, out) == "soccer 101.3 x 68 m"
     assert scored(cli, dataset, out, "--field", "soccer") == "soccer"  # what is said wins ...
     assert scored(cli, dataset, out) == "soccer 101.3 x 68 m"  # ... this once
-    text = shipped_file("soccer").read_text(encoding="utf-8")
+    text = builtin_field_file("soccer").read_text(encoding="utf-8")
     (dataset.root / FIELD_FILE).write_text(text.replace('name = "soccer"', 'name = "ours"', 1))
     assert scored(cli, dataset, out) == "ours"
 

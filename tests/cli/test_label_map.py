@@ -135,7 +135,7 @@ def test_anchors_of_a_track_are_fitted_by_the_map(
         return Proposal("none", why, fit, 0.0, 0.0, None, 0.0, None)
 
     monkeypatch.setattr(following_shot, "propose_camera", none)
-    monkeypatch.setattr(track, "prepare", lambda *_: None)
+    monkeypatch.setattr(track, "warm_up_caches", lambda *_: None)
     said = []
     for given in ((), ("--map", labels)):
         out = tmp_path / f"tracked{len(given)}"

@@ -7,31 +7,31 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from procc_annotator.cli.problems import folded
+from procc_annotator.cli.problems import condense_problems
 
 
 def test_the_same_problem_of_many_files_is_one_line() -> None:
     same = [f"/a/{i}.npy: expected 3 x 3 numbers (write it again)" for i in range(186)]
     other = ["/a/x.npy: is empty"]
     lines = ["/a/0.npy and 185 more: expected 3 x 3 numbers (write it again)", *other]
-    assert folded([*same, *other]) == lines
+    assert condense_problems([*same, *other]) == lines
 
 
 def test_the_same_problem_of_many_places_is_one_line() -> None:
     same = [f"/a.mat: annotation({i}): is of another sport" for i in range(1, 9)]
-    assert folded(same) == ["/a.mat: annotation(1) and 7 more: is of another sport"]
+    assert condense_problems(same) == ["/a.mat: annotation(1) and 7 more: is of another sport"]
 
 
 def test_frames_of_a_video_with_the_same_problem_are_counted_and_named_in_one_line() -> None:
     some = [f"/a.mp4: frame {n}: damaged" for n in (20, 21, 22, 40)]
     other = ["/a.mp4: frame 7: its size changes", "/b.mp4: frame 1: damaged"]
-    assert folded([*some, *other]) == ["/a.mp4: 4 frames (20 to 22, 40): damaged", *other]
+    assert condense_problems([*some, *other]) == ["/a.mp4: 4 frames (20 to 22, 40): damaged", *other]
 
 
 def test_different_problems_and_few_of_them_stay_as_they_are() -> None:
     few = [f"/a/{i}.npy: is empty" for i in range(5)]
     different = [f"/a.json: holds {i} numbers (expected: 9)" for i in range(9)]
-    assert folded([*few, *different]) == [*few, *different]
+    assert condense_problems([*few, *different]) == [*few, *different]
 
 
 @pytest.mark.parametrize("command", ["export", "render", "compare", "report", "evaluate"])

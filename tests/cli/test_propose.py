@@ -14,7 +14,7 @@ import pytest
 
 from procc_annotator import fit_camera, load_annotation
 from procc_annotator.field.model import Field
-from procc_annotator.fit.from_picture.proposal import KnownPosition, Proposal, State
+from procc_annotator.fit.from_picture.proposal import KnownPosition, Proposal, ProposalState
 from procc_annotator.fit.result import FitResult
 from tests.cli.conftest import PANS, SIZE, Dataset, write_dataset
 
@@ -22,7 +22,7 @@ NAMES = ["1", "2", "3", "10", "11"]
 POSITION = (0.0, 60.0, -14.0)
 
 
-def proposal(fit: FitResult, state: State, reason: str = "the paint says so") -> Proposal:
+def proposal(fit: FitResult, state: ProposalState, reason: str = "the paint says so") -> Proposal:
     return Proposal(state, reason, fit, 0.91, 0.84, 0.4, 0.3, None)
 
 

@@ -20,7 +20,7 @@ from procc_annotator.session.database.database import WorkspaceDatabase
 from procc_annotator.session.dataset.dataset_field import (
     DIMENSIONS_SETTING,
     field_of_dataset,
-    keep_dimensions,
+    store_dimensions,
 )
 
 SIZE = (960, 540)
@@ -201,7 +201,7 @@ def test_dimensions_that_were_kept_before_stay(cli, tmp_path) -> None:
     match = tmp_path / "match"
     write_annotations(match / "annotations", load_field("soccer", length=101.3, width=66.2), 3)
     database = WorkspaceDatabase.open(match, "tester")
-    keep_dimensions(database, load_field("soccer", length=101.3))
+    store_dimensions(database, load_field("soccer", length=101.3))
     assert database.close()
     done = cli("field-size", match, "--dimension", "width", "--save",
                "--field", "soccer:length=101.3")  # fmt: skip

@@ -163,7 +163,7 @@ def follow_by(monkeypatch: pytest.MonkeyPatch, follow: Callable[..., Track]) -> 
     """Something else follows shots; what was to be prepared for looking for cameras is told."""
     prepared: list[object] = []
     monkeypatch.setattr(command, "follow_shot", follow)
-    monkeypatch.setattr(command, "prepare", lambda *given: prepared.append(given))
+    monkeypatch.setattr(command, "warm_up_caches", lambda *given: prepared.append(given))
     return prepared
 
 

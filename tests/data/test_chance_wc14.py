@@ -11,9 +11,9 @@ import pytest
 from procc_annotator.field.load import load_field
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.source import open_source
-from procc_annotator.metric.chance.intervals import METHODS
+from procc_annotator.metric.chance.intervals import INTERVAL_METHODS
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.runs.certainty import Certainty
+from procc_annotator.session.runs.certainty import Inference
 from procc_annotator.session.runs.clusters import clusters_of
 from procc_annotator.session.runs.evaluation_run import run_digested
 from procc_annotator.session.runs.frame_sums import SourceSums, frame_sums
@@ -39,19 +39,19 @@ def sources(shared_data: Path) -> tuple[SourceSums, ...]:
                 at = TAUS.index(tau)
                 ratios = {key: found[-1].ratios(key) for key in ("mean_jac", "final_score")}
                 for key, own in ratios.items():
-                    mean = own.parts[:, at].sum() / own.wholes[:, at].sum()
+                    mean = own.parts[:, at].sum() / own.denominators[:, at].sum()
                     assert mean == pytest.approx(getattr(summary, key), abs=1e-12)
                 errors = found[-1].ratios("mean_error")
-                mean = errors.parts[:, at].sum() / errors.wholes[:, at].sum()
+                mean = errors.parts[:, at].sum() / errors.denominators[:, at].sum()
                 assert mean == pytest.approx(summary.mean_error, abs=1e-9)
     return tuple(found)
 
 
-@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("method", INTERVAL_METHODS)
 def test_undecided_at_2_px_and_real_at_5(sources, method) -> None:
     clusters = clusters_of(sources[0].names, None, {})
     assert "not clustered" in clusters.described
-    certainty = Certainty(sources, clusters, method=method)
+    certainty = Inference(sources, clusters, method=method)
     (pair,) = certainty.pairs
     assert (pair.shared, len(pair.only_a), len(pair.only_b)) == (184, 2, 0)
     at_2, at_5 = (pair.differences["mean_jac", tau] for tau in TAUS)

@@ -7,9 +7,9 @@ from pathlib import Path
 import numpy as np
 
 from procc_annotator.annotation import Polyline, points_px
-from procc_annotator.image.video import open_shared
+from procc_annotator.image.video import open_shared_video
 from procc_annotator.session.strokes.copying import copy_moved
-from procc_annotator.session.strokes.expected_paint import ExpectedPaint
+from procc_annotator.session.strokes.expected_paint import ExpectedLines
 from tests.bench.paint.truth import TruthFrame, truth_frames
 
 _COPIES = 10
@@ -18,14 +18,14 @@ _BESIDE_PX = 16.0  # of a place measured by eye: elsewhere the truth says nothin
 
 def copied(before: TruthFrame, after: TruthFrame, clip: Path) -> tuple[list[Polyline], set]:
     """Every element of a frame carried to another one, and which points no paint confirms."""
-    paint = ExpectedPaint(before.field, before.size[0])
+    paint = ExpectedLines(before.field, before.size[0])
     elements = before.field.elements
     curved = frozenset(e.name for e in elements if e.is_curved)
     names = [e.name for e in before.elements]
     lines = tuple(
         before.polyline(e.name, e.points) for e in before.elements if names.count(e.name) == 1
     )
-    video = open_shared(clip)
+    video = open_shared_video(clip)
     numbers = np.linspace(before.number, after.number, _COPIES + 1).round().astype(int).tolist()
     picture, unseen = video.frame(numbers[0]), frozenset()
     for number in numbers[1:]:

@@ -15,8 +15,8 @@ from procc_annotator.field.load import load_field
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.labels.check import check_labels
 from procc_annotator.fit.labels.finding import Rule, Severity
-from procc_annotator.fit.labels.orientation import ACROSS, ALONG, reflected_names, renamed
-from procc_annotator.fit.which_side import frames_on_other_side, stand_of
+from procc_annotator.fit.labels.orientation import MIRROR_Y, MIRROR_X, mirrored_names, relabelled
+from procc_annotator.fit.which_side import find_opposite_frames, fitted_position
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 
 FIELD = load_field("soccer")
@@ -68,7 +68,7 @@ def test_reflected_frames(annotations, every) -> None:
     found = []
     enough = [a for a in annotations if len(a.annotated) >= 5]
     for number, annotation in enumerate(enough[::every]):
-        wrong = renamed(annotation, reflected_names(FIELD, (ALONG, ACROSS)[number % 2]))
+        wrong = relabelled(annotation, mirrored_names(FIELD, (MIRROR_X, MIRROR_Y)[number % 2]))
         fit = fit_camera(wrong, FIELD)
         told = check_labels(wrong, FIELD, size=SIZE, fit=fit)
         found.append(bool(told) and told[0].rule is Rule.REFLECTED)
@@ -85,16 +85,16 @@ def test_frames_on_the_other_side(annotations, every, kind) -> None:
     if kind == "turned":
         names = {name: FIELD.half_turn.name_of(name) for name in FIELD.index}
     else:
-        names = reflected_names(FIELD, ACROSS)
+        names = mirrored_names(FIELD, MIRROR_Y)
     wrong = set(list(frames)[::6])
-    given = {i: renamed(a, names) if i in wrong else a for i, a in frames.items()}
+    given = {i: relabelled(a, names) if i in wrong else a for i, a in frames.items()}
     fits = {i: fit_camera(a, FIELD) for i, a in given.items()}
-    stands = {i: stand for i, fit in fits.items() if (stand := stand_of(fit)) is not None}
-    told = frames_on_other_side(stands, FIELD).keys()
+    stands = {i: stand for i, fit in fits.items() if (stand := fitted_position(fit)) is not None}
+    told = find_opposite_frames(stands, FIELD).keys()
     assert told <= wrong
     for i in wrong - told:
         found = check_labels(given[i], FIELD, size=SIZE, fit=fits[i])
         assert kind == "across"
         assert found[0].rule is Rule.REFLECTED
-    clean = {i: stand_of(fit) for i, fit in fits.items() if i not in wrong}
-    assert not frames_on_other_side(clean, FIELD)
+    clean = {i: fitted_position(fit) for i, fit in fits.items() if i not in wrong}
+    assert not find_opposite_frames(clean, FIELD)

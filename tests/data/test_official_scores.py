@@ -16,7 +16,7 @@ from procc_annotator.errors import CameraError
 from procc_annotator.field.load import load_field
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.io.camera_files.soccernet_camera import read_camera
-from procc_annotator.metric.fine import fine_courses
+from procc_annotator.metric.fine import project_curves
 from procc_annotator.metric.measure import measure, measure_projected
 from procc_annotator.metric.project import ProjectedField, project_field
 from procc_annotator.metric.score import jac_curve, score
@@ -120,7 +120,7 @@ def test_halving_the_spacing_of_the_procc_protocol_moves_no_distance(real_set: R
         if camera is None:
             continue
         here = project_field(camera, setup)
-        finer = fine_courses(camera, FIELD, setup.curves, setup.size, halvings=1)
+        finer = project_curves(camera, FIELD, setup.curves, setup.size, halvings=1)
         assert here.polylines.detected.tolist() == finer.in_sight.detected.tolist(), name
         first = measure_projected(annotation, here, setup)
         shown = ProjectedField(here.names, finer.in_sight, finer.unclipped)

@@ -10,8 +10,8 @@ import pytest
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.field.load import load_field
 from procc_annotator.image.decode import decode_bgra
-from procc_annotator.session.strokes.expected_paint import ExpectedPaint
-from procc_annotator.session.strokes.paint_evidence import paint_by_class
+from procc_annotator.session.strokes.expected_paint import ExpectedLines
+from procc_annotator.session.strokes.paint_evidence import line_evidence_by_class
 from tests.bench.paint.measures import accepted, regular, snapping
 from tests.bench.paint.truth import TruthFrame, truth_frames
 
@@ -27,7 +27,7 @@ def of(clips: str) -> pytest.MarkDecorator:
 @of("bra_mex tennis volleyball")
 def test_clicks_beside_paint_land_on_it(frame: TruthFrame, shared_data: Path) -> None:
     """Light lines; what is harder is printed by the bench."""
-    paint = ExpectedPaint(frame.field, frame.size[0])
+    paint = ExpectedLines(frame.field, frame.size[0])
     found = snapping(frame, frame.picture(shared_data), paint, directed=True)
     lines = found["line"]
     away = np.array(lines.away)
@@ -58,10 +58,10 @@ def test_a_faint_line_that_points_were_put_on_has_paint(shared_data: Path) -> No
     video = shared_data / "clips" / "soccer_7_Psg-Angers_156_167.mp4"
     picture, soccer, name = decode_bgra(video / "00000140"), load_field("soccer"), "Side line top"
 
-    def share_without(beside: float) -> float:
+    def missing_share(beside: float) -> float:
         ends = ((0.02186, 0.39050 + beside), (0.28059, 0.35066 + beside))
         clicked = FrameAnnotation((Polyline(name, tuple(Point(*end) for end in ends)),))
-        return paint_by_class(clicked, picture, soccer)[name].share_without
+        return line_evidence_by_class(clicked, picture, soccer)[name].missing_share
 
-    assert share_without(0.0) < 0.5
-    assert share_without(0.05) > 0.9
+    assert missing_share(0.0) < 0.5
+    assert missing_share(0.05) > 0.9

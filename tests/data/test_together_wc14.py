@@ -12,7 +12,7 @@ from procc_annotator.field.load import load_field
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.together.stadium import fit_dimensions
-from procc_annotator.fit.together.tripod import SharedPosition, share_position
+from procc_annotator.fit.together.tripod import SharedPositionResult, fit_shared_position
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 
 FIELD = load_field("soccer")
@@ -33,19 +33,19 @@ def alone(frames) -> dict[str, FitResult]:
 
 
 @pytest.fixture(scope="module")
-def shared(frames, alone) -> SharedPosition:
-    return share_position(frames, alone, FIELD)
+def shared(frames, alone) -> SharedPositionResult:
+    return fit_shared_position(frames, alone, FIELD)
 
 
-def test_every_game_has_a_position_of_its_own(shared: SharedPosition) -> None:
+def test_every_game_has_a_position_of_its_own(shared: SharedPositionResult) -> None:
     expected = sorted(({str(n) for n in run} for run in RUNS), key=len, reverse=True)
-    assert [set(t.frames) for t in shared.tripods] == expected
-    for tripod in shared.tripods:
+    assert [set(t.frames) for t in shared.groups] == expected
+    for tripod in shared.groups:
         assert (tripod.deviations_m < 0.25).all()
         assert tripod.scatter_m[1] > 3 * tripod.deviations_m[1]
 
 
-def test_the_points_are_still_met(shared: SharedPosition, alone) -> None:
+def test_the_points_are_still_met(shared: SharedPositionResult, alone) -> None:
     before = np.mean([fit.mean_px for fit in alone.values()])
     after = np.mean([fit.mean_px for fit in shared.fits.values()])
     assert before < after < 1.6 * before

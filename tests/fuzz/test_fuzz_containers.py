@@ -21,7 +21,7 @@ from hypothesis import strategies as st
 
 from procc_annotator.field import load
 from procc_annotator.field.load import load_field
-from procc_annotator.field.sample import sample_every, sample_official
+from procc_annotator.field.sample import sample_evenly, sample_official
 from procc_annotator.image.decode import decode_bgra, decode_thumbnail
 from procc_annotator.io.collections import list_annotations, list_cameras
 from procc_annotator.io.source import open_source
@@ -142,7 +142,7 @@ def check_field(judge: Any, path: Path, data: bytes) -> None:
     assert judge.kinds["field"].worst_seconds < 20
     if field is None:
         return
-    load._field_of.cache_clear()  # or it would not be read again
+    load._field_from_text.cache_clear()  # or it would not be read again
     assert load_field(path) == field
     content = tomllib.loads(data.decode())
     for dimension in field.dimensions:
@@ -151,7 +151,7 @@ def check_field(judge: Any, path: Path, data: bytes) -> None:
     for element, entry in zip(field.elements, content["elements"], strict=True):
         for key in ("name", "title", "group", "colour", "shortcut"):
             assert getattr(element, key) == entry[key]
-    for samples in (sample_official(field), sample_every(field, 1.0)):
+    for samples in (sample_official(field), sample_evenly(field, 1.0)):
         assert np.isfinite(samples.points_world).all()
         assert np.abs(samples.points_world).max() <= 2000
         assert len(samples.points_world) < 10**6

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from procc_annotator.field.load import load_field
-from procc_annotator.io.annotation_files.label_map import Ordered, read_label_map
+from procc_annotator.io.annotation_files.label_map import OrderedClasses, read_label_map
 from procc_annotator.io.annotation_files.read_set import read_set
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.source import open_source
@@ -53,7 +53,7 @@ def test_maps_changed_in_bytes(judge: Any, damage: Damage, tmp_path: Path) -> No
         if found is None:
             continue
         for rule in found.rules.values():
-            for name in rule.classes if isinstance(rule, Ordered) else (rule,):
+            for name in rule.classes if isinstance(rule, OrderedClasses) else (rule,):
                 assert not isinstance(name, str) or FIELD.knows(name)
         classes, _ = found.classes(shapes)
         assert len(classes) == len(shapes)

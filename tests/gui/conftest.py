@@ -24,7 +24,7 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.annotation import FrameAnnotation, Polyline
 from procc_annotator.field.model import Field
 from procc_annotator.fit.from_picture.proposal import Proposal
-from procc_annotator.fit.labels.seen_paint import ElementPaint
+from procc_annotator.fit.labels.seen_paint import LineEvidence
 from procc_annotator.fit.result import FitResult
 from procc_annotator.gui import worker
 from procc_annotator.gui.app import build_window, collect_now_and_then, start_lean
@@ -36,7 +36,7 @@ from procc_annotator.gui.state import check_queue, live_fit, paint_watch, propos
 from procc_annotator.gui.state.paint_watch import Evidence
 from procc_annotator.gui.tasks.field import field_dimensions, view_grouping
 from procc_annotator.gui.theme import PlainTextStyle
-from procc_annotator.session.strokes.paint_evidence import paint_evidence
+from procc_annotator.session.strokes.paint_evidence import line_evidence
 from tests.gui.known_already import hand_out
 from tests.gui.one_window import OneWindow
 
@@ -189,17 +189,17 @@ def paint_looked_for_once(monkeypatch: pytest.MonkeyPatch) -> None:
         field: Field,
         known: Evidence | None = None,
         go_on: Callable[[], None] = lambda: None,
-    ) -> dict[Polyline, ElementPaint]:
+    ) -> dict[Polyline, LineEvidence]:
         of = (zlib.crc32(np.ascontiguousarray(picture)), picture.shape, id(field))
         _, seen = _SEEN.setdefault(of, (field, {}))
-        found = paint_evidence(annotation, picture, field, seen | dict(known or {}), go_on)
+        found = line_evidence(annotation, picture, field, seen | dict(known or {}), go_on)
         seen.update(found)
         return found
 
-    monkeypatch.setattr("procc_annotator.gui.state.paint_watch.paint_evidence", evidence)
+    monkeypatch.setattr("procc_annotator.gui.state.paint_watch.line_evidence", evidence)
 
 
-_SEEN: dict[tuple[int, tuple[int, ...], int], tuple[Field, dict[Polyline, ElementPaint]]] = {}
+_SEEN: dict[tuple[int, tuple[int, ...], int], tuple[Field, dict[Polyline, LineEvidence]]] = {}
 
 
 @pytest.fixture(scope="session")

@@ -30,7 +30,7 @@ from procc_annotator.gui.tasks.shot import following
 from procc_annotator.image import cache
 from procc_annotator.image.decode import PixelArray
 from procc_annotator.language import is_english
-from procc_annotator.session.clicks.insight import Insight
+from procc_annotator.session.clicks.insight import FrameAnalysis
 from procc_annotator.session.facts.frame_check import FrameCheck
 
 T = TypeVar("T")
@@ -83,8 +83,8 @@ def _may_be_kept(key: Hashable) -> bool:
 def hand_out(monkeypatch: pytest.MonkeyPatch) -> None:
     """Have the window ask here first."""
     decode, decode_small = cache.decode_bgra, thumbnails.decode_thumbnail
-    shrink = thumbnails.shrink
-    gain, check = live_fit.gain_insight, label_check.check_without_fit
+    shrink = thumbnails.downscale_to
+    gain, check = live_fit.analyse_frame, label_check.check_without_fit
 
     def picture(path: Path) -> PixelArray:
         content = _content(path)
@@ -106,10 +106,10 @@ def hand_out(monkeypatch: pytest.MonkeyPatch) -> None:
         start: Camera | None = None,
         go_on: Callable[[], None] = lambda: None,
         **terms: Any,
-    ) -> Insight:
+    ) -> FrameAnalysis:
         go_on()
 
-        def work() -> Insight:
+        def work() -> FrameAnalysis:
             return gain(annotation, field, start=start, go_on=go_on, **terms)
 
         key = annotation, id(field), id(start), tuple(sorted(terms.items()))
@@ -132,8 +132,8 @@ def hand_out(monkeypatch: pytest.MonkeyPatch) -> None:
 
     monkeypatch.setattr(cache, "decode_bgra", picture)
     monkeypatch.setattr(thumbnails, "decode_thumbnail", thumbnail)
-    monkeypatch.setattr(thumbnails, "shrink", shrunk)
-    monkeypatch.setattr(live_fit, "gain_insight", insight)
+    monkeypatch.setattr(thumbnails, "downscale_to", shrunk)
+    monkeypatch.setattr(live_fit, "analyse_frame", insight)
     monkeypatch.setattr(label_check, "check_without_fit", by_eye)
 
 
@@ -145,7 +145,7 @@ class TrackMemory:
 
     def hand_out(self, monkeypatch: pytest.MonkeyPatch) -> None:
         """Have the window ask here first."""
-        real = following.track
+        real = following.track_shot
 
         def track(
             frame: ReadFrame,
@@ -180,4 +180,4 @@ class TrackMemory:
                     on_frame(one)
             return found
 
-        monkeypatch.setattr(following, "track", track)
+        monkeypatch.setattr(following, "track_shot", track)

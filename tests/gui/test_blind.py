@@ -19,7 +19,7 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.states import ElementState, element_states
 from procc_annotator.gui.plots.curves import TauPage, TimelinePage
-from procc_annotator.interact.overlay_shapes import NOTHING
+from procc_annotator.interact.overlay_shapes import EMPTY_OVERLAY
 from procc_annotator.report.scenes import OverlayLook
 from procc_annotator.session.facts.origins import Status
 from tests.gui.conftest import Hand, MakeWindow, all_done, settle
@@ -94,7 +94,7 @@ class Look:
         return [s for s in strokes if s.layer in ("projection", "whisker") and len(s.segments)]
 
     def wireframes_of_others(self) -> object:
-        return self.window.canvas.comparison.wireframes is not NOTHING
+        return self.window.canvas.comparison.wireframes is not EMPTY_OVERLAY
 
     def ghosts(self) -> object:
         ghosts = self.window.document.ghosts

@@ -18,10 +18,10 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.model import Field
 from procc_annotator.fit.from_picture.proposal import Proposal
-from procc_annotator.fit.pegs import misses, turned_camera
-from procc_annotator.fit.predict.given_camera import given_camera
+from procc_annotator.fit.pegs import control_point_errors, rotated_camera
+from procc_annotator.fit.predict.given_camera import external_camera_fit
 from procc_annotator.fit.solving.models import vector_from_camera
-from procc_annotator.fit.solving.observations import PictureFrame
+from procc_annotator.fit.solving.observations import ImageFrame
 from procc_annotator.fit.through_shot import following_shot
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state import proposals
@@ -104,14 +104,14 @@ def truth(annotated: Path) -> PinholeCamera:
 @pytest.fixture
 def wrong(truth: PinholeCamera) -> PinholeCamera:
     """What the search in the picture finds: turned and zoomed away."""
-    return turned_camera(truth, np.array([0.02, 0.006, 0.03, 0.0]))
+    return rotated_camera(truth, np.array([0.02, 0.006, 0.03, 0.0]))
 
 
 @pytest.fixture
 def search(wrong: PinholeCamera, monkeypatch: pytest.MonkeyPatch) -> None:
     def propose(picture: PixelArray, field: Field, **_: Any) -> Proposal:
         size = picture.shape[1], picture.shape[0]
-        fit = given_camera(wrong.scaled(SAMPLE, size), size)
+        fit = external_camera_fit(wrong.scaled(SAMPLE, size), size)
         return Proposal("unsure", "a neighbour fits as well", fit, 0.5, 0.5, 2.0, 0.0, None)
 
     monkeypatch.setattr(proposals, "propose_camera", propose)
@@ -177,7 +177,7 @@ class TestTakingHold:
 
         overlay = hand.item.overlay
         assert len(overlay.strokes[1].segments) > 20
-        assert overlay.strokes[1].colour == tones.HAND
+        assert overlay.strokes[1].colour == tones.CURSOR
         assert overlay.labels[0].positions[0] == pytest.approx(places[0][0])
         assert not window.canvas.overlay_item.ghosts.strokes
         qtbot.waitUntil(lambda: window.status.hint.text().startswith("CAMERA  •  drag "))
@@ -261,7 +261,7 @@ class TestDragging:
         spots = wireframe_of(truth, window.document.field, SAMPLE).places
         apart = camera_of(window).project(spots)[0] - truth.project(spots)[0]
         assert np.hypot(*apart.T).max() < 2.0
-        assert misses(camera_of(window), found.pegs).max() < 3 * found.pegs[0].sd_px
+        assert control_point_errors(camera_of(window), found.pegs).max() < 3 * found.pegs[0].sd_px
         after = window.document.ghosts.painted
         assert after
         assert all(ghost is not before.get(ghost.name) for ghost in after)
@@ -284,7 +284,7 @@ class TestDragging:
         hand = window.canvas.camera_hand
         held = hand._dragged
         assert held is not None
-        assert misses(held, [first])[0] < 0.1
+        assert control_point_errors(held, [first])[0] < 0.1
         assert hand.item.overlay.marks[-1].centres[0] == pytest.approx(drag.exactly(end), abs=0.1)
         drag.release(end)
         assert camera_pegs(window)[0] is first
@@ -521,11 +521,11 @@ class TestInAShot:
         monkeypatch: pytest.MonkeyPatch,
     ) -> MainWindow:
         def propose(*_: Any, **__: Any) -> Proposal:
-            fit = given_camera(drawn.cameras[0], SHOT)
+            fit = external_camera_fit(drawn.cameras[0], SHOT)
             return Proposal("sure", "as drawn", fit, 0.9, 0.9, 0.3, 0.3, None)
 
         monkeypatch.setattr(proposals, "propose_camera", propose)
-        frame = PictureFrame(SHOT)
+        frame = ImageFrame(SHOT)
         known = vector_from_camera(drawn.cameras[0], frame)
 
         def found(*_: Any, **__: Any) -> Proposal:
@@ -549,14 +549,14 @@ class TestInAShot:
         qtbot: QtBot,
         monkeypatch: pytest.MonkeyPatch,
     ) -> None:
-        document, track = shot.document, following.track
+        document, track = shot.document, following.track_shot
         asked: list[dict[int, Any]] = []
 
         def noted(*args: Any, anchors: Any, **more: Any) -> Any:
             asked.append(dict(anchors))
             return track(*args, anchors=anchors, **more)
 
-        monkeypatch.setattr(following, "track", noted)
+        monkeypatch.setattr(following, "track_shot", noted)
         document.go_to(2)
         all_done(qtbot)
         drag = CameraDrag(shot)

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QApplication
 
 from procc_annotator.gui.picture.items import paint_overlay
 from procc_annotator.gui.picture.overlay_item import changed_areas
-from procc_annotator.interact.overlay_shapes import HandSigns, Labels, Overlay, PointMarks, Strokes
+from procc_annotator.interact.overlay_shapes import CursorSigns, Labels, Overlay, PointMarks, Strokes
 from procc_annotator.interact.verdicts import NO_POINTS
 
 
@@ -68,7 +68,7 @@ def test_only_the_text_that_differs_is_painted() -> None:
         Labels(np.array([[200.0, 200.0]]), ("",), "#ffffff", sign="hint", below=True),
         Labels(np.array([[200.0, 200.0]]), ("Grundlinie",), "#ffffff", sign="error", below=True),
         Labels(
-            np.array([[200.0, 200.0]]), ("Ziel",), "#ffffff", hand=HandSigns("#ff0000", "found")
+            np.array([[200.0, 200.0]]), ("Ziel",), "#ffffff", hand=CursorSigns("#ff0000", "found")
         ),
         Labels(np.array([[200.0, 200.0]]), ("センターサークル",), "#ffffff"),
     ],

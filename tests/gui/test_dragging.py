@@ -14,7 +14,7 @@ from pytestqt.exceptions import TimeoutError
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.image.adjust import Look
+from procc_annotator.image.adjust import DisplayAdjustment
 from tests.gui.conftest import Hand
 
 pytestmark = [
@@ -111,7 +111,7 @@ def test_a_carried_point(
     [
         lambda window: window.document.select_class("Middle line"),
         lambda window: window.canvas.undo(),
-        lambda window: window.canvas.set_look(Look(brightness=0.2)),
+        lambda window: window.canvas.set_look(DisplayAdjustment(brightness=0.2)),
         lambda window: window.document.set_active_camera(1),
         lambda window: window.document.set_tau(12.0),
         lambda window: window.canvas.drawing.set_colour_by("class"),

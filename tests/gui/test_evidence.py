@@ -14,11 +14,11 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import Polyline
 from procc_annotator.fit.labels.finding import Rule
-from procc_annotator.fit.labels.seen_paint import Paint
+from procc_annotator.fit.labels.seen_paint import LinePresence
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state.notices import BENT
 from procc_annotator.interact import palette as tones
-from procc_annotator.session.facts.frame_check import FoundInFrame
+from procc_annotator.session.facts.frame_check import StoredFinding
 from procc_annotator.session.strokes import paint_evidence as evidence_module
 from tests.gui.conftest import Hand
 
@@ -69,7 +69,7 @@ def test_strips_are_drawn_once_they_are_asked_for(annotated: MainWindow, qtbot: 
     assert set(seen) == set(document.annotation.polylines) - {
         p for p in document.annotation.polylines if p not in seen
     }
-    under = np.concatenate([one.paint == Paint.UNDER for one in seen.values()])
+    under = np.concatenate([one.paint == LinePresence.UNDER for one in seen.values()])
     assert under.mean() > 0.6
     annotated.actions_["evidence"].trigger()
     qtbot.waitUntil(lambda: strips(annotated) == set())
@@ -135,7 +135,7 @@ def test_the_remedy_puts_its_points_along_the_paint(
     hand.draw("Side line top", (102, 300), (858, 300))
     two = document.annotation
 
-    def found() -> list[FoundInFrame]:
+    def found() -> list[StoredFinding]:
         every = document.label_check.shown
         return [f for f in every if f.finding.rule is Rule.BESIDE_PAINT]
 

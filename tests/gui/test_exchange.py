@@ -236,14 +236,14 @@ def test_an_import_that_breaks_off_is_over_and_nothing_of_it_is_lost(
 ) -> None:
     monkeypatch.setattr("sys.excepthook", lambda *_: None)  # the terminal would say it
     window.document.go_to(2)
-    write = workspace.write_together
+    write = workspace.write_saves
 
     def broken(saves: list[pending_save.PendingSave]) -> None:
         write(saves[:1])
         raise MemoryError("no more")
 
     with monkeypatch.context() as breaking:
-        breaking.setattr(workspace, "write_together", broken)
+        breaking.setattr(workspace, "write_saves", broken)
         said = run_import(window, qtbot, foreign)
     assert "0 of 2 frames imported" in said
     assert "frame_0: it could not be saved" in said

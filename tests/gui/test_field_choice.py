@@ -13,7 +13,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
-from procc_annotator.field.load import field_titles, load_field, shipped_file
+from procc_annotator.field.load import field_titles, load_field, builtin_field_file
 from procc_annotator.field.model import Field
 from procc_annotator.gui.element_keys import element_keys, key_text
 from procc_annotator.gui.main_window import MainWindow
@@ -395,7 +395,7 @@ def test_shipped_fields_need_no_key_of_the_window() -> None:
         wanted = [e for e in field.elements if e.shortcut]
         lacking[name] = [e.title for e in wanted if e.name not in element_keys(field)]
     assert not any(lacking.values()), lacking
-    assert shipped_file("soccer").is_file()
+    assert builtin_field_file("soccer").is_file()
 
 
 def test_a_reload_leaves_what_is_being_drawn(
@@ -425,7 +425,7 @@ def test_where_a_file_decides_no_other_field_is_offered(
     make_window, dataset: Path, qtbot: QtBot, monkeypatch
 ) -> None:
     court = load_field("basketball_fiba")
-    text = shipped_file("basketball_fiba").read_text()
+    text = builtin_field_file("basketball_fiba").read_text()
     first = f'name = "{court.elements[0].name}"'
     assert first in text
     (dataset / FIELD_FILE).write_text(text.replace(first, 'name = "another line"'))

@@ -12,9 +12,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
-from procc_annotator.fit.labels.seen_paint import Paint
+from procc_annotator.fit.labels.seen_paint import LinePresence
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.image.decode import decode_bgra, decode_half
+from procc_annotator.image.decode import decode_bgra, decode_half_size
 from tests.gui.conftest import Hand, MakeWindow
 
 pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
@@ -151,9 +151,9 @@ def test_a_picture_that_goes_before_all_of_it_was_read(
 
 
 def test_lines_are_enhanced_in_the_whole_picture_only(window: MainWindow, qtbot: QtBot) -> None:
-    from procc_annotator.image.adjust import Look
+    from procc_annotator.image.adjust import DisplayAdjustment
 
-    window.canvas.set_look(Look(enhance=True))
+    window.canvas.set_look(DisplayAdjustment(enhance=True))
     window.document.go_to(5)
     qtbot.waitUntil(lambda: window.document.state.picture is not None)
     plain = window.document.picture
@@ -178,7 +178,7 @@ def test_half_of_a_picture_stored_lying_on_its_side(tmp_path: Path, turned: bool
         exif = b"Exif\0\0MM\0*\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0\x06\0\0\0\0\0\0"
         data = data[:2] + b"\xff\xe1" + (len(exif) + 2).to_bytes(2, "big") + exif + data[2:]
     path.write_bytes(data)
-    whole, half = decode_bgra(path), decode_half(path)
+    whole, half = decode_bgra(path), decode_half_size(path)
     assert half is not None
     assert half.size == (whole.shape[1], whole.shape[0])
     assert half.size == (SIZE[::-1] if turned else SIZE)
@@ -191,7 +191,7 @@ def test_small_pictures_and_other_formats_are_decoded_at_once(tmp_path: Path) ->
     cv2.imwrite(str(tmp_path / "large.png"), np.zeros((1080, 1920, 3), np.uint8))
     (tmp_path / "no.jpg").write_bytes(b"\xff\xd8 nothing")
     for name in ("small.jpg", "large.png", "no.jpg", "missing.jpg"):
-        assert decode_half(tmp_path / name) is None
+        assert decode_half_size(tmp_path / name) is None
 
 
 def test_what_the_picture_shows_of_paint_is_told_once_the_whole_one_is_there(
@@ -205,4 +205,4 @@ def test_what_the_picture_shows_of_paint_is_told_once_the_whole_one_is_there(
     assert document.state.half is not None
     qtbot.waitUntil(lambda: document.paint_watch.value is not None, timeout=20_000)
     (seen,) = document.paint_watch.value.values()
-    assert (seen.paint == Paint.UNDER).mean() > 0.9
+    assert (seen.paint == LinePresence.UNDER).mean() > 0.9

@@ -25,7 +25,7 @@ from procc_annotator.gui.tasks.elements import ghost_accepting
 from procc_annotator.gui.window.context_menu import canvas_menu
 from procc_annotator.interact.next_element import next_element
 from procc_annotator.interact.overlay_ghosts import ghost_extent
-from procc_annotator.interact.overlay_shapes import NOTHING
+from procc_annotator.interact.overlay_shapes import EMPTY_OVERLAY
 from procc_annotator.session.database.database import WorkspaceDatabase
 from procc_annotator.session.dataset.edits import append_points, delete_point
 from procc_annotator.session.facts.origins import OriginKind
@@ -71,16 +71,16 @@ class TestShown:
         assert not set(names(begun)) & set(begun.document.annotation.annotated)
         assert {s.layer for s in item.ghosts.strokes} == {"ghost"}
         QTest.keyPress(begun.canvas, Key.Key_X)
-        assert item.ghosts is NOTHING
+        assert item.ghosts is EMPTY_OVERLAY
         QTest.keyRelease(begun.canvas, Key.Key_X)
         assert item.ghosts.strokes
         begun.actions_["ghosts"].trigger()
-        assert item.ghosts is NOTHING
+        assert item.ghosts is EMPTY_OVERLAY
         assert not names(begun)
 
     def test_none_in_blind_mode(self, begun: MainWindow, hand: Hand) -> None:
         hand.key(Key.Key_B)
-        assert begun.canvas.overlay_item.ghosts is NOTHING
+        assert begun.canvas.overlay_item.ghosts is EMPTY_OVERLAY
         assert begun.document.ghosts.suggestion is None
         hand.key(Key.Key_Tab)
         assert current(begun) is None

@@ -20,7 +20,7 @@ from procc_annotator.annotation import FrameAnnotation, Polyline, points_px
 from procc_annotator.field.load import load_field
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.window.context_menu import canvas_menu
-from procc_annotator.image.adjust import Look
+from procc_annotator.image.adjust import DisplayAdjustment
 from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation
 from procc_annotator.session.facts.origins import OriginKind
 from tests.bench.paint.measures import clicks_on
@@ -181,14 +181,14 @@ class TestLooks:
         document, canvas = on_pitch.document, on_pitch.canvas
         assert document.picture is not None
         before = document.picture.copy()
-        on_pitch.rail.looks.set_look(Look(brightness=0.3))
-        canvas.set_look(Look(brightness=0.3))
+        on_pitch.rail.looks.set_look(DisplayAdjustment(brightness=0.3))
+        canvas.set_look(DisplayAdjustment(brightness=0.3))
         assert canvas.shown.pixels is not None
         assert canvas.shown.pixels.mean() > before.mean() + 10
         assert np.array_equal(document.picture, before)
         document.next_frame()
         assert canvas.shown.pixels.mean() > document.picture.mean() + 10
-        canvas.set_look(Look(enhance=True))
+        canvas.set_look(DisplayAdjustment(enhance=True))
         qtbot.waitUntil(lambda: not np.array_equal(canvas.shown.pixels, document.picture))
 
 

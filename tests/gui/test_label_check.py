@@ -19,13 +19,13 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.field.load import load_field
 from procc_annotator.fit.labels.finding import Finding, Remedy, RemedyKind, Rule, Severity
-from procc_annotator.fit.labels.orientation import ACROSS, reflected_names, renamed
+from procc_annotator.fit.labels.orientation import MIRROR_Y, mirrored_names, relabelled
 from procc_annotator.fit.result import FitResult
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.elements import CHECK
 from procc_annotator.gui.window.context_menu import canvas_menu
 from procc_annotator.session.dataset import edits
-from procc_annotator.session.facts.frame_check import check_without_fit, remember
+from procc_annotator.session.facts.frame_check import check_without_fit, store_check
 from tests.gui.conftest import MakeWindow
 
 FRONT, SMALL_FRONT = "Big rect. left main", "Small rect. left main"  # of frame 00002
@@ -94,7 +94,7 @@ def put(window: MainWindow, *findings: Finding) -> None:
     assert size is not None
     assert frame is not None
     fit = FitResult("R", size, None)
-    document.label_check._take(frame.name, remember(document.annotation, findings, fit))
+    document.label_check._take(frame.name, store_check(document.annotation, findings, fit))
     QApplication.processEvents()  # what is drawn together waits for the end of the turn
 
 
@@ -588,9 +588,9 @@ def test_rules_without_a_camera_are_looked_at_while_blind(window: MainWindow, qt
     checked(window, qtbot)
     assert Rule.BENT in {found.finding.rule for found in document.label_check.shown}
     document.undo()
-    turned = reflected_names(document.field, ACROSS)
+    turned = mirrored_names(document.field, MIRROR_Y)
     assert turned is not None
-    document.commit_edit("turn", renamed(document.annotation, turned))
+    document.commit_edit("turn", relabelled(document.annotation, turned))
     checked(window, qtbot)
     assert Rule.REFLECTED in {found.finding.rule for found in document.label_check.shown}
 

@@ -33,8 +33,8 @@ from shiboken6 import isValid
 
 from procc_annotator import language
 from procc_annotator.field.load import load_field
-from procc_annotator.fit.labels.clicked import Clicked
-from procc_annotator.fit.labels.shape import few_points
+from procc_annotator.fit.labels.clicked import AnnotatedElement
+from procc_annotator.fit.labels.shape import few_points_finding
 from procc_annotator.gui.actions import ACTIONS, MENUS
 from procc_annotator.gui.keymap import NATIVE
 from procc_annotator.gui.languages import CONTEXT, LANGUAGES, take_up
@@ -44,7 +44,7 @@ from procc_annotator.gui.window.docks import DESKS
 from procc_annotator.gui.window.keymap_dialog import KeymapDialog
 from procc_annotator.gui.window.menus import mnemonics
 from procc_annotator.io.annotation_files.annotation_formats import FORMATS
-from procc_annotator.language import said, said_all, said_count, said_joined, tr, tr_count
+from procc_annotator.language import translatable, translatable_all, translatable_count, translatable_joined, tr, tr_count
 from procc_annotator.report.sheet.as_json import json_bytes
 from procc_annotator.session.dataset import edits
 from tests.gui.conftest import Hand, all_done
@@ -61,9 +61,9 @@ def pseudo() -> Iterator[None]:
     def look_up(text: str, about: str, count: int) -> str:
         return f"⟦{text}⟧"
 
-    language.speak(look_up)
+    language.set_translator(look_up)
     yield
-    language.speak(None)
+    language.set_translator(None)
 
 
 def test_texts_are_english_where_no_language_is_taken_up() -> None:
@@ -79,16 +79,16 @@ def test_texts_and_their_values_go_through_the_language(pseudo: None) -> None:
 
 
 def test_what_is_kept_in_a_file_is_english_and_shown_in_the_language(pseudo: None) -> None:
-    step = said("drop {what}", what=said_count(1, "{n} line", "{n} lines"))
+    step = translatable("drop {what}", what=translatable_count(1, "{n} line", "{n} lines"))
     assert step == "drop 1 line"
     assert tr(step) == "⟦drop ⟦1 lines⟧⟧"
     assert tr("saved") == "⟦saved⟧"
 
 
 def test_what_rooms_below_say_is_english_until_the_window_says_it(pseudo: None) -> None:
-    titles = [said("Left line"), said("Arc"), said("Goal")]
-    lines = said_count(1, "{n} line of {titles}", "{n} lines of {titles}", titles=said_all(titles))
-    found = said_joined("; ", [lines, said("{px:.1f} px off", px=2)])
+    titles = [translatable("Left line"), translatable("Arc"), translatable("Goal")]
+    lines = translatable_count(1, "{n} line of {titles}", "{n} lines of {titles}", titles=translatable_all(titles))
+    found = translatable_joined("; ", [lines, translatable("{px:.1f} px off", px=2)])
     assert found == "1 line of Left line, Arc and Goal; 2.0 px off"
     assert (
         json_bytes({"found": found})
@@ -104,7 +104,7 @@ def test_what_rooms_below_say_is_english_until_the_window_says_it(pseudo: None) 
 def test_a_finding_is_said_with_the_titles_of_its_elements(pseudo: None) -> None:
     element = load_field("soccer").element("Middle line")
     assert element is not None
-    found = few_points(Clicked(element, np.array([[1.0, 2.0]]), (0,)))
+    found = few_points_finding(AnnotatedElement(element, np.array([[1.0, 2.0]]), (0,)))
     assert found is not None
     assert found.reason == "Halfway line has 1 point, a line takes two"
     assert tr(found.reason) == "⟦⟦Halfway line⟧ has 1 points, a line takes two⟧"
@@ -239,9 +239,9 @@ _GERMAN = {
 @pytest.fixture
 def german() -> Iterator[None]:
     """A few words of another language."""
-    language.speak(lambda text, about, count: _GERMAN.get(text, text))
+    language.set_translator(lambda text, about, count: _GERMAN.get(text, text))
     yield
-    language.speak(None)
+    language.set_translator(None)
 
 
 @pytest.mark.new_window
@@ -294,7 +294,7 @@ def test_what_is_looked_for_is_found_by_its_name_and_its_english_one(
 
 def test_menus_open_by_letters_of_their_own_language(german: None) -> None:
     titles = {"File": "ファイル", "Edit": "Bearbeiten", "Frame": "Bild"}
-    language.speak(lambda text, about, count: titles.get(text, text))
+    language.set_translator(lambda text, about, count: titles.get(text, text))
     said = mnemonics(MENUS)
     assert said["File"] == "ファイル(&F)"
     assert said["Edit"] == "&Bearbeiten"
@@ -352,7 +352,7 @@ def _longer(text: str, about: str, count: int) -> str:
 def longest(request: pytest.FixtureRequest, qapp: QApplication) -> Iterator[str]:
     """The languages with the longest words."""
     if request.param == "longer":
-        language.speak(_longer)
+        language.set_translator(_longer)
     else:
         take_up(qapp, request.param)
     yield request.param

@@ -20,13 +20,13 @@ from PySide6.QtWidgets import QApplication, QLabel, QMessageBox, QToolButton
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.fit.determined import hardly_determined
+from procc_annotator.fit.determined import ill_conditioned_reason
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.plots.sources import PlotSources
 from procc_annotator.gui.settings import SOURCES, Settings
 from procc_annotator.gui.state import live_fit
 from procc_annotator.io.camera_files.soccernet_camera import read_camera
-from procc_annotator.session.clicks.insight import Insight, gain_insight
+from procc_annotator.session.clicks.insight import FrameAnalysis, analyse_frame
 from procc_annotator.session.dataset.edits import delete_point
 from procc_annotator.session.runs.saved_fit import save_fit
 from tests.gui.conftest import Hand, MakeWindow, all_done, let_work_end, settle
@@ -49,7 +49,7 @@ def fitted(make_window: MakeWindow, annotated: Path, qtbot: QtBot) -> MainWindow
     return window
 
 
-def arrive(window: MainWindow, qtbot: QtBot) -> Insight:
+def arrive(window: MainWindow, qtbot: QtBot) -> FrameAnalysis:
     """Wait for the fit of what is on screen."""
     live = window.document.live_fit
     qtbot.waitUntil(lambda: live.insight is not None, timeout=20_000)
@@ -79,13 +79,13 @@ def slow_fits(monkeypatch: pytest.MonkeyPatch) -> Callable[[], threading.Event]:
     """Fits that wait for a word; `asked` counts what was begun."""
 
     def hold() -> threading.Event:
-        go, real = threading.Event(), gain_insight
+        go, real = threading.Event(), analyse_frame
 
-        def wait(annotation: FrameAnnotation, *more: Any, **terms: Any) -> Insight:
+        def wait(annotation: FrameAnnotation, *more: Any, **terms: Any) -> FrameAnalysis:
             go.wait(20)
             return real(annotation, *more, **terms)
 
-        monkeypatch.setattr(live_fit, "gain_insight", wait)
+        monkeypatch.setattr(live_fit, "analyse_frame", wait)
         return go
 
     return hold
@@ -121,14 +121,14 @@ class TestFit:
         self, fitted: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
     ) -> None:
         begun: list[FrameAnnotation] = []
-        go, real = threading.Event(), gain_insight
+        go, real = threading.Event(), analyse_frame
 
-        def wait(annotation: FrameAnnotation, *more: Any, **terms: Any) -> Insight:
+        def wait(annotation: FrameAnnotation, *more: Any, **terms: Any) -> FrameAnalysis:
             begun.append(annotation)
             go.wait(20)
             return real(annotation, *more, **terms)
 
-        monkeypatch.setattr(live_fit, "gain_insight", wait)
+        monkeypatch.setattr(live_fit, "analyse_frame", wait)
         document, start = fitted.document, fitted.document.annotation
         document.commit_edit("nudge", nudged(start, 0.001))
         qtbot.waitUntil(lambda: len(begun) == 1)
@@ -143,11 +143,11 @@ class TestFit:
     ) -> None:
         begun: list[FrameAnnotation] = []
 
-        def note(annotation: FrameAnnotation, *more: Any, **terms: Any) -> Insight:
+        def note(annotation: FrameAnnotation, *more: Any, **terms: Any) -> FrameAnalysis:
             begun.append(annotation)
-            return gain_insight(annotation, *more, **terms)
+            return analyse_frame(annotation, *more, **terms)
 
-        monkeypatch.setattr(live_fit, "gain_insight", note)
+        monkeypatch.setattr(live_fit, "analyse_frame", note)
         document = fitted.document
         for _ in range(4):
             document.next_frame()
@@ -253,13 +253,13 @@ class TestBugs:
         monkeypatch: pytest.MonkeyPatch,
         bugs: list[BaseException],
     ) -> None:
-        def fail(*_: Any, **__: Any) -> Insight:
+        def fail(*_: Any, **__: Any) -> FrameAnalysis:
             raise ZeroDivisionError("in a fit")
 
         document, told = fitted.document, []
         document.message.connect(lambda text, level: told.append((text, level)))
         with monkeypatch.context() as broken:
-            broken.setattr(live_fit, "gain_insight", fail)
+            broken.setattr(live_fit, "analyse_frame", fail)
             document.commit_edit("nudge", nudged(document.annotation, 0.004))
             qtbot.waitUntil(lambda: bool(told))
         (text, level), (bug,) = told[0], bugs
@@ -280,14 +280,14 @@ class TestBugs:
         document, go = fitted.document, threading.Event()
         begun: list[FrameAnnotation] = []
 
-        def fail_first(annotation: FrameAnnotation, *more: Any, **terms: Any) -> Insight:
+        def fail_first(annotation: FrameAnnotation, *more: Any, **terms: Any) -> FrameAnalysis:
             begun.append(annotation)
             if len(begun) == 1:
                 go.wait(20)
                 raise ZeroDivisionError("in a fit")
-            return gain_insight(annotation, *more, **terms)
+            return analyse_frame(annotation, *more, **terms)
 
-        monkeypatch.setattr(live_fit, "gain_insight", fail_first)
+        monkeypatch.setattr(live_fit, "analyse_frame", fail_first)
         document.commit_edit("nudge", nudged(document.annotation, 0.004))
         qtbot.waitUntil(lambda: len(begun) == 1)
         document.commit_edit("nudge", nudged(document.annotation, 0.004))
@@ -594,7 +594,7 @@ class TestSaving:
         assert "hardly determined" not in self.save(fitted, qtbot)
         document.commit_edit("fewer", without(document.annotation, 3))
         qtbot.waitUntil(panel.weak.isVisible, timeout=20_000)
-        left_open = hardly_determined(document.live_fit.result)
+        left_open = ill_conditioned_reason(document.live_fit.result)
         assert panel.weak.text().endswith(f": {left_open}")
         assert self.save(fitted, qtbot).endswith(f"hardly determined: {left_open}")
         assert left_open in fitted.message_bar.label.text()

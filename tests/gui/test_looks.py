@@ -11,7 +11,7 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.picture.looks import LookControls
 from procc_annotator.gui.theme import palette
-from procc_annotator.image.adjust import Look
+from procc_annotator.image.adjust import DisplayAdjustment
 
 
 @pytest.fixture
@@ -24,8 +24,8 @@ def controls(qtbot: QtBot) -> LookControls:
 
 
 @pytest.fixture
-def announced(controls: LookControls) -> list[Look]:
-    looks: list[Look] = []
+def announced(controls: LookControls) -> list[DisplayAdjustment]:
+    looks: list[DisplayAdjustment] = []
     controls.lookChanged.connect(looks.append)
     return looks
 
@@ -36,20 +36,20 @@ def _number(controls: LookControls, name: str) -> str:
     return label.text()
 
 
-def test_sliders_and_box_make_a_look(controls: LookControls, announced: list[Look]) -> None:
+def test_sliders_and_box_make_a_look(controls: LookControls, announced: list[DisplayAdjustment]) -> None:
     controls.sliders["brightness"].setValue(25)
     controls.sliders["contrast"].setValue(-40)
     controls.sliders["gamma"].setValue(100)
     QTest.mouseClick(
         controls.enhance, Qt.MouseButton.LeftButton, pos=controls.enhance.rect().center() / 8
     )
-    assert announced[-1] == Look(brightness=0.25, contrast=-0.4, gamma=5.0, enhance=True)
+    assert announced[-1] == DisplayAdjustment(brightness=0.25, contrast=-0.4, gamma=5.0, enhance=True)
     assert len(announced) == 4
     assert controls.look == announced[-1]
     assert [_number(controls, n) for n in controls.sliders] == ["+25", "−40", "5.00"]
 
 
-def test_every_end_of_the_sliders_is_a_look(controls: LookControls, announced: list[Look]) -> None:
+def test_every_end_of_the_sliders_is_a_look(controls: LookControls, announced: list[DisplayAdjustment]) -> None:
     for slider in controls.sliders.values():
         for value in (slider.minimum(), slider.maximum()):
             slider.setValue(value)
@@ -57,16 +57,16 @@ def test_every_end_of_the_sliders_is_a_look(controls: LookControls, announced: l
     assert announced[4].gamma == pytest.approx(0.2)
 
 
-def test_keys_move_a_slider(controls: LookControls, announced: list[Look]) -> None:
+def test_keys_move_a_slider(controls: LookControls, announced: list[DisplayAdjustment]) -> None:
     QTest.keyClick(controls.sliders["brightness"], Qt.Key.Key_Right)
     QTest.keyClick(controls.sliders["brightness"], Qt.Key.Key_PageUp)
     assert [look.brightness for look in announced] == pytest.approx([0.01, 0.11])
 
 
 def test_a_look_chosen_elsewhere_is_shown_and_not_announced(
-    controls: LookControls, announced: list[Look]
+    controls: LookControls, announced: list[DisplayAdjustment]
 ) -> None:
-    look = Look(brightness=-0.333, contrast=0.5, gamma=2.2, enhance=True)
+    look = DisplayAdjustment(brightness=-0.333, contrast=0.5, gamma=2.2, enhance=True)
     controls.set_look(look)
     assert announced == []
     assert controls.look == look
@@ -74,21 +74,21 @@ def test_a_look_chosen_elsewhere_is_shown_and_not_announced(
     assert controls.enhance.isChecked()
     # What is not moved keeps its exact value, though the slider has whole steps.
     controls.sliders["contrast"].setValue(0)
-    assert announced == [Look(brightness=-0.333, gamma=2.2, enhance=True)]
+    assert announced == [DisplayAdjustment(brightness=-0.333, gamma=2.2, enhance=True)]
 
 
-def test_reset(controls: LookControls, announced: list[Look]) -> None:
+def test_reset(controls: LookControls, announced: list[DisplayAdjustment]) -> None:
     assert not controls.reset_button.isEnabled()
-    controls.set_look(Look(gamma=3.0, enhance=True))
+    controls.set_look(DisplayAdjustment(gamma=3.0, enhance=True))
     QTest.mouseClick(controls.reset_button, Qt.MouseButton.LeftButton)
-    assert announced == [Look()]
+    assert announced == [DisplayAdjustment()]
     assert not controls.reset_button.isEnabled()
     assert not controls.enhance.isChecked()
     assert [s.value() for s in controls.sliders.values()] == [0, 0, 0]
 
 
 def test_it_fits_into_a_narrow_dock(controls: LookControls) -> None:
-    controls.set_look(Look(brightness=-1.0, contrast=-1.0, gamma=5.0))
+    controls.set_look(DisplayAdjustment(brightness=-1.0, contrast=-1.0, gamma=5.0))
     assert controls.minimumSizeHint().width() <= 230
     hint = controls.findChild(QLabel, "lookHint")
     assert hint is not None

@@ -16,7 +16,7 @@ from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.load import load_field
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state.map_sight import MapSight
-from procc_annotator.interact.field_sight import field_sight
+from procc_annotator.interact.field_sight import visible_field
 from procc_annotator.io.camera_files.soccernet_camera import write_camera
 from tests.gui.conftest import MakeWindow
 
@@ -75,7 +75,7 @@ def test_the_side_of_the_camera_is_told_by_any_model(turns: int, seen_by: Pinhol
     matrix = cv2.getPerspectiveTransform(ground[:, :2].astype(np.float32), px.astype(np.float32))
     by_matrix = HomographyCamera.from_world_from_image(np.linalg.inv(matrix), SIZE)
     for one in (seen_by, by_matrix):
-        found = field_sight(field, one, SIZE)
+        found = visible_field(field, one, SIZE)
         assert found is not None
         assert found.turns == turns
 
@@ -83,14 +83,14 @@ def test_the_side_of_the_camera_is_told_by_any_model(turns: int, seen_by: Pinhol
 def test_a_camera_that_pans_turns_no_map() -> None:
     field = load_field("soccer")
     for x in (-52.0, -20.0, 20.0, 52.0):
-        found = field_sight(field, camera(0, 60, (x, 20.0)), SIZE)
+        found = visible_field(field, camera(0, 60, (x, 20.0)), SIZE)
         assert found is not None
         assert found.turns == 0
 
 
 def test_a_camera_over_the_field_turns_it_by_what_is_right() -> None:
     field = load_field("soccer")
-    found = field_sight(field, camera(20, 0, (45, 1)), SIZE)
+    found = visible_field(field, camera(20, 0, (45, 1)), SIZE)
     assert found is not None
     assert found.turns == 3
     assert found.half == 1

@@ -91,7 +91,7 @@ def test_what_failed_is_tried_again(
         raise CameraError("x", "is no camera")
 
     with monkeypatch.context() as patched:
-        patched.setattr(painted_width, "project_paint", fail)
+        patched.setattr(painted_width, "project_markings", fail)
         judged.actions_["painted_width"].trigger()
         let_work_end(qtbot)
         document.scoreChanged.emit()

@@ -28,7 +28,7 @@ from procc_annotator.gui.plots.residuals import DirectionsPage, VectorsPage
 from procc_annotator.gui.plots.steady import SteadyPage
 from procc_annotator.gui.theme import contrast, readable
 from procc_annotator.interact.palette import SOURCE_COLOURS
-from procc_annotator.io.camera_files.fitted_on import Fitted
+from procc_annotator.io.camera_files.fitted_on import FitCounts
 from tests.cli.conftest import camera_file
 from tests.gui.conftest import MakeWindow, all_done
 
@@ -599,7 +599,7 @@ class TestWithoutColour:
 
     def test_the_legend_marks_a_fit_to_these_clicks(self, plotted: MainWindow) -> None:
         legend = plotted.plots.legend
-        source = PlottedSource("fit", "#ff0000", 0, {}, fitted=Fitted(1))
+        source = PlottedSource("fit", "#ff0000", 0, {}, fitted=FitCounts(1))
         legend.show_sources([(source, "(3 of 14)")])
         assert legend.text == "fit (fitted on these clicks) (3 of 14)"
 

@@ -15,8 +15,8 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.errors import ImageError
 from procc_annotator.field.model import Field
-from procc_annotator.fit.from_picture.proposal import Proposal, State
-from procc_annotator.fit.predict.given_camera import given_camera
+from procc_annotator.fit.from_picture.proposal import Proposal, ProposalState
+from procc_annotator.fit.predict.given_camera import external_camera_fit
 from procc_annotator.fit.result import FitResult
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state import proposals
@@ -37,7 +37,7 @@ class Finder:
 
     def __init__(self, folder: Path) -> None:
         self.cameras = CameraSet.open(folder / "cameras" / "true", camera_size=(960, 540))
-        self.state: State = "sure"
+        self.state: ProposalState = "sure"
         self.reason = "94 % of the lines in sight are on paint"
         self.asked = 0
         self.wait: Event | None = None
@@ -54,7 +54,7 @@ class Finder:
         found = self.cameras.camera(self.frame, size)
         assert found is not None
         assert isinstance(found.camera, PinholeCamera)
-        fit = given_camera(found.camera, size)
+        fit = external_camera_fit(found.camera, size)
         return Proposal(self.state, self.reason, fit, 0.94, 0.9, 0.4, 0.3, None)
 
 

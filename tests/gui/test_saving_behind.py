@@ -209,13 +209,13 @@ def test_what_may_be_on_the_disk_is_not_said_to_be_undone(
     for _ in range(clicks_before):
         click(window)
         qtbot.waitUntil(lambda: reads_saved(window))
-    look = pending_save.read_if_there
+    look = pending_save.read_optional
 
     def unreadable(path: Path, error: type[AnnotationError]) -> bytes:
         raise error(str(path), "Input/output error")
 
     def goes_away() -> None:
-        monkeypatch.setattr(pending_save, "read_if_there", unreadable)
+        monkeypatch.setattr(pending_save, "read_optional", unreadable)
 
     disk.hold()
     disk.problem_after = "Input/output error"
@@ -229,7 +229,7 @@ def test_what_may_be_on_the_disk_is_not_said_to_be_undone(
     assert points_on_disk(dataset) == {MIDDLE: clicks_before + 1}
     disk.problem_after = ""
     disk.after = lambda: None
-    monkeypatch.setattr(pending_save, "read_if_there", look)
+    monkeypatch.setattr(pending_save, "read_optional", look)
     window.document.saver.retry_timer.setInterval(1)
     qtbot.waitUntil(lambda: reads_saved(window))
     assert not window.isWindowModified()

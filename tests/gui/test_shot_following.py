@@ -19,7 +19,7 @@ from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
 from procc_annotator.fit.from_picture.proposal import Proposal
-from procc_annotator.fit.predict.given_camera import given_camera
+from procc_annotator.fit.predict.given_camera import external_camera_fit
 from procc_annotator.fit.through_shot import following_shot
 from procc_annotator.fit.through_shot.track import Track
 from procc_annotator.gui.main_window import MainWindow
@@ -78,7 +78,7 @@ def found(drawn: DrawnShot, pictures: list[PixelArray], monkeypatch: pytest.Monk
     def propose(picture: PixelArray, field: Field, **_: Any) -> Proposal:
         small = picture[::8, ::8, :3]
         apart = np.abs(small - first).mean() if small.shape == first.shape else np.inf
-        fit = given_camera(drawn.cameras[0], SIZE)
+        fit = external_camera_fit(drawn.cameras[0], SIZE)
         state = "sure" if apart < 8 else "none"
         return Proposal(state, "as drawn", fit, 0.9, 0.9, 0.3, 0.3, None)  # type: ignore[arg-type]
 
@@ -165,7 +165,7 @@ class TestFollowing:
     def test_frames_fill_in_meanwhile_and_it_can_be_stopped(
         self, window: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
     ) -> None:
-        going, track = Event(), following.track
+        going, track = Event(), following.track_shot
 
         def slow(*args: Any, on_frame: Callable[..., None], go_on: Any, **more: Any) -> Any:
             def on_each(frame: Any) -> None:
@@ -175,7 +175,7 @@ class TestFollowing:
 
             return track(*args, on_frame=on_each, go_on=go_on, **more)
 
-        monkeypatch.setattr(following, "track", slow)
+        monkeypatch.setattr(following, "track_shot", slow)
         press(window, Key.Key_T)
         qtbot.waitUntil(lambda: 8 in window.document.shot_track.tracked, timeout=60_000)
         assert window.shot_following.words().startswith("following: ")
@@ -193,7 +193,7 @@ class TestFollowing:
         monkeypatch: pytest.MonkeyPatch,
     ) -> None:  # fmt: skip
         def unsure(*_: Any, **__: Any) -> Proposal:
-            fit = given_camera(drawn.cameras[0], SIZE)
+            fit = external_camera_fit(drawn.cameras[0], SIZE)
             return Proposal("unsure", "too little in sight", fit, 0.9, 0.9, 0.3, 0.1, None)
 
         asked: list[Any] = []
@@ -203,7 +203,7 @@ class TestFollowing:
             return Track((), ())
 
         monkeypatch.setattr(proposals, "propose_camera", unsure)
-        monkeypatch.setattr(following, "track", noted)
+        monkeypatch.setattr(following, "track_shot", noted)
         window = make_window(dataset)
         document = window.document
         document.opening.open_workspace(open_video(video, range(0, COUNT, EVERY), document.field))
@@ -247,14 +247,14 @@ class TestFollowing:
         self, window: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch, hand_on: Any
     ) -> None:
         follow(window, qtbot)
-        document, track = window.document, following.track
+        document, track = window.document, following.track_shot
         asked: list[tuple[range, list[int]]] = []
 
         def noted(frames: Any, numbers: range, *args: Any, anchors: Any, **more: Any) -> Any:
             asked.append((numbers, sorted(anchors)))
             return track(frames, numbers, *args, anchors=anchors, **more)
 
-        monkeypatch.setattr(following, "track", noted)
+        monkeypatch.setattr(following, "track_shot", noted)
         document.go_to(1)
         all_done(qtbot)
         hand: Hand = hand_on(window)
@@ -290,7 +290,7 @@ class TestFollowing:
     def test_annotated_frames_are_anchors_before_anybody_knows_which_they_are(
         self, window: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
     ) -> None:
-        document, track = window.document, following.track
+        document, track = window.document, following.track_shot
         follow(window, qtbot)
         accept(window, qtbot)
         asked: list[list[int]] = []
@@ -299,7 +299,7 @@ class TestFollowing:
             asked.append(sorted(anchors))
             return track(*args, anchors=anchors, **more)
 
-        monkeypatch.setattr(following, "track", noted)
+        monkeypatch.setattr(following, "track_shot", noted)
         document.annotated_frames.close()
         document.annotated_frames._edited.clear()
         follow(window, qtbot)

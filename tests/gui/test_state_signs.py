@@ -10,7 +10,7 @@ from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPalette
 from PySide6.QtWidgets import QApplication
 
-from procc_annotator.field.colours import difference
+from procc_annotator.field.colours import colour_difference
 from procc_annotator.gui.panels.field_map.ground import ground_colour
 from procc_annotator.gui.panels.states import WORDS, ElementState, paint_symbol, state_colour
 from procc_annotator.gui.theme import alarm_colours, contrast, palette
@@ -72,7 +72,7 @@ def test_tones_of_states_differ_for_every_eye(eyes: str) -> None:
     """About 2 can just be seen when two tones lie side by side."""
     kept = {**tones.STATUS_COLOURS, "unconfirmed": tones.UNCONFIRMED, "ghost": tones.GHOST}
     apart = {
-        (a, b): round(difference(as_seen(kept[a], eyes), as_seen(kept[b], eyes)), 1)
+        (a, b): round(colour_difference(as_seen(kept[a], eyes), as_seen(kept[b], eyes)), 1)
         for a, b in itertools.combinations(kept, 2)
     }
     assert min(apart.values()) >= 10, sorted(apart.items(), key=lambda pair: pair[1])[:3]

@@ -11,7 +11,7 @@ from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
-from procc_annotator.fit.predict.given_camera import given_camera
+from procc_annotator.fit.predict.given_camera import external_camera_fit
 from procc_annotator.fit.through_shot.track import Track, TrackedFrame
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.tasks.shot import accepting, following
@@ -29,7 +29,7 @@ LINE = FrameAnnotation((Polyline("Side line top", (Point(0.1, 0.2), Point(0.8, 0
 
 def followed(number: int) -> TrackedFrame:
     camera = soccer_shot(1, size=SIZE).cameras[0]
-    return TrackedFrame(number, "followed", "", given_camera(camera, SIZE), 0.9, 0.3, 1)
+    return TrackedFrame(number, "followed", "", external_camera_fit(camera, SIZE), 0.9, 0.3, 1)
 
 
 @pytest.fixture
@@ -123,7 +123,7 @@ def test_a_picture_that_is_damaged_is_lost_and_the_rest_is_followed(
         frames = tuple(followed(number) for number in numbers)
         return Track(frames, ((numbers[0], numbers[-1]),))
 
-    monkeypatch.setattr(following, "track", track)
+    monkeypatch.setattr(following, "track_shot", track)
     window = make_window(shot)
     all_done(qtbot)
 
@@ -144,7 +144,7 @@ def test_stopped_before_anything_was_followed_it_says_so(
         while True:
             args[-1]()  # ends once nobody wants it
 
-    monkeypatch.setattr(following, "shot_around", shot_around)
+    monkeypatch.setattr(following, "shot_range_around", shot_around)
     said: list[str] = []
     window.document.message.connect(lambda text, _: said.append(text))
 

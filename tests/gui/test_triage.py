@@ -18,7 +18,7 @@ from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
 from procc_annotator.metric.explain import explain_score, worst_elements_first
-from procc_annotator.session.facts.verdict import Fault, Verdict
+from procc_annotator.session.facts.verdict import FaultParty, Verdict
 from tests.gui.conftest import Hand, MakeWindow, all_done
 
 SETS = ("true", "bad")
@@ -180,11 +180,11 @@ class TestVerdicts:
         document = window.document
         frame = document.frame.name
         press(window, Qt.Key.Key_F7)
-        assert verdict_on(document, frame, "bad").fault is Fault.CAMERA
+        assert verdict_on(document, frame, "bad").fault is FaultParty.CAMERA
         assert verdict_on(document, frame, "true") is None
-        assert window.frames.model.info(0).verdict is Fault.CAMERA
+        assert window.frames.model.info(0).verdict is FaultParty.CAMERA
         press(window, Qt.Key.Key_F8)
-        assert verdict_on(document, frame, "bad").fault is Fault.ANNOTATION
+        assert verdict_on(document, frame, "bad").fault is FaultParty.ANNOTATION
         press(window, Qt.Key.Key_F8)
         assert verdict_on(document, frame, "bad") is None
         assert window.frames.model.info(0).verdict is None
@@ -193,12 +193,12 @@ class TestVerdicts:
         window.panels.show("scores")
         buttons = window.scores.verdict.buttons
         press(window, Qt.Key.Key_F7)
-        qtbot.waitUntil(buttons[Fault.CAMERA].isChecked)
-        qtbot.mouseClick(buttons[Fault.FINE], Qt.MouseButton.LeftButton)
-        assert verdict_on(window.document, "00001", "bad").fault is Fault.FINE
-        assert not buttons[Fault.CAMERA].isChecked()
+        qtbot.waitUntil(buttons[FaultParty.CAMERA].isChecked)
+        qtbot.mouseClick(buttons[FaultParty.FINE], Qt.MouseButton.LeftButton)
+        assert verdict_on(window.document, "00001", "bad").fault is FaultParty.FINE
+        assert not buttons[FaultParty.CAMERA].isChecked()
         window.document.go_to(1)
-        qtbot.waitUntil(lambda: not buttons[Fault.FINE].isChecked())
+        qtbot.waitUntil(lambda: not buttons[FaultParty.FINE].isChecked())
 
     def test_it_is_there_when_the_dataset_is_opened_again_and_exported(
         self, window: MainWindow, make_window: MakeWindow, sample: Path, qtbot: QtBot,
@@ -209,12 +209,12 @@ class TestVerdicts:
         press(window, Qt.Key.Key_F9)
         document = window.document
         document.verdicts.set_verdict(
-            "00003", source_of(document, "bad"), Fault.FINE, "as sharp as it gets"
+            "00003", source_of(document, "bad"), FaultParty.FINE, "as sharp as it gets"
         )
         jac = window.document.frame_scores["00003"]
         window.close()
         again = opened(make_window, sample, qtbot)
-        assert verdict_on(again.document, "00001", "bad").fault is Fault.CAMERA
+        assert verdict_on(again.document, "00001", "bad").fault is FaultParty.CAMERA
         path = tmp_path / "verdicts.csv"
         again.triage.export(path)
         qtbot.waitUntil(path.exists)
@@ -235,8 +235,8 @@ class TestVerdicts:
         window.panels.show("scores")
         press(window, Qt.Key.Key_F7)
         document.rename_source(document.active_source, "vendor X")
-        assert window.frames.model.info(0).verdict is Fault.CAMERA
-        qtbot.waitUntil(window.scores.verdict.buttons[Fault.CAMERA].isChecked)
+        assert window.frames.model.info(0).verdict is FaultParty.CAMERA
+        qtbot.waitUntil(window.scores.verdict.buttons[FaultParty.CAMERA].isChecked)
         (row,) = exported(window, tmp_path / "verdicts.csv", qtbot)
         assert (row["source"], row["problem"]) == ("vendor X", "")
         assert row["jac@5px"]
@@ -257,7 +257,7 @@ class TestVerdicts:
         assert row["jac@5px"] == ""
         press(window, Qt.Key.Key_F9)  # says nothing of the one that is gone
         document.load_cameras(sample / "cameras" / "bad", name="back again")
-        assert window.frames.model.info(0).verdict is Fault.CAMERA
+        assert window.frames.model.info(0).verdict is FaultParty.CAMERA
 
     def test_the_frames_can_be_filtered_by_it(self, window: MainWindow, qtbot: QtBot) -> None:
         for index in (1, 5):
@@ -277,7 +277,7 @@ class TestVerdicts:
             press(window, Qt.Key.Key_F7)
         assert "blind" in told.args[0]
         document.set_blind(False)
-        assert verdict_on(document, "00001", "bad").fault is Fault.CAMERA
+        assert verdict_on(document, "00001", "bad").fault is FaultParty.CAMERA
 
     def test_blind_verdicts_on_committed_frames_only_are_exported(
         self, window: MainWindow, qtbot: QtBot, tmp_path: Path

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.camera.backproject import ground_from_px
-from procc_annotator.fit.predict.ground_uncertainty import ground_sd, ground_uncertainty
+from procc_annotator.fit.predict.ground_uncertainty import ground_sd, map_ground_uncertainty
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.field_map.ground import ground_colour
 from tests.gui.conftest import Hand, MakeWindow
@@ -71,7 +71,7 @@ def test_what_is_seen_of_the_field_is_covered(shown: MainWindow) -> None:
 
 def test_the_legend_gives_the_shares(shown: MainWindow) -> None:
     document, legend = shown.document, shown.canvas.maps.legend
-    expected = ground_uncertainty(document.live_fit.result, document.field)
+    expected = map_ground_uncertainty(document.live_fit.result, document.field)
     assert legend.isVisible()
     assert legend.lines == tuple(
         f"{m:g} m: {100 * expected.share_good_to(m):.0f} % of the field in sight"
@@ -185,4 +185,4 @@ def test_it_and_the_disagreement_take_turns(
 def test_a_homography_has_one_too(shown: MainWindow, qtbot: QtBot) -> None:
     shown.document.live_fit.set_model("H")
     qtbot.waitUntil(lambda: "(H)" in shown.canvas.maps.legend.title)
-    assert shown.document.uncertainty.value.values.share_good_to(5.0) > 0.5
+    assert shown.document.uncertainty.value.values.share_within_m(5.0) > 0.5

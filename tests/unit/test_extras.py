@@ -22,7 +22,7 @@ ROOT = Path(__file__).resolve().parent.parent.parent
 def test_the_line_is_for_this_very_python(monkeypatch: pytest.MonkeyPatch, has_pip: bool) -> None:
     monkeypatch.setattr(sys, "executable", "/a b/python")
     monkeypatch.setattr(importlib.util, "find_spec", lambda name: object() if has_pip else None)
-    said = extras.how_to_have("dask").partition(": ")[2]
+    said = extras.install_hint("dask").partition(": ")[2]
     begin = ["/a b/python", "-m", "pip", "install"]
     if not has_pip:
         begin = ["uv", "pip", "install", "--python", "/a b/python"]
@@ -31,7 +31,7 @@ def test_the_line_is_for_this_very_python(monkeypatch: pytest.MonkeyPatch, has_p
 
 def test_the_standalone_folder_says_that_it_cannot(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sys, "frozen", True, raising=False)
-    assert "the standalone folder goes without a Dask cluster" in extras.how_to_have("dask")
+    assert "the standalone folder goes without a Dask cluster" in extras.install_hint("dask")
 
 
 def test_the_extras_are_those_of_the_project() -> None:

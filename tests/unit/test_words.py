@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from procc_annotator.words import few_of
+from procc_annotator.words import condensed
 
 
 def test_of_many_remarks_that_differ_in_numbers_the_most_frequent_are_told() -> None:
     sizes = {f"scaled from 960x{700 + i} to 960x540": 1 for i in range(40)}
     sizes["scaled from 960x400 to 960x540"] = 7
-    told = few_of({"no size is told": 2} | sizes)
+    told = condensed({"no size is told": 2} | sizes)
     assert list(told)[:2] == ["no size is told", "scaled from 960x400 to 960x540"]
     assert len(told) == 5
     assert told["and 38 more like 'scaled from 960x701 to 960x540'"] == 38
@@ -17,4 +17,4 @@ def test_of_many_remarks_that_differ_in_numbers_the_most_frequent_are_told() -> 
 
 def test_a_few_remarks_are_told_as_they_are() -> None:
     remarks = {f"scaled from 960x{700 + i} to 960x540": i for i in range(5)} | {"another": 3}
-    assert few_of(remarks) == remarks
+    assert condensed(remarks) == remarks

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.model import Field
-from procc_annotator.fit.solving.surroundings import surroundings_of
+from procc_annotator.fit.solving.surroundings import camera_placement_prior
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.session.runs.proposer_plugins import PictureProposer
 
@@ -23,7 +23,7 @@ VIEWS = ((-0.75, 0.45), (-0.35, 0.55), (0.0, 0.6), (0.35, 0.55), (0.75, 0.45))
 def usual_views(picture: PixelArray, field: Field) -> Iterator[PinholeCamera]:
     """One camera a view, in px of the picture."""
     height, width = picture.shape[:2]
-    around = surroundings_of(field)
+    around = camera_placement_prior(field)
     x, y, z = 0.0, around.half_width + around.distance[1], -around.height[1]
     for share, shown in VIEWS:
         target = share * around.half_length

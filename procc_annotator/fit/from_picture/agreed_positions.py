@@ -11,18 +11,18 @@ from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.model import Field
 from procc_annotator.fit.from_picture.proposal import KnownPosition
 from procc_annotator.fit.result import FitResult
-from procc_annotator.fit.solving.models import CENTRE, vector_from_camera
-from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
-from procc_annotator.fit.solving.surroundings import surroundings_of
-from procc_annotator.fit.together.positions import find_positions
-from procc_annotator.fit.together.tripod import usual_of
+from procc_annotator.fit.solving.models import POSITION_SLICE, vector_from_camera
+from procc_annotator.fit.solving.observations import FloatArray, ImageFrame
+from procc_annotator.fit.solving.surroundings import camera_placement_prior
+from procc_annotator.fit.together.positions import cluster_positions
+from procc_annotator.fit.together.tripod import lens_and_roll_prior
 
 # What is known of the position of a camera that no other one agrees with, metres.
-_ALONE_SD_M = 1.0
-_LEAST_SURE = 2
+_SINGLE_POSITION_SD_M = 1.0
+_MIN_SURE_FITS = 2
 
 
-def positions_of_fits(
+def cluster_fit_positions(
     sure: Sequence[FitResult], field: Field, others: Sequence[FitResult] = ()
 ) -> tuple[KnownPosition, ...]:
     """The positions that three or more fits agree on, the one with most of them first.
@@ -39,13 +39,13 @@ def positions_of_fits(
     if not known:
         return ()
     vectors = np.array([fit.vector for fit in known])
-    covariances = np.array([fit.covariance[CENTRE, CENTRE] for fit in known])  # type: ignore[index]
+    covariances = np.array([fit.covariance[POSITION_SLICE, POSITION_SLICE] for fit in known])  # type: ignore[index]
     relied_on = {id(fit) for fit in sure}
     is_sure = np.array([id(fit) in relied_on for fit in known])
-    return _agreed(vectors, covariances, field, is_sure)
+    return _clustered_positions(vectors, covariances, field, is_sure)
 
 
-def positions_of_cameras(
+def cluster_camera_positions(
     cameras: Sequence[tuple[PinholeCamera, tuple[int, int]]], field: Field
 ) -> tuple[KnownPosition, ...]:
     """The positions that several cameras agree on; the own ones of all where none do.
@@ -56,20 +56,20 @@ def positions_of_cameras(
     """
     if not cameras:
         return ()
-    vectors = np.array([vector_from_camera(c, PictureFrame(size)) for c, size in cameras])
-    agreed = _agreed(vectors, np.zeros((len(vectors), 3, 3)), field, np.ones(len(vectors), bool))
+    vectors = np.array([vector_from_camera(c, ImageFrame(size)) for c, size in cameras])
+    agreed = _clustered_positions(vectors, np.zeros((len(vectors), 3, 3)), field, np.ones(len(vectors), bool))
     if agreed:
         return agreed
-    alone = np.eye(3) * _ALONE_SD_M**2
-    return tuple(KnownPosition(vector[CENTRE], alone) for vector in vectors)
+    alone = np.eye(3) * _SINGLE_POSITION_SD_M**2
+    return tuple(KnownPosition(vector[POSITION_SLICE], alone) for vector in vectors)
 
 
-def _agreed(
+def _clustered_positions(
     vectors: FloatArray, covariances: FloatArray, field: Field, is_sure: NDArray[np.bool_]
 ) -> tuple[KnownPosition, ...]:
-    places = find_positions(vectors[:, CENTRE], covariances, surroundings_of(field).reach)
+    places = cluster_positions(vectors[:, POSITION_SLICE], covariances, camera_placement_prior(field).reach)
     return tuple(
-        KnownPosition(place.position, place.covariance, usual_of(vectors[place.members]))
+        KnownPosition(place.position, place.covariance, lens_and_roll_prior(vectors[place.members]))
         for place in places
-        if is_sure[place.members].sum() >= _LEAST_SURE
+        if is_sure[place.members].sum() >= _MIN_SURE_FITS
     )

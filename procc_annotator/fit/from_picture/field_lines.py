@@ -14,19 +14,19 @@ from numpy.typing import NDArray
 
 from procc_annotator.field.geometry import Line, length_of
 from procc_annotator.field.model import Field
-from procc_annotator.fit.on_paint.painted import Painted, painted_of
+from procc_annotator.fit.on_paint.painted import MarkingPoints, marking_points
 from procc_annotator.fit.solving.observations import FloatArray, IntArray
-from procc_annotator.fit.solving.surroundings import Surroundings, surroundings_of
+from procc_annotator.fit.solving.surroundings import CameraPlacementPrior, camera_placement_prior
 
-_COARSE, _COARSEST = 750, 400  # places that a closer and a first look take
-_CELL = 0.004  # of half the field's length
-_BEYOND = 1.15  # how far about the field, of its half length and width
-_ABOVE_M = 0.01  # what is so high stands above the ground
-_BEAM = 0.5  # of the field's half width: what is longer above the ground goes across the field
+_COARSE_POINTS, _COARSEST_POINTS = 750, 400  # places that a closer and a first look take
+_GROUND_CELL_SHARE = 0.004  # of half the field's length
+_GRID_MARGIN = 1.15  # how far about the field, of its half length and width
+_OFF_GROUND_M = 0.01  # what is so high stands above the ground
+_BEAM_SPACING = 0.5  # of the field's half width: what is longer above the ground goes across the field
 
 
 @dataclass(frozen=True, eq=False)
-class FieldLines:
+class FieldLinePoints:
     """N places on the painted lines of the ground, after them on beams, after these on lines that
     not every such field has: those explain paint, but are not missed.
 
@@ -43,7 +43,7 @@ class FieldLines:
     world: FloatArray
     along: FloatArray
     step: FloatArray
-    around: Surroundings
+    around: CameraPlacementPrior
     usual: int
     beams: IntArray
 
@@ -64,35 +64,35 @@ class FieldLines:
         return self.step.astype(np.float32)
 
     @cached_property
-    def coarse(self) -> FieldLines:
+    def coarse(self) -> FieldLinePoints:
         """Fewer places, which show nearly as much of what every field has."""
-        return self._thinned(self.usual, _COARSE)
+        return self._thinned(self.usual, _COARSE_POINTS)
 
     @cached_property
-    def coarsest(self) -> FieldLines:
+    def coarsest(self) -> FieldLinePoints:
         """Still fewer, for many cameras; those on the ground."""
-        return self._thinned(int(self.beams[0, 0]) if len(self.beams) else self.usual, _COARSEST)
+        return self._thinned(int(self.beams[0, 0]) if len(self.beams) else self.usual, _COARSEST_POINTS)
 
-    def _thinned(self, first: int, count: int) -> FieldLines:
+    def _thinned(self, first: int, count: int) -> FieldLinePoints:
         """About so many of the first places."""
         every = max(first // count, 1)
         chosen = slice(every // 2, first, every)
         world, step = self.world[:, chosen], self.step[chosen] * every
         beams = self.beams[self.beams[:, 1] < first] // every
-        return FieldLines(world, self.along[:, chosen], step, self.around, world.shape[1], beams)
+        return FieldLinePoints(world, self.along[:, chosen], step, self.around, world.shape[1], beams)
 
     @cached_property
-    def nearest(self) -> NearestLine:
+    def nearest(self) -> NearestLineGrid:
         """The nearest place of any spot of the ground."""
-        return NearestLine.of(self)
+        return NearestLineGrid.of(self)
 
 
 @dataclass(frozen=True, eq=False)
-class NearestLine:
+class NearestLineGrid:
     """Cells of the ground, each with the place on a line that is nearest to it.
 
     Attributes:
-        place: (h, w) index in `FieldLines`.
+        place: (h, w) index in `FieldLinePoints`.
         cell: metres.
         half: (2,) metres from the centre to the first column and row.
     """
@@ -102,14 +102,14 @@ class NearestLine:
     half: FloatArray
 
     @classmethod
-    def of(cls, lines: FieldLines) -> NearestLine:
+    def of(cls, lines: FieldLinePoints) -> NearestLineGrid:
         """Of all places on and about the field."""
         around = lines.around
-        cell = _CELL * around.half_length
-        half = _BEYOND * np.array([around.half_length, around.half_width])
+        cell = _GROUND_CELL_SHARE * around.half_length
+        half = _GRID_MARGIN * np.array([around.half_length, around.half_width])
         width, height = (int(2 * reach / cell) + 1 for reach in half)
         column, row = ((lines.world[:2] + half[:, None]) / cell).astype(np.intp)
-        inside = ~above_ground(lines.world)
+        inside = ~is_off_ground(lines.world)
         inside &= (column >= 0) & (column < width) & (row >= 0) & (row < height)
         free = np.ones((height, width), dtype=np.uint8)
         free[row[inside], column[inside]] = 0
@@ -130,36 +130,36 @@ class NearestLine:
         return np.asarray(np.where(inside, self.place[row, column], -1))
 
 
-def above_ground(world: FloatArray) -> NDArray[np.bool_]:
+def is_off_ground(world: FloatArray) -> NDArray[np.bool_]:
     """(..., 3, N) metres -> (..., N) which places do not lie on the ground."""
-    return np.asarray(world[..., 2, :] < -_ABOVE_M)
+    return np.asarray(world[..., 2, :] < -_OFF_GROUND_M)
 
 
-def lines_of(field: Field) -> FieldLines | None:
+def field_line_points(field: Field) -> FieldLinePoints | None:
     """The painted lines on a field's ground, and what stands across it; None if it has no line
     that every such field has."""
-    around = surroundings_of(field)
+    around = camera_placement_prior(field)
     beams = [
         e.name
         for e in field.elements
         if not (e.on_ground or e.optional)
         and isinstance(e.geometry, Line)
-        and length_of(e.geometry) > _BEAM * around.half_width
+        and length_of(e.geometry) > _BEAM_SPACING * around.half_width
     ]
     ground = {
         way: [e.name for e in field.elements if e.on_ground and e.optional == way]
         for way in (False, True)
     }
     names = tuple(frozenset(some) for some in (ground[False], beams, ground[True]))
-    return _lines_of(painted_of(field), names, around)
+    return _build_line_points(marking_points(field), names, around)
 
 
 @lru_cache(maxsize=8)
-def _lines_of(
-    painted: Painted, names: tuple[frozenset[str], ...], around: Surroundings
-) -> FieldLines | None:
+def _build_line_points(
+    painted: MarkingPoints, names: tuple[frozenset[str], ...], around: CameraPlacementPrior
+) -> FieldLinePoints | None:
     """Of the lines on the ground of every field, beams, and other lines on the ground."""
-    parts = [_places_of(painted, some) for some in names]
+    parts = [_points_of_elements(painted, some) for some in names]
     lines, beams = (len(part) for part in parts[:2])
     if not lines:
         return None
@@ -169,9 +169,9 @@ def _lines_of(
     apart = np.linalg.norm(np.diff(world, axis=1, append=world[:, -1:]), axis=0)
     apart[np.diff(painted.run[rows], append=-1) != 0] = 0.0
     spans = np.column_stack([ends[:-1], ends[1:] - 1])
-    return FieldLines(world, painted.along[:, rows], apart, around, lines + beams, spans)
+    return FieldLinePoints(world, painted.along[:, rows], apart, around, lines + beams, spans)
 
 
-def _places_of(painted: Painted, names: frozenset[str]) -> IntArray:
+def _points_of_elements(painted: MarkingPoints, names: frozenset[str]) -> IntArray:
     wanted = np.array([name in names for name in painted.names], dtype=bool)
     return np.flatnonzero(wanted[painted.element]) if len(wanted) else np.zeros(0, dtype=np.intp)

@@ -14,40 +14,40 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.fit.from_picture.coarse_paint import CoarsePaint
-from procc_annotator.fit.from_picture.field_lines import FieldLines
-from procc_annotator.fit.from_picture.in_view import in_view
+from procc_annotator.fit.from_picture.coarse_paint import CoarseLineGrid
+from procc_annotator.fit.from_picture.field_lines import FieldLinePoints
+from procc_annotator.fit.from_picture.in_view import visible_line_points
 from procc_annotator.fit.from_picture.seen_paint import (
-    NearestPaint,
-    SeenPaint,
-    cells_of,
-    directions_of,
-    shape_of,
+    LineDistanceMaps,
+    ImageLinePixels,
+    map_cells,
+    direction_indices,
+    map_shape,
 )
-from procc_annotator.fit.solving.models import CENTRE, LOG_FOCAL, PAN, PARAMETERS, TILT
+from procc_annotator.fit.solving.models import POSITION_SLICE, LOG_FOCAL, PAN, PARAMETERS, TILT
 from procc_annotator.fit.solving.observations import REFERENCE_WIDTH, FloatArray, IntArray
 from procc_annotator.fit.solving.starts import SIDES
-from procc_annotator.fit.solving.surroundings import Surroundings
+from procc_annotator.fit.solving.surroundings import CameraPlacementPrior
 
-CELL_PX = 4
-_PLACES = 48  # of the lines, a camera
-_STEP_PX = 48.0  # between the places neighbouring cameras look at
-_LEAST_IN_VIEW_PX = 350.0
+DISTANCE_CELL_PX = 4
+_POINTS_PER_CAMERA = 48  # of the lines, a camera
+_GRID_STEP_PX = 48.0  # between the places neighbouring cameras look at
+_MIN_VISIBLE_LENGTH_PX = 350.0
 # Widths of the view where the usual camera sees the field's centre, of half the field's length.
-_WIDTHS = np.geomspace(0.34, 1.9, 9)
+_VIEW_WIDTHS = np.geomspace(0.34, 1.9, 9)
 # Places along a long side and an end, of half its length; the middle one is the usual one.
-_ALONG, _ALONG_END = (-0.5, -0.25, 0.0, 0.25, 0.5), (-0.4, 0.0, 0.4)
-_HEIGHTS, _HIGHER = 6, 1.15
-_NEAR, _FAR = 0.75, 1.5  # of the usual distance from the side
+_POSITIONS_ALONG, _POSITIONS_ALONG_END = (-0.5, -0.25, 0.0, 0.25, 0.5), (-0.4, 0.0, 0.4)
+_HEIGHT_COUNT, _HEIGHT_FACTOR = 6, 1.15
+_NEAREST_VIEW, _FARTHEST_VIEW = 0.75, 1.5  # of the usual distance from the side
 # A place of a line counts 1 so near to paint, less beyond, and against the camera farther off.
-_NEAR_PX, _FAR_PX, _AGAINST = 12.0, 45.0, 0.5
-_RIM_CELLS = 5
-_AT_ONCE = 8000
-_LOOKED_AT = 12000  # so many of the best are looked at from the paint, too
+_MATCH_DISTANCE_PX, _MISMATCH_DISTANCE_PX, _MISMATCH_WEIGHT = 12.0, 45.0, 0.5
+_BORDER_CELLS = 5
+_BATCH_CAMERAS = 8000
+_PRESELECTED = 12000  # so many of the best are looked at from the paint, too
 
 
 @dataclass(frozen=True, eq=False)
-class Hypotheses:
+class CameraHypotheses:
     """B cameras of one shape of picture.
 
     Attributes:
@@ -60,40 +60,40 @@ class Hypotheses:
     cells: NDArray[np.int32]
     length_px: FloatArray
 
-    def best(self, paint: SeenPaint, most: int) -> FloatArray:
+    def best(self, paint: ImageLinePixels, most: int) -> FloatArray:
         """(b, 11) so many at most that suit the paint best.
 
         Those with most of their lines on paint are also asked how much of the paint they explain.
         """
-        near = paint.near.coarser(CELL_PX // paint.near.cell)
+        near = paint.near.coarser(DISTANCE_CELL_PX // paint.near.cell)
         on_paint = self._on_paint(near, paint)
-        some = _best(on_paint, _LOOKED_AT)
-        explained = CoarsePaint.of(paint, CELL_PX).explained(self.cells[some])
-        return self.vectors[some[_best(on_paint[some] * explained, most)]]
+        some = _top_indices(on_paint, _PRESELECTED)
+        explained = CoarseLineGrid.of(paint, DISTANCE_CELL_PX).explained(self.cells[some])
+        return self.vectors[some[_top_indices(on_paint[some] * explained, most)]]
 
-    def _on_paint(self, near: NearestPaint, paint: SeenPaint) -> FloatArray:
+    def _on_paint(self, near: LineDistanceMaps, paint: ImageLinePixels) -> FloatArray:
         """(B,) share of lines on paint, less that beside it; more where more is in sight."""
         shape = near.away.shape[1:]
-        value = np.clip((_FAR_PX - near.away) / (_FAR_PX - _NEAR_PX), 0, 1)
-        value = value * (1 + _AGAINST) - _AGAINST
+        value = np.clip((_MISMATCH_DISTANCE_PX - near.away) / (_MISMATCH_DISTANCE_PX - _MATCH_DISTANCE_PX), 0, 1)
+        value = value * (1 + _MISMATCH_WEIGHT) - _MISMATCH_WEIGHT
         ground = cv2.resize(paint.ground, shape[::-1], interpolation=cv2.INTER_NEAREST)
-        rim = cv2.dilate(ground, np.ones((_RIM_CELLS, _RIM_CELLS), np.uint8)) > 0
-        table = np.rint(np.where(rim, value, -_AGAINST) * 100).astype(np.int8).ravel()
+        rim = cv2.dilate(ground, np.ones((_BORDER_CELLS, _BORDER_CELLS), np.uint8)) > 0
+        table = np.rint(np.where(rim, value, -_MISMATCH_WEIGHT) * 100).astype(np.int8).ravel()
         found = [
-            table[self.cells[first : first + _AT_ONCE]].sum(axis=1, dtype=np.int32)
-            for first in range(0, len(self.cells), _AT_ONCE)
+            table[self.cells[first : first + _BATCH_CAMERAS]].sum(axis=1, dtype=np.int32)
+            for first in range(0, len(self.cells), _BATCH_CAMERAS)
         ]
         return np.asarray(np.concatenate(found) * np.sqrt(self.length_px))
 
 
-def _best(scores: FloatArray, most: int) -> IntArray:
+def _top_indices(scores: FloatArray, most: int) -> IntArray:
     """Where the highest ones are."""
     count = min(most, len(scores))
     return np.argpartition(-scores, count - 1)[:count]
 
 
 @lru_cache(maxsize=4)  # 35 MB each
-def on_side(lines: FieldLines, half_height: float, side: int) -> Hypotheses:
+def hypotheses_on_side(lines: FieldLinePoints, half_height: float, side: int) -> CameraHypotheses:
     """Cameras wherever the field's file says that they stand on a side of the field.
 
     Args:
@@ -101,36 +101,36 @@ def on_side(lines: FieldLines, half_height: float, side: int) -> Hypotheses:
         half_height: of the picture, solver px.
         side: index in `SIDES`; not above.
     """
-    return _from(_places_at(lines.around, side), lines, half_height)
+    return _hypotheses_from(_positions_on_side(lines.around, side), lines, half_height)
 
 
 @lru_cache(maxsize=16)
-def at_places(
-    lines: FieldLines, half_height: float, places: tuple[tuple[float, float, float], ...]
-) -> Hypotheses:
+def hypotheses_at_positions(
+    lines: FieldLinePoints, half_height: float, places: tuple[tuple[float, float, float], ...]
+) -> CameraHypotheses:
     """Cameras at places (metres) where they are known to stand."""
-    return _from(np.array(places), lines, half_height)
+    return _hypotheses_from(np.array(places), lines, half_height)
 
 
-def _from(places: FloatArray, lines: FieldLines, half_height: float) -> Hypotheses:
+def _hypotheses_from(places: FloatArray, lines: FieldLinePoints, half_height: float) -> CameraHypotheses:
     # One place after the other: all at once would take ten times the memory.
-    found = [_from_place(place, lines, half_height) for place in places]
-    return Hypotheses(*(np.concatenate(one) for one in zip(*found, strict=True)))
+    found = [_hypotheses_from_position(place, lines, half_height) for place in places]
+    return CameraHypotheses(*(np.concatenate(one) for one in zip(*found, strict=True)))
 
 
-def _from_place(
-    place: FloatArray, lines: FieldLines, half_height: float
+def _hypotheses_from_position(
+    place: FloatArray, lines: FieldLinePoints, half_height: float
 ) -> tuple[FloatArray, NDArray[np.int32], FloatArray]:
-    vectors = _looking(place, lines.around, half_height)
-    shown = in_view(vectors, lines.coarsest, half_height, _PLACES)
-    kept = shown.length_px > _LEAST_IN_VIEW_PX
-    column, row = cells_of(shown.points[kept], half_height, CELL_PX)
-    height, width = shape_of(half_height, CELL_PX)
-    cells = (directions_of(shown.angles[kept]) * height + row) * width + column
+    vectors = _cameras_at_position(place, lines.around, half_height)
+    shown = visible_line_points(vectors, lines.coarsest, half_height, _POINTS_PER_CAMERA)
+    kept = shown.length_px > _MIN_VISIBLE_LENGTH_PX
+    column, row = map_cells(shown.points[kept], half_height, DISTANCE_CELL_PX)
+    height, width = map_shape(half_height, DISTANCE_CELL_PX)
+    cells = (direction_indices(shown.angles[kept]) * height + row) * width + column
     return vectors[kept], cells.astype(np.int32), shown.length_px[kept]
 
 
-def _places_at(around: Surroundings, side: int) -> FloatArray:
+def _positions_on_side(around: CameraPlacementPrior, side: int) -> FloatArray:
     """(P, 3) metres, on one side."""
     name = SIDES[side]
     sign = 1.0 if name in ("near", "right") else -1.0
@@ -141,18 +141,18 @@ def _places_at(around: Surroundings, side: int) -> FloatArray:
     found = []
     low, _, high = around.height
     steepest = math.atan2(high, outer + 0.6 * around.distance[1])
-    for along in _ALONG_END if at_end else _ALONG:
-        for share in (1.0,) if along else (_NEAR, _FAR):
+    for along in _POSITIONS_ALONG_END if at_end else _POSITIONS_ALONG:
+        for share in (1.0,) if along else (_NEAREST_VIEW, _FARTHEST_VIEW):
             reach = outer + share * around.distance[1]
-            for angle in np.geomspace(math.atan2(low, reach), steepest, _HEIGHTS):
+            for angle in np.geomspace(math.atan2(low, reach), steepest, _HEIGHT_COUNT):
                 height = reach * math.tan(angle)
-                if height <= _HIGHER * high:
+                if height <= _HEIGHT_FACTOR * high:
                     place = (along * beside, sign * reach)
                     found.append((*(place[::-1] if at_end else place), -height))
     return np.array(found)
 
 
-def _looking(place: FloatArray, around: Surroundings, half_height: float) -> FloatArray:
+def _cameras_at_position(place: FloatArray, around: CameraPlacementPrior, half_height: float) -> FloatArray:
     """(B, 11) cameras at a place (3,) that look at all of the field, with all focal lengths."""
     corners = np.array([(x, y) for x in (-1, 1) for y in (-1, 1)], dtype=float)
     toward = corners * (around.half_length, around.half_width) - place[:2]
@@ -161,9 +161,9 @@ def _looking(place: FloatArray, around: Surroundings, half_height: float) -> Flo
     pans = middle + np.mod(turns + math.pi, 2 * math.pi) - math.pi
     downs = np.arctan2(-place[2], np.hypot(*toward.T))
     found = []
-    for width in _WIDTHS * around.half_length:
+    for width in _VIEW_WIDTHS * around.half_length:
         focal = REFERENCE_WIDTH * float(np.linalg.norm(place)) / width
-        step = _STEP_PX / focal
+        step = _GRID_STEP_PX / focal
         pan, down = (
             one.ravel()
             for one in np.meshgrid(
@@ -177,6 +177,6 @@ def _looking(place: FloatArray, around: Surroundings, half_height: float) -> Flo
         kept = (np.abs(x) < 1.02 * around.half_length) & (np.abs(y) < 1.15 * around.half_width)
         vectors = np.zeros((int(kept.sum()), len(PARAMETERS)))
         vectors[:, PAN], vectors[:, TILT] = pan[kept], math.pi / 2 - down[kept]
-        vectors[:, CENTRE], vectors[:, LOG_FOCAL] = place, math.log(focal)
+        vectors[:, POSITION_SLICE], vectors[:, LOG_FOCAL] = place, math.log(focal)
         found.append(vectors)
     return np.concatenate(found)

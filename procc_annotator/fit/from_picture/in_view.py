@@ -7,18 +7,18 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.fit.from_picture.field_lines import FieldLines
-from procc_annotator.fit.from_picture.seen_paint import HALF_WIDTH
+from procc_annotator.fit.from_picture.field_lines import FieldLinePoints
+from procc_annotator.fit.from_picture.seen_paint import HALF_WIDTH_PX
 from procc_annotator.fit.solving.jacobian import Lens
 from procc_annotator.fit.solving.observations import FloatArray, IntArray
 
-_NEAREST_M, _BORDER_PX, _LONGEST_PX = 1.0, 6.0, 120.0
-_AT_ONCE = 512  # cameras: more at once take more memory, fewer more calls
-_COMPARED = 40  # places
+_MIN_DEPTH_M, _VIEW_BORDER_PX, _MAX_STEP_PX = 1.0, 6.0, 120.0
+_VIEW_BATCH = 512  # cameras: more at once take more memory, fewer more calls
+_COMPARED_POINTS = 40  # places
 
 
 @dataclass(frozen=True, eq=False)
-class InView:
+class VisiblePoints:
     """K places for each of B cameras; those without a line in sight have any.
 
     Attributes:
@@ -34,7 +34,7 @@ class InView:
     angles: FloatArray
 
 
-def in_view(vectors: FloatArray, lines: FieldLines, half_height: float, count: int) -> InView:
+def visible_line_points(vectors: FloatArray, lines: FieldLinePoints, half_height: float, count: int) -> VisiblePoints:
     """So many places a camera, each standing for the same length in its picture.
 
     Args:
@@ -44,24 +44,24 @@ def in_view(vectors: FloatArray, lines: FieldLines, half_height: float, count: i
         count: K.
     """
     parts = [
-        _in_view(vectors[first : first + _AT_ONCE], lines, half_height, count)
-        for first in range(0, max(len(vectors), 1), _AT_ONCE)
+        _visible_line_points(vectors[first : first + _VIEW_BATCH], lines, half_height, count)
+        for first in range(0, max(len(vectors), 1), _VIEW_BATCH)
     ]
-    return InView(*(np.concatenate(one) for one in zip(*parts, strict=True)))
+    return VisiblePoints(*(np.concatenate(one) for one in zip(*parts, strict=True)))
 
 
-def _in_view(
-    vectors: FloatArray, lines: FieldLines, half_height: float, count: int
+def _visible_line_points(
+    vectors: FloatArray, lines: FieldLinePoints, half_height: float, count: int
 ) -> tuple[IntArray, FloatArray, FloatArray, FloatArray]:
     linear = Lens.of(vectors, 1.0).linear.astype(np.float32)
     # One product of two large matrices is many times as fast as many products of small ones.
     flat, total_places = linear.reshape(-1, 4), lines.world.shape[1]
     place = (flat @ lines.homogeneous).reshape(-1, 3, total_places)
     toward = (flat[:, :3] @ lines.along_float32).reshape(-1, 3, total_places)
-    near = 1 / np.maximum(place[:, 2], _NEAREST_M)
+    near = 1 / np.maximum(place[:, 2], _MIN_DEPTH_M)
     x, y = place[:, 0] * near, place[:, 1] * near
-    inside = (np.abs(x) < HALF_WIDTH - _BORDER_PX) & (np.abs(y) < half_height - _BORDER_PX)
-    inside &= place[:, 2] > _NEAREST_M
+    inside = (np.abs(x) < HALF_WIDTH_PX - _VIEW_BORDER_PX) & (np.abs(y) < half_height - _VIEW_BORDER_PX)
+    inside &= place[:, 2] > _MIN_DEPTH_M
     blind = ~inside.any(axis=1)
     inside[blind, -1] = True
     # S places that cameras see, a few of all: one camera's after the other's.
@@ -74,8 +74,8 @@ def _in_view(
     across = (toward.take(at) - x * forth) * near
     down = (toward.take(at + total_places) - y * forth) * near
     length = np.sqrt(across * across + down * down) * lines.step_float32[column]
-    length = np.where(blind[row], 0, np.minimum(length, _LONGEST_PX))
-    total, times = _evenly(length, row, np.count_nonzero(inside, axis=1), count)
+    length = np.where(blind[row], 0, np.minimum(length, _MAX_STEP_PX))
+    total, times = _evenly_along(length, row, np.count_nonzero(inside, axis=1), count)
     taken = np.repeat(np.arange(len(seen)), times)
     shape = (len(vectors), count)
     points = np.stack([x[taken].reshape(shape), y[taken].reshape(shape)], axis=1)
@@ -83,7 +83,7 @@ def _in_view(
     return column[taken].reshape(shape), total, points, np.asarray(angles)
 
 
-def _evenly(
+def _evenly_along(
     length: NDArray[np.float32], row: IntArray, seen: IntArray, count: int
 ) -> tuple[FloatArray, IntArray]:
     """Along what each of B cameras sees.
@@ -114,8 +114,8 @@ def _evenly(
     return np.asarray(total, dtype=gone.dtype), times
 
 
-def apart_px(
-    vector: FloatArray, others: FloatArray, lines: FieldLines, half_height: float
+def view_distance_px(
+    vector: FloatArray, others: FloatArray, lines: FieldLinePoints, half_height: float
 ) -> FloatArray:
     """How far apart cameras show the lines that one of them has in view.
 
@@ -128,9 +128,9 @@ def apart_px(
     Returns:
         (B,) median of the distances, solver px.
     """
-    chosen = in_view(vector[None], lines.coarsest, half_height, _COMPARED).places[0]
+    chosen = visible_line_points(vector[None], lines.coarsest, half_height, _COMPARED_POINTS).places[0]
     world = lines.coarsest.world[:, chosen]
     linear = Lens.of(np.concatenate([vector[None], others]), 1.0).linear
     place = linear[:, :, :3] @ world + linear[:, :, 3:]
-    points = place[:, :2] / np.where(place[:, 2:] > _NEAREST_M, place[:, 2:], 1e-3)
+    points = place[:, :2] / np.where(place[:, 2:] > _MIN_DEPTH_M, place[:, 2:], 1e-3)
     return np.asarray(np.median(np.hypot(*(points[1:] - points[0]).transpose(1, 0, 2)), axis=1))

@@ -8,13 +8,13 @@ from typing import Literal
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.observations import FloatArray
-from procc_annotator.fit.together.known import Usual
+from procc_annotator.fit.together.known import LensAndRollPrior
 
-State = Literal["sure", "unsure", "none"]
-SURE: State = "sure"
-UNSURE: State = "unsure"
-NONE: State = "none"
-STATES: tuple[State, ...] = (SURE, UNSURE, NONE)
+ProposalState = Literal["sure", "unsure", "none"]
+SURE: ProposalState = "sure"
+UNSURE: ProposalState = "unsure"
+NONE: ProposalState = "none"
+PROPOSAL_STATES: tuple[ProposalState, ...] = (SURE, UNSURE, NONE)
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,7 +34,7 @@ class Proposal:
         runner_up: that other camera, px of the picture; None where none was found.
     """
 
-    state: State
+    state: ProposalState
     reason: str
     fit: FitResult
     coverage: float
@@ -56,4 +56,4 @@ class KnownPosition:
 
     position_m: FloatArray
     covariance: FloatArray
-    usual: Usual | None = None
+    usual: LensAndRollPrior | None = None

@@ -10,55 +10,55 @@ import numpy as np
 
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.model import Field
-from procc_annotator.fit.from_picture.climbing import SearchScene, agreement_with_paint, harmonic
+from procc_annotator.fit.from_picture.climbing import SearchScene, chamfer_agreement, harmonic_mean
 from procc_annotator.fit.from_picture.deciding import (
-    MARGIN_WELL,
-    SURE_COVERAGE,
-    SURE_EXPLAINED,
-    Evidence,
-    another_camera,
-    decide,
+    CLEAR_MARGIN,
+    SURE_MIN_COVERAGE,
+    SURE_MIN_EXPLAINED,
+    ProposalEvidence,
+    rival_camera_reason,
+    classify_proposal,
 )
-from procc_annotator.fit.from_picture.field_lines import FieldLines, lines_of
-from procc_annotator.fit.from_picture.hypotheses import at_places, on_side
-from procc_annotator.fit.from_picture.in_view import apart_px
+from procc_annotator.fit.from_picture.field_lines import FieldLinePoints, field_line_points
+from procc_annotator.fit.from_picture.hypotheses import hypotheses_at_positions, hypotheses_on_side
+from procc_annotator.fit.from_picture.in_view import view_distance_px
 from procc_annotator.fit.from_picture.proposal import NONE, SURE, UNSURE, KnownPosition, Proposal
-from procc_annotator.fit.from_picture.searching import STAGES, STAGES_KNOWN, search_picture
-from procc_annotator.fit.from_picture.seen_paint import SeenPaint, see_paint
-from procc_annotator.fit.on_paint.belief import Belief
-from procc_annotator.fit.on_paint.beside import beside_in
-from procc_annotator.fit.on_paint.painted import painted_of
-from procc_annotator.fit.on_paint.refining import OnPaint, refine_on_paint
+from procc_annotator.fit.from_picture.searching import SEARCH_STAGES, SEARCH_STAGES_KNOWN, search_cameras
+from procc_annotator.fit.from_picture.seen_paint import ImageLinePixels, line_pixels_for_field
+from procc_annotator.fit.on_paint.belief import GaussianState
+from procc_annotator.fit.on_paint.beside import displaced_elements_in_image
+from procc_annotator.fit.on_paint.painted import marking_points
+from procc_annotator.fit.on_paint.refining import LineAlignment, align_with_lines
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.models import (
-    CENTRE,
-    FREE,
+    POSITION_SLICE,
+    FREE_PARAMETERS,
     KAPPA,
     PARAMETERS,
     ROLL,
     Y,
     camera_from_vector,
-    half_turned,
+    rotated_180,
 )
-from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
-from procc_annotator.fit.solving.solver import Prior
+from procc_annotator.fit.solving.observations import FloatArray, ImageFrame
+from procc_annotator.fit.solving.solver import GaussianPrior
 from procc_annotator.fit.solving.starts import SIDES, prior_near
 from procc_annotator.image.pixels import PixelArray
-from procc_annotator.language import said
+from procc_annotator.language import translatable
 
-_FEWEST = 60  # places of paint
-_REFINED, _REACHES_PX = 7, (16.0, 8.0, 4.0)
-_WORTH_REFINING = 0.7  # of the best one's score before any is refined
+_MIN_LINE_PIXELS = 60  # places of paint
+_REFINED_COUNT, _SEARCH_RADII_PX = 7, (16.0, 8.0, 4.0)
+_REFINEMENT_SCORE_SHARE = 0.7  # of the best one's score before any is refined
 # Cameras that climb: of the main side, of each other one, at a known position.
-_CLIMB, _CLIMB_OTHER, _CLIMB_KNOWN = 600, 450, 160
-_WITHIN_PX, _JUDGED = 3.0, 800
-_OTHER_PX = 15.0  # farther apart, two cameras show something else
-_ON_PAINT = 0.5  # of an element in sight, for it to be found
-_LEAST_SD_M = 0.05
-_MOST_IN_SD = 3.5  # beyond, the picture contradicts a known position (1 in 400 by chance)
+_ICP_POINTS, _ICP_POINTS_RIVAL, _ICP_POINTS_KNOWN = 600, 450, 160
+_AGREEMENT_PX, _AGREEMENT_POINTS = 3.0, 800
+_DISTINCT_CAMERA_PX = 15.0  # farther apart, two cameras show something else
+_MIN_ALIGNED_COVERAGE = 0.5  # of an element in sight, for it to be found
+_MIN_POSITION_SD_M = 0.05
+_MAX_MAHALANOBIS = 3.5  # beyond, the picture contradicts a known position (1 in 400 by chance)
 
 
-def _never_stop() -> None:
+def _never_cancel() -> None:
     """Nobody wants it stopped."""
 
 
@@ -68,7 +68,7 @@ def propose_camera(
     *,
     known: Sequence[KnownPosition] = (),
     elsewhere: bool = True,
-    go_on: Callable[[], None] = _never_stop,
+    go_on: Callable[[], None] = _never_cancel,
 ) -> Proposal:
     """Find the camera of a picture from the paint on the ground.
 
@@ -85,37 +85,37 @@ def propose_camera(
         from several sides it is the one on the main camera's.
     """
     size = (picture.shape[1], picture.shape[0])
-    lines = lines_of(field)
+    lines = field_line_points(field)
     if lines is None:
-        return _none(size, f"{field.title} has no painted lines to look for")
-    paint = see_paint(picture, field)
-    if len(paint.on_ground) < _FEWEST:
+        return _no_proposal(size, f"{field.title} has no painted lines to look for")
+    paint = line_pixels_for_field(picture, field)
+    if len(paint.on_ground) < _MIN_LINE_PIXELS:
         why = "there is hardly any paint on the ground in this picture"
-        return _asking(_none(size, why), field)
+        return _with_sport_hint(_no_proposal(size, why), field)
     go_on()
 
     def search(places: Sequence[KnownPosition | None]) -> Proposal:
-        tried = [_best(picture, field, lines, paint, place, go_on) for place in places]
+        tried = [_best_candidate(picture, field, lines, paint, place, go_on) for place in places]
         found = [best for best in tried if best is not None]
         if not found:
-            return _none(size, "no camera has its lines on the paint of this picture")
+            return _no_proposal(size, "no camera has its lines on the paint of this picture")
         return max(found, key=lambda best: best.score).proposal(picture, field, paint.frame)
 
     if not known:
-        return _asking(search((None,)), field)
+        return _with_sport_hint(search((None,)), field)
     at_known = search(known)
     found = better_proposal(search((None,)), at_known, field) if elsewhere else at_known
-    return _asking(found, field)
+    return _with_sport_hint(found, field)
 
 
-def _asking(found: Proposal, field: Field) -> Proposal:
+def _with_sport_hint(found: Proposal, field: Field) -> Proposal:
     """Ask for the sport: few lines of the field are there, or there is much other paint and other
     cameras suit as well. On grounds of the right sport there may be other paint, too, but the right
     camera stands out."""
-    stands_out = found.explained >= SURE_EXPLAINED or found.margin >= MARGIN_WELL
-    if found.state == SURE or (found.coverage >= SURE_COVERAGE and stands_out):
+    stands_out = found.explained >= SURE_MIN_EXPLAINED or found.margin >= CLEAR_MARGIN
+    if found.state == SURE or (found.coverage >= SURE_MIN_COVERAGE and stands_out):
         return found
-    asked = said("is this {field}, and no other sport? {why}", field=field.title, why=found.reason)
+    asked = translatable("is this {field}, and no other sport? {why}", field=field.title, why=found.reason)
     fit = found.fit if found.fit.camera is not None else replace(found.fit, failure=asked)
     return replace(found, fit=fit, reason=asked)
 
@@ -134,56 +134,56 @@ def better_proposal(free: Proposal, at_known: Proposal, field: Field) -> Proposa
         return free
     if free.fit.vector is None:
         return at_known
-    lines = lines_of(field)
+    lines = field_line_points(field)
     assert lines is not None
     views = free.fit.vector[None]
     if field.half_turn is not None:  # the position tells the side, the picture does not
-        views = np.concatenate([views, half_turned(views)])
-    away = apart_px(at_known.fit.vector, views, lines, _half_height(free.fit.size))
-    if away.min() <= _OTHER_PX:
-        return at_known if _same_position(free.fit, views[away.argmin()], at_known.fit) else free
-    second, best = sorted((free, at_known), key=lambda one: harmonic(one.coverage, one.explained))
-    worth, less = (harmonic(one.coverage, one.explained) for one in (best, second))
+        views = np.concatenate([views, rotated_180(views)])
+    away = view_distance_px(at_known.fit.vector, views, lines, _half_height_px(free.fit.size))
+    if away.min() <= _DISTINCT_CAMERA_PX:
+        return at_known if _positions_agree(free.fit, views[away.argmin()], at_known.fit) else free
+    second, best = sorted((free, at_known), key=lambda one: harmonic_mean(one.coverage, one.explained))
+    worth, less = (harmonic_mean(one.coverage, one.explained) for one in (best, second))
     margin = float(min(best.margin, 1 - less / max(worth, 1e-6)))
     other = second.fit.camera
     assert isinstance(other, PinholeCamera)
-    if best.state != SURE or margin >= MARGIN_WELL:
+    if best.state != SURE or margin >= CLEAR_MARGIN:
         return replace(best, margin=margin)
-    return replace(best, state=UNSURE, reason=another_camera(), margin=margin, runner_up=other)
+    return replace(best, state=UNSURE, reason=rival_camera_reason(), margin=margin, runner_up=other)
 
 
-def _same_position(free: FitResult, vector: FloatArray, at_known: FitResult) -> bool:
+def _positions_agree(free: FitResult, vector: FloatArray, at_known: FitResult) -> bool:
     """Whether the position that a picture alone gives, seen from the side of ``vector``, agrees
     with the known one within the uncertainty of both."""
     assert free.vector is not None
     assert free.covariance is not None
     assert at_known.vector is not None
     assert at_known.covariance is not None
-    turned = np.where(vector[CENTRE] == free.vector[CENTRE], 1.0, -1.0)
-    spread = free.covariance[CENTRE, CENTRE] * np.outer(turned, turned)
-    away = vector[CENTRE] - at_known.vector[CENTRE]
-    spread = spread + at_known.covariance[CENTRE, CENTRE]
-    return bool(away @ np.linalg.solve(spread, away) <= _MOST_IN_SD**2)
+    turned = np.where(vector[POSITION_SLICE] == free.vector[POSITION_SLICE], 1.0, -1.0)
+    spread = free.covariance[POSITION_SLICE, POSITION_SLICE] * np.outer(turned, turned)
+    away = vector[POSITION_SLICE] - at_known.vector[POSITION_SLICE]
+    spread = spread + at_known.covariance[POSITION_SLICE, POSITION_SLICE]
+    return bool(away @ np.linalg.solve(spread, away) <= _MAX_MAHALANOBIS**2)
 
 
-def _half_height(size: tuple[int, int]) -> float:
-    frame = PictureFrame(size)
+def _half_height_px(size: tuple[int, int]) -> float:
+    frame = ImageFrame(size)
     return float(round(frame.size[1] * frame.scale / 2))
 
 
-def prepare(field: Field, size: tuple[int, int]) -> None:
+def warm_up_caches(field: Field, size: tuple[int, int]) -> None:
     """Work out what searches of pictures (width, height) px with nothing known all look up: once
     for a field and a shape of picture, in some seconds, unless somebody did."""
-    lines = lines_of(field)
+    lines = field_line_points(field)
     if lines is None:
         return
-    half_height, sides = _half_height(size), _sides(field)
+    half_height, sides = _half_height_px(size), _allowed_sides(field)
     with ThreadPoolExecutor(len(sides), thread_name_prefix="preparing") as pool:
-        list(pool.map(lambda side: on_side(lines, half_height, side), sides))
+        list(pool.map(lambda side: hypotheses_on_side(lines, half_height, side), sides))
 
 
 @dataclass(frozen=True, eq=False)
-class _Candidate:
+class _RefinedCandidate:
     """A camera refined on the paint.
 
     Attributes:
@@ -194,18 +194,18 @@ class _Candidate:
     """
 
     vector: FloatArray
-    refined: OnPaint
+    refined: LineAlignment
     explained: float
     unlikeliness: float
 
     @property
     def score(self) -> float:
-        both = float(harmonic(self.refined.coverage, self.explained))
-        return both - STAGES[-1].unlikely * self.unlikeliness
+        both = float(harmonic_mean(self.refined.coverage, self.explained))
+        return both - SEARCH_STAGES[-1].unlikely * self.unlikeliness
 
 
 @dataclass(frozen=True, eq=False)
-class _Best:
+class _BestCandidate:
     """The best candidate of a search.
 
     Attributes:
@@ -214,7 +214,7 @@ class _Best:
         other_score: its.
     """
 
-    candidate: _Candidate
+    candidate: _RefinedCandidate
     other: FloatArray | None
     other_score: float
 
@@ -222,25 +222,25 @@ class _Best:
     def score(self) -> float:
         return self.candidate.score
 
-    def proposal(self, picture: PixelArray, field: Field, frame: PictureFrame) -> Proposal:
+    def proposal(self, picture: PixelArray, field: Field, frame: ImageFrame) -> Proposal:
         """What is proposed."""
         best, other = self.candidate, self.other
         margin = min(max(1 - self.other_score / max(self.score, 1e-6), 0.0), 1.0)
         refined = best.refined
-        elements = sum(share >= _ON_PAINT for share in refined.shares.values())
-        state, reason = decide(
-            Evidence(
+        elements = sum(share >= _MIN_ALIGNED_COVERAGE for share in refined.shares.values())
+        state, reason = classify_proposal(
+            ProposalEvidence(
                 refined.fit,
                 refined.coverage,
                 best.explained,
                 margin,
                 best.unlikeliness,
                 elements,
-                beside_in(picture, best.vector, painted_of(field), frame),
+                displaced_elements_in_image(picture, best.vector, marking_points(field), frame),
             )
         )
         if state == NONE:
-            return _none(frame.size, reason)
+            return _no_proposal(frame.size, reason)
         return Proposal(
             state,
             reason,
@@ -253,88 +253,88 @@ class _Best:
         )
 
 
-def _best(
+def _best_candidate(
     picture: PixelArray,
     field: Field,
-    lines: FieldLines,
-    paint: SeenPaint,
+    lines: FieldLinePoints,
+    paint: ImageLinePixels,
     place: KnownPosition | None,
     go_on: Callable[[], None],
-) -> _Best | None:
+) -> _BestCandidate | None:
     half_height = float(round(paint.half_height))
     if place is None:
         scene = SearchScene(lines, paint)
         hypotheses = [
-            (on_side(lines, half_height, side), _CLIMB if side == 0 else _CLIMB_OTHER)
-            for side in _sides(field)
+            (hypotheses_on_side(lines, half_height, side), _ICP_POINTS if side == 0 else _ICP_POINTS_RIVAL)
+            for side in _allowed_sides(field)
         ]
     else:
         x, y, z = place.position_m.tolist()
-        scene = SearchScene(lines, paint, _prior_at(place, lines))
-        hypotheses = [(at_places(lines, half_height, ((x, y, z),)), _CLIMB_KNOWN)]
-    found = search_picture(scene, hypotheses, go_on, STAGES if place is None else STAGES_KNOWN)
-    vectors = found.vectors[:_REFINED]
+        scene = SearchScene(lines, paint, _prior_at_position(place, lines))
+        hypotheses = [(hypotheses_at_positions(lines, half_height, ((x, y, z),)), _ICP_POINTS_KNOWN)]
+    found = search_cameras(scene, hypotheses, go_on, SEARCH_STAGES if place is None else SEARCH_STAGES_KNOWN)
+    vectors = found.vectors[:_REFINED_COUNT]
     if place is None and field.half_turn is not None:
         # Labels are those of a camera on the main side.
-        vectors = np.where(vectors[:, [Y]] < 0, half_turned(vectors), vectors)
-    return _refined(picture, field, scene, vectors, found.scores[:_REFINED])
+        vectors = np.where(vectors[:, [Y]] < 0, rotated_180(vectors), vectors)
+    return _refine_candidates(picture, field, scene, vectors, found.scores[:_REFINED_COUNT])
 
 
-def _sides(field: Field) -> tuple[int, ...]:
+def _allowed_sides(field: Field) -> tuple[int, ...]:
     """The sides of the field that cameras may stand on; one of two from which it looks the same."""
     names = ("near", "right") if field.half_turn is not None else ("near", "far", "left", "right")
     return tuple(SIDES.index(name) for name in names)
 
 
-def _prior_at(place: KnownPosition, lines: FieldLines) -> Prior:
+def _prior_at_position(place: KnownPosition, lines: FieldLinePoints) -> GaussianPrior:
     vector = np.zeros(len(PARAMETERS))
-    vector[CENTRE] = place.position_m
-    wide = prior_near(vector, lines.around, FREE["R"])
+    vector[POSITION_SLICE] = place.position_m
+    wide = prior_near(vector, lines.around, FREE_PARAMETERS["R"])
     mean, inverse = wide.mean.copy(), wide.inverse_sd.copy()
-    mean[:, CENTRE] = place.position_m
-    inverse[:, CENTRE] = 1 / np.maximum(np.sqrt(np.diag(place.covariance)), _LEAST_SD_M)
+    mean[:, POSITION_SLICE] = place.position_m
+    inverse[:, POSITION_SLICE] = 1 / np.maximum(np.sqrt(np.diag(place.covariance)), _MIN_POSITION_SD_M)
     if place.usual is not None:
         for index, (usual, sd) in ((ROLL, place.usual.roll), (KAPPA, place.usual.kappa)):
             mean[:, index], inverse[:, index] = usual, 1 / sd
-    return Prior(mean, inverse)
+    return GaussianPrior(mean, inverse)
 
 
-def _refined(
+def _refine_candidates(
     picture: PixelArray, field: Field, scene: SearchScene, vectors: FloatArray, scores: FloatArray
-) -> _Best | None:
+) -> _BestCandidate | None:
     """The best of some cameras (B, 11) with their scores (B,), those that come near the first one
     refined; None if there is paint beside none."""
-    tried: list[OnPaint] = []
+    tried: list[LineAlignment] = []
     kept: list[tuple[FloatArray, float]] = []
     for vector, score in zip(vectors, scores, strict=True):
-        if score < _WORTH_REFINING * scores[0] and tried:
+        if score < _REFINEMENT_SCORE_SHARE * scores[0] and tried:
             kept.append((vector, float(score)))
             continue
-        prior = scene.prior(vector[None], FREE["R"])
-        belief = Belief(_filled(prior), np.diag(prior.inverse_sd[0] ** 2))
-        refined = refine_on_paint(picture, field, vector, belief=belief, reaches_px=_REACHES_PX)
+        prior = scene.prior(vector[None], FREE_PARAMETERS["R"])
+        belief = GaussianState(_prior_mean(prior), np.diag(prior.inverse_sd[0] ** 2))
+        refined = align_with_lines(picture, field, vector, belief=belief, reaches_px=_SEARCH_RADII_PX)
         if refined.fit.vector is not None:
             tried.append(refined)
     if not tried:
         return None
-    candidates = _judged(scene, tried)
+    candidates = _rank_candidates(scene, tried)
     best = candidates[0]
     others = [*((one.vector, one.score) for one in candidates), *kept]
-    away = apart_px(
+    away = view_distance_px(
         best.vector, np.array([v for v, _ in others]), scene.lines, scene.paint.half_height
     )
-    apart = [other for other, px in zip(others, away, strict=True) if px > _OTHER_PX]
+    apart = [other for other, px in zip(others, away, strict=True) if px > _DISTINCT_CAMERA_PX]
     vector, score = max(apart, key=lambda other: other[1], default=(None, 0.0))
-    return _Best(best, vector, score)
+    return _BestCandidate(best, vector, score)
 
 
-def _judged(scene: SearchScene, tried: Sequence[OnPaint]) -> list[_Candidate]:
+def _rank_candidates(scene: SearchScene, tried: Sequence[LineAlignment]) -> list[_RefinedCandidate]:
     """Refined cameras, the best first."""
     final = np.array([refined.fit.vector for refined in tried])
-    judged = agreement_with_paint(scene, final, _WITHIN_PX, places=1, paint=_JUDGED)
+    judged = chamfer_agreement(scene, final, _AGREEMENT_PX, places=1, paint=_AGREEMENT_POINTS)
     unlikeliness = scene.unlikeliness(final)
     candidates = [
-        _Candidate(vector, refined, float(explained), float(unlikely))
+        _RefinedCandidate(vector, refined, float(explained), float(unlikely))
         for vector, refined, explained, unlikely in zip(
             final, tried, judged.explained, unlikeliness, strict=True
         )
@@ -342,11 +342,11 @@ def _judged(scene: SearchScene, tried: Sequence[OnPaint]) -> list[_Candidate]:
     return sorted(candidates, key=lambda one: -one.score)
 
 
-def _filled(prior: Prior) -> FloatArray:
+def _prior_mean(prior: GaussianPrior) -> FloatArray:
     """(11,) its mean."""
     return np.concatenate([prior.mean[0], np.zeros(len(PARAMETERS) - prior.mean.shape[1])])
 
 
-def _none(size: tuple[int, int], reason: str) -> Proposal:
+def _no_proposal(size: tuple[int, int], reason: str) -> Proposal:
     fit = FitResult("R", size, None, reason)
     return Proposal(NONE, reason, fit, 0.0, 0.0, None, 0.0, None)

@@ -7,24 +7,24 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.fit.from_picture.field_lines import FieldLines, above_ground
+from procc_annotator.fit.from_picture.field_lines import FieldLinePoints, is_off_ground
 from procc_annotator.fit.from_picture.seen_paint import (
-    HALF_WIDTH,
-    LIKE_RAD,
-    SeenPaint,
-    cells_of,
-    directions_of,
+    HALF_WIDTH_PX,
+    SAME_DIRECTION_RAD,
+    ImageLinePixels,
+    map_cells,
+    direction_indices,
 )
 from procc_annotator.fit.solving.jacobian import Lens, project
-from procc_annotator.fit.solving.models import FREE
+from procc_annotator.fit.solving.models import FREE_PARAMETERS
 from procc_annotator.fit.solving.observations import FloatArray, IntArray
 
-_NEAREST_M, _INSIDE_PX = 1.0, 2.0
-_BESIDE_PX = 20.0  # along the line, from paint to the place that is nearest to it
+_MIN_DEPTH_M, _VIEW_MARGIN_PX = 1.0, 2.0
+_BEAM_RADIUS_PX = 20.0  # along the line, from paint to the place that is nearest to it
 
 
 @dataclass(frozen=True, eq=False)
-class Pulls:
+class Correspondences:
     """K pulls on each of B cameras.
 
     Attributes:
@@ -42,63 +42,63 @@ class Pulls:
     away: NDArray[np.floating]
 
 
-def lines_to_paint(
+def match_lines_to_pixels(
     vectors: FloatArray,
     places: IntArray,
-    lines: FieldLines,
-    paint: SeenPaint,
+    lines: FieldLinePoints,
+    paint: ImageLinePixels,
     free: int,
-) -> Pulls:
+) -> Correspondences:
     """Places of lines (B, K), pulled to the nearest paint of their direction."""
     lens, near = Lens.of(vectors, paint.frame.half_diagonal), paint.near
     world, along = (one[:, places].transpose(1, 0, 2) for one in (lines.world, lines.along))
     depth = (lens.linear[:, 2:, :3] @ world)[:, 0] + lens.linear[:, 2, 3:]
-    ahead = depth > _NEAREST_M
+    ahead = depth > _MIN_DEPTH_M
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        points, moved, derivatives = _shown(lens, world, along, free)
+        points, moved, derivatives = _project_fast(lens, world, along, free)
         points = np.where(ahead[:, None], points, 1e6)
-        in_view = ahead & (np.abs(points[:, 0]) < HALF_WIDTH - _INSIDE_PX)
-        in_view &= np.abs(points[:, 1]) < paint.half_height - _INSIDE_PX
-        normal = _normal(moved)
-        direction = directions_of(np.arctan2(-normal[:, 0], normal[:, 1]))
-    column, row = cells_of(points, paint.half_height, near.cell)
+        in_view = ahead & (np.abs(points[:, 0]) < HALF_WIDTH_PX - _VIEW_MARGIN_PX)
+        in_view &= np.abs(points[:, 1]) < paint.half_height - _VIEW_MARGIN_PX
+        normal = _unit_normals(moved)
+        direction = direction_indices(np.arctan2(-normal[:, 0], normal[:, 1]))
+    column, row = map_cells(points, paint.half_height, near.cell)
     if len(lines.beams):
         # What stands before boards or a crowd is not looked for there.
-        in_view &= ~above_ground(world) | paint.over_ground(points)
+        in_view &= ~is_off_ground(world) | paint.over_ground(points)
     found = near.place[direction, row, column]
     apart = paint.points[:, found].transpose(1, 0, 2) - points
     off = (normal * apart).sum(axis=1)
     by = np.einsum("bkn,bpkn->bpn", normal, derivatives)
     known = in_view & (found >= 0)
-    return Pulls(off, by, known, in_view, near.away[direction, row, column])
+    return Correspondences(off, by, known, in_view, near.away[direction, row, column])
 
 
-def paint_to_lines(
-    vectors: FloatArray, some: IntArray, lines: FieldLines, paint: SeenPaint, free: int
-) -> Pulls:
+def match_pixels_to_lines(
+    vectors: FloatArray, some: IntArray, lines: FieldLinePoints, paint: ImageLinePixels, free: int
+) -> Correspondences:
     """Paint on the ground (n,), pulled to the nearest line; unknown where that runs another way."""
     lens = Lens.of(vectors, paint.frame.half_diagonal)
     points, direction = paint.points[:, some], paint.along[some]
     shown = lens.undistorted(points)
-    place = _nearest(lens, shown, lines)
+    place = _nearest_line_point(lens, shown, lines)
     if len(lines.beams):
-        place = _or_on_beam(lens, shown, direction, place, lines)
+        place = _prefer_nearer_beam(lens, shown, direction, place, lines)
     world, along = (
         one[:, np.maximum(place, 0)].transpose(1, 0, 2) for one in (lines.world, lines.along)
     )
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        shown, moved, derivatives = _shown(lens, world, along, free)
-        normal = _normal(moved)
+        shown, moved, derivatives = _project_fast(lens, world, along, free)
+        normal = _unit_normals(moved)
         apart = points - shown
         off = (normal * apart).sum(axis=1)
         beside = np.abs(normal[:, 1] * apart[:, 0] - normal[:, 0] * apart[:, 1])
         like = np.abs(normal[:, 1] * np.cos(direction) - normal[:, 0] * np.sin(direction))
-        known = (place >= 0) & (like > np.cos(LIKE_RAD)) & (beside < _BESIDE_PX)
+        known = (place >= 0) & (like > np.cos(SAME_DIRECTION_RAD)) & (beside < _BEAM_RADIUS_PX)
         by = np.einsum("bkn,bpkn->bpn", normal, derivatives)
-    return Pulls(off, by, known, np.ones_like(known), np.abs(off))
+    return Correspondences(off, by, known, np.ones_like(known), np.abs(off))
 
 
-def _nearest(lens: Lens, points: FloatArray, lines: FieldLines) -> IntArray:
+def _nearest_line_point(lens: Lens, points: FloatArray, lines: FieldLinePoints) -> IntArray:
     """(B, n) the place on a line nearest to where cameras see points (B, 2, n), free of distortion,
     on the ground."""
     on_ground = np.linalg.inv(lens.linear[:, :, [0, 1, 3]])
@@ -108,8 +108,8 @@ def _nearest(lens: Lens, points: FloatArray, lines: FieldLines) -> IntArray:
     return np.asarray(np.where(below, place, -1))
 
 
-def _or_on_beam(
-    lens: Lens, points: FloatArray, direction: FloatArray, place: IntArray, lines: FieldLines
+def _prefer_nearer_beam(
+    lens: Lens, points: FloatArray, direction: FloatArray, place: IntArray, lines: FieldLinePoints
 ) -> IntArray:
     """(B, n) the same places, or those on beams that appear nearer to points (B, 2, n) of paint
     with their directions (n,), rad."""
@@ -117,32 +117,32 @@ def _or_on_beam(
     shown += lens.linear[:, :, 3:]
     with np.errstate(divide="ignore", invalid="ignore"):
         nearest = np.hypot(*(shown[:, :2] / shown[:, 2:] - points).transpose(1, 0, 2))
-    nearest[(place < 0) | ~(shown[:, 2] > _NEAREST_M)] = np.inf
+    nearest[(place < 0) | ~(shown[:, 2] > _MIN_DEPTH_M)] = np.inf
     for first, last in lines.beams:
         ends = lens.linear[:, :, :3] @ lines.world[:, [first, last]] + lens.linear[:, :, 3:]
         depth = ends[:, 2]
         # (B, 2, 1) each end; a beam that begins behind a camera is left out there.
         begin, end = (
-            ends[:, :2, k, None] / np.maximum(depth[:, None, k, None], _NEAREST_M) for k in (0, 1)
+            ends[:, :2, k, None] / np.maximum(depth[:, None, k, None], _MIN_DEPTH_M) for k in (0, 1)
         )
         way = end - begin
         length = np.hypot(way[:, 0], way[:, 1]) + 1e-9
         share = (((points - begin) * way).sum(axis=1) / length**2).clip(0, 1)
         apart = np.hypot(*(begin + share[:, None] * way - points).transpose(1, 0, 2))
         along = (way[:, 0] * np.cos(direction) + way[:, 1] * np.sin(direction)) / length
-        nearer = (apart < nearest) & (np.abs(along) > np.cos(LIKE_RAD))
-        nearer &= (depth > _NEAREST_M).all(axis=1, keepdims=True)
+        nearer = (apart < nearest) & (np.abs(along) > np.cos(SAME_DIRECTION_RAD))
+        nearer &= (depth > _MIN_DEPTH_M).all(axis=1, keepdims=True)
         share *= depth[:, :1] / (share * depth[:, :1] + (1 - share) * depth[:, 1:] + 1e-9)
         place = np.where(nearer, first + np.rint(share * (last - first)).astype(np.intp), place)
         nearest = np.where(nearer, apart, nearest)
     return place
 
 
-def _shown(
+def _project_fast(
     lens: Lens, world: FloatArray, along: FloatArray, free: int
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
     """As `project`, but of cameras with P's and R's parameters, and quicker without derivatives."""
-    if free >= FREE["P"]:
+    if free >= FREE_PARAMETERS["P"]:
         return project(lens, world, along, free)
     place = lens.linear[:, :, :3] @ world + lens.linear[:, :, 3:]
     toward = lens.linear[:, :, :3] @ along
@@ -155,7 +155,7 @@ def _shown(
     return v * grown[:, None], moved, np.zeros((len(v), 0, 2, v.shape[2]))
 
 
-def _normal(moved: FloatArray) -> FloatArray:
+def _unit_normals(moved: FloatArray) -> FloatArray:
     """(B, 2, n) unit vectors across those directions."""
     length = np.hypot(moved[:, 0], moved[:, 1]) + 1e-9
     return np.stack([-moved[:, 1] / length, moved[:, 0] / length], axis=1)

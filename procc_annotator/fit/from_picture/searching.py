@@ -8,19 +8,19 @@ from dataclasses import dataclass
 import numpy as np
 
 from procc_annotator.fit.from_picture.climbing import (
-    Agreement,
+    ChamferAgreement,
     SearchScene,
-    agreement_with_paint,
-    climb,
+    chamfer_agreement,
+    refine_by_icp,
 )
-from procc_annotator.fit.from_picture.hypotheses import Hypotheses
-from procc_annotator.fit.from_picture.in_view import apart_px
-from procc_annotator.fit.solving.models import CENTRE, LOG_FOCAL, Z, rotations
+from procc_annotator.fit.from_picture.hypotheses import CameraHypotheses
+from procc_annotator.fit.from_picture.in_view import view_distance_px
+from procc_annotator.fit.solving.models import POSITION_SLICE, LOG_FOCAL, Z, rotation_matrices
 from procc_annotator.fit.solving.observations import FloatArray, IntArray
 
 
 @dataclass(frozen=True)
-class Stage:
+class SearchStage:
     """One round: those that are left climb, and the best of them go on.
 
     Attributes:
@@ -50,23 +50,23 @@ class Stage:
     away: tuple[float, ...] = ()
 
 
-_LEAST_DOWN = 0.03  # of a direction: what looks at the horizon looks so far
-_GO_ON = 4  # of so many at most one goes on
-STAGES = (
-    Stage((30, 24, 16, 14), 48, 0, 8.0, (80, 150), 0.02, 70),
-    Stage((20, 16, 12, 10), 64, 100, 5.0, (120, 300), 0.01, 16, 6.0, "P", 2, (0.7, 1.35)),
-    Stage((12, 8, 6, 4), 120, 150, 3.0, (240, 800), 0.005, 12, 12.0, "R", 4, (0.85, 1.2)),
+_MIN_DOWNWARD_TILT = 0.03  # of a direction: what looks at the horizon looks so far
+_CANCEL_CHECK_INTERVAL = 4  # of so many at most one goes on
+SEARCH_STAGES = (
+    SearchStage((30, 24, 16, 14), 48, 0, 8.0, (80, 150), 0.02, 70),
+    SearchStage((20, 16, 12, 10), 64, 100, 5.0, (120, 300), 0.01, 16, 6.0, "P", 2, (0.7, 1.35)),
+    SearchStage((12, 8, 6, 4), 120, 150, 3.0, (240, 800), 0.005, 12, 12.0, "R", 4, (0.85, 1.2)),
 )
 # Where the position is known, few cameras are left that differ.
-STAGES_KNOWN = (
-    Stage((30, 24, 16), 48, 0, 8.0, (80, 150), 0.02, 40),
-    Stage((16, 12, 10, 8), 64, 100, 5.0, (120, 300), 0.01, 10, 6.0),
-    Stage((7, 6, 5, 4), 120, 150, 3.0, (240, 800), 0.005, 3, 12.0, "R", 2),
+SEARCH_STAGES_KNOWN = (
+    SearchStage((30, 24, 16), 48, 0, 8.0, (80, 150), 0.02, 40),
+    SearchStage((16, 12, 10, 8), 64, 100, 5.0, (120, 300), 0.01, 10, 6.0),
+    SearchStage((7, 6, 5, 4), 120, 150, 3.0, (240, 800), 0.005, 3, 12.0, "R", 2),
 )
 
 
 @dataclass(frozen=True, eq=False)
-class Found:
+class RankedCameras:
     """The cameras that were found, the best first.
 
     Attributes:
@@ -77,33 +77,33 @@ class Found:
 
     vectors: FloatArray
     scores: FloatArray
-    agreement: Agreement
+    agreement: ChamferAgreement
 
-    def chosen(self, rows: IntArray) -> Found:
+    def chosen(self, rows: IntArray) -> RankedCameras:
         """Some of them."""
-        both = Agreement(self.agreement.coverage[rows], self.agreement.explained[rows])
-        return Found(self.vectors[rows], self.scores[rows], both)
+        both = ChamferAgreement(self.agreement.coverage[rows], self.agreement.explained[rows])
+        return RankedCameras(self.vectors[rows], self.scores[rows], both)
 
 
-def search_picture(
+def search_cameras(
     scene: SearchScene,
-    hypotheses: Sequence[tuple[Hypotheses, int]],
+    hypotheses: Sequence[tuple[CameraHypotheses, int]],
     go_on: Callable[[], None],
-    stages: Sequence[Stage] = STAGES,
-) -> Found:
+    stages: Sequence[SearchStage] = SEARCH_STAGES,
+) -> RankedCameras:
     """The best cameras of all hypotheses, led to the paint; so many of each kind climb."""
     vectors = np.concatenate([some.best(scene.paint, most) for some, most in hypotheses])
     for stage in stages:
         go_on()
-        found = _round(scene, vectors, stage)
+        found = _search_round(scene, vectors, stage)
         vectors = found.vectors
     return found
 
 
-def _round(scene: SearchScene, vectors: FloatArray, stage: Stage) -> Found:
-    vectors = np.concatenate([vectors, *(_moved_away(vectors, share) for share in stage.away)])
+def _search_round(scene: SearchScene, vectors: FloatArray, stage: SearchStage) -> RankedCameras:
+    vectors = np.concatenate([vectors, *(_dolly_zoom(vectors, share) for share in stage.away)])
     for _ in range(stage.rounds):
-        vectors = climb(
+        vectors = refine_by_icp(
             scene,
             vectors,
             stage.scales_px,
@@ -111,39 +111,39 @@ def _round(scene: SearchScene, vectors: FloatArray, stage: Stage) -> Found:
             paint=stage.paint,
             model=stage.model,
         )
-    found = judged_cameras(scene, vectors, stage)
+    found = rank_cameras(scene, vectors, stage)
     order = np.argsort(-found.scores, kind="stable")
-    most = min(stage.kept, max(len(order) // _GO_ON, 1))
+    most = min(stage.kept, max(len(order) // _CANCEL_CHECK_INTERVAL, 1))
     if not stage.apart_px:
         return found.chosen(order[:most])
-    return found.chosen(_distinct(scene, vectors, order, stage.apart_px, most))
+    return found.chosen(_distinct_cameras(scene, vectors, order, stage.apart_px, most))
 
 
-def _moved_away(vectors: FloatArray, share: float) -> FloatArray:
+def _dolly_zoom(vectors: FloatArray, share: float) -> FloatArray:
     """Cameras (B, 11) at so many times their distance from what they look at, zoomed as much."""
-    ahead = rotations(vectors)[:, 2]
-    distance = -vectors[:, Z] / np.maximum(ahead[:, 2], _LEAST_DOWN)
+    ahead = rotation_matrices(vectors)[:, 2]
+    distance = -vectors[:, Z] / np.maximum(ahead[:, 2], _MIN_DOWNWARD_TILT)
     moved = vectors.copy()
-    moved[:, CENTRE] += (1 - share) * distance[:, None] * ahead
+    moved[:, POSITION_SLICE] += (1 - share) * distance[:, None] * ahead
     moved[:, LOG_FOCAL] += np.log(share)
     return moved
 
 
-def judged_cameras(scene: SearchScene, vectors: FloatArray, stage: Stage = STAGES[-1]) -> Found:
+def rank_cameras(scene: SearchScene, vectors: FloatArray, stage: SearchStage = SEARCH_STAGES[-1]) -> RankedCameras:
     """Cameras (B, 11) with what they are worth, in their order."""
-    found = agreement_with_paint(
+    found = chamfer_agreement(
         scene, vectors, stage.within_px, places=stage.judged[0], paint=stage.judged[1]
     )
-    return Found(vectors, found.both - stage.unlikely * scene.unlikeliness(vectors), found)
+    return RankedCameras(vectors, found.both - stage.unlikely * scene.unlikeliness(vectors), found)
 
 
-def _distinct(
+def _distinct_cameras(
     scene: SearchScene, vectors: FloatArray, order: IntArray, apart: float, most: int
 ) -> IntArray:
     """The first ones that show lines so many solver px from where those before them do."""
     kept: list[int] = []
     while len(order) and len(kept) < most:
         kept.append(int(order[0]))
-        away = apart_px(vectors[order[0]], vectors[order], scene.lines, scene.paint.half_height)
+        away = view_distance_px(vectors[order[0]], vectors[order], scene.lines, scene.paint.half_height)
         order = order[1:][away[1:] > apart]
     return np.array(kept, dtype=np.intp)

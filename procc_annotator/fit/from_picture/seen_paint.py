@@ -15,23 +15,23 @@ from procc_annotator.fit.solving.observations import (
     REFERENCE_WIDTH,
     FloatArray,
     IntArray,
-    PictureFrame,
+    ImageFrame,
 )
-from procc_annotator.fit.solving.surroundings import surroundings_of
-from procc_annotator.image.paint_map import paint_map
+from procc_annotator.fit.solving.surroundings import camera_placement_prior
+from procc_annotator.image.paint_map import detect_line_pixels
 from procc_annotator.image.pixels import PixelArray
 
-DIRECTIONS = 12
-LIKE_RAD = np.radians(20.0)  # directions that may be those of one line
-_FAR_PX = 1e3
-_CELL_PX = 2
-_LARGEST_FLOOR_M = 30.0  # half a length: what is larger is of grass, and that has one colour
-_WIDE_M = 0.25  # of lines such as the blue ones of ice hockey
-HALF_WIDTH = REFERENCE_WIDTH / 2
+DIRECTION_COUNT = 12
+SAME_DIRECTION_RAD = np.radians(20.0)  # directions that may be those of one line
+_NO_LINE_DISTANCE_PX = 1e3
+_MAP_CELL_PX = 2
+_MAX_FLOOR_M = 30.0  # half a length: what is larger is of grass, and that has one colour
+_WIDE_LINE_M = 0.25  # of lines such as the blue ones of ice hockey
+HALF_WIDTH_PX = REFERENCE_WIDTH / 2
 
 
 @dataclass(frozen=True, eq=False)
-class SeenPaint:
+class ImageLinePixels:
     """N places of paint, solver px.
 
     Attributes:
@@ -42,7 +42,7 @@ class SeenPaint:
         ground: (h, 320) 1 where the ground is.
     """
 
-    frame: PictureFrame
+    frame: ImageFrame
     points: FloatArray
     along: FloatArray
     on_ground: IntArray
@@ -62,9 +62,9 @@ class SeenPaint:
         return np.asarray(self.ground[inside[1], inside[0]] > 0)
 
     @cached_property
-    def near(self) -> NearestPaint:
+    def near(self) -> LineDistanceMaps:
         """Its maps."""
-        return NearestPaint.of(self, _CELL_PX)
+        return LineDistanceMaps.of(self, _MAP_CELL_PX)
 
     def some(self, count: int) -> IntArray:
         """At most so many of the places on the ground, evenly chosen."""
@@ -74,21 +74,21 @@ class SeenPaint:
         return self.on_ground[(np.arange(count) * every).astype(np.intp)]
 
 
-def see_paint(picture: PixelArray, field: Field) -> SeenPaint:
+def line_pixels_for_field(picture: PixelArray, field: Field) -> ImageLinePixels:
     """The paint of a picture (H, W, 4) BGRA, of the tones a field's lines have."""
     lines = [e.appearance for e in field.elements if e.appearance.kind == LINE]
     tones = {line.tone for line in lines}
-    wide = any(line.width_m >= _WIDE_M for line in lines)
+    wide = any(line.width_m >= _WIDE_LINE_M for line in lines)
     light, dark = bool(tones & {LIGHTER, ANY}), bool(tones & {DARKER, ANY})
-    floor = surroundings_of(field).half_length <= _LARGEST_FLOOR_M
-    found = paint_map(picture, light=light, dark=dark, floor=floor, wide=wide)
-    frame = PictureFrame(found.size)
+    floor = camera_placement_prior(field).half_length <= _MAX_FLOOR_M
+    found = detect_line_pixels(picture, light=light, dark=dark, floor=floor, wide=wide)
+    frame = ImageFrame(found.size)
     points = (found.points - np.array(frame.centre_px)[:, None]) * frame.scale
-    return SeenPaint(frame, points, found.along, np.flatnonzero(found.on_ground), found.ground)
+    return ImageLinePixels(frame, points, found.along, np.flatnonzero(found.on_ground), found.ground)
 
 
 @dataclass(frozen=True, eq=False)
-class NearestPaint:
+class LineDistanceMaps:
     """For each of some directions and each cell of the picture the nearest paint that runs so.
 
     Attributes:
@@ -102,16 +102,16 @@ class NearestPaint:
     place: NDArray[np.int32]
 
     @classmethod
-    def of(cls, paint: SeenPaint, cell: int) -> NearestPaint:
+    def of(cls, paint: ImageLinePixels, cell: int) -> LineDistanceMaps:
         """Maps with cells of so many solver px."""
-        height, width = shape_of(paint.half_height, cell)
-        column, row = cells_of(paint.points, paint.half_height, cell)
-        away = np.full((DIRECTIONS, height, width), _FAR_PX, dtype=np.float32)
-        place = np.full((DIRECTIONS, height, width), -1, dtype=np.int32)
-        for direction in range(DIRECTIONS):
-            turn = paint.along - direction * np.pi / DIRECTIONS
+        height, width = map_shape(paint.half_height, cell)
+        column, row = map_cells(paint.points, paint.half_height, cell)
+        away = np.full((DIRECTION_COUNT, height, width), _NO_LINE_DISTANCE_PX, dtype=np.float32)
+        place = np.full((DIRECTION_COUNT, height, width), -1, dtype=np.int32)
+        for direction in range(DIRECTION_COUNT):
+            turn = paint.along - direction * np.pi / DIRECTION_COUNT
             turn = np.abs(np.mod(turn + np.pi / 2, np.pi) - np.pi / 2)
-            own = np.flatnonzero(turn < LIKE_RAD)
+            own = np.flatnonzero(turn < SAME_DIRECTION_RAD)
             if not len(own):
                 continue
             free = np.ones((height, width), dtype=np.uint8)
@@ -124,25 +124,25 @@ class NearestPaint:
             away[direction], place[direction] = far * cell, of_label[labels]
         return cls(cell, away, place)
 
-    def coarser(self, times: int) -> NearestPaint:
+    def coarser(self, times: int) -> LineDistanceMaps:
         """Maps with cells so many times as large."""
         every = np.s_[:, ::times, ::times]
-        return NearestPaint(self.cell * times, self.away[every], self.place[every])
+        return LineDistanceMaps(self.cell * times, self.away[every], self.place[every])
 
 
-def shape_of(half_height: float, cell: int) -> tuple[int, int]:
+def map_shape(half_height: float, cell: int) -> tuple[int, int]:
     """(rows, columns) of maps whose cells have so many solver px."""
     return int(np.ceil(2 * half_height / cell)), REFERENCE_WIDTH // cell
 
 
-def cells_of(points: FloatArray, half_height: float, cell: int) -> tuple[IntArray, IntArray]:
+def map_cells(points: FloatArray, half_height: float, cell: int) -> tuple[IntArray, IntArray]:
     """Column and row of points (..., 2, N), solver px; the nearest inside the picture."""
-    rows, columns = shape_of(half_height, cell)
-    column = ((points[..., 0, :] + HALF_WIDTH) / cell).clip(0, columns - 1)
+    rows, columns = map_shape(half_height, cell)
+    column = ((points[..., 0, :] + HALF_WIDTH_PX) / cell).clip(0, columns - 1)
     row = ((points[..., 1, :] + half_height) / cell).clip(0, rows - 1)
     return column.astype(np.intp), row.astype(np.intp)
 
 
-def directions_of(angles: FloatArray) -> IntArray:
+def direction_indices(angles: FloatArray) -> IntArray:
     """Which of the directions of the maps angles (rad) are."""
-    return np.mod(np.rint(angles * (DIRECTIONS / np.pi)).astype(np.intp), DIRECTIONS)
+    return np.mod(np.rint(angles * (DIRECTION_COUNT / np.pi)).astype(np.intp), DIRECTION_COUNT)

@@ -11,28 +11,28 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
 from procc_annotator.fit.fitting import AUTO, fit_camera
-from procc_annotator.fit.labels.clicked import ClickedFrame
+from procc_annotator.fit.labels.clicked import FrameEvidence
 from procc_annotator.fit.labels.finding import Finding, Rule, Severity
-from procc_annotator.fit.labels.mistakes import camera_findings, suspects_of
+from procc_annotator.fit.labels.mistakes import camera_findings, suspect_elements
 from procc_annotator.fit.labels.overlap import overlap_findings
-from procc_annotator.fit.labels.seen_paint import ElementPaint
+from procc_annotator.fit.labels.seen_paint import LineEvidence
 from procc_annotator.fit.labels.shape import shape_findings
-from procc_annotator.fit.labels.short import short_findings
+from procc_annotator.fit.labels.short import short_end_findings
 from procc_annotator.fit.labels.sides import side_findings
-from procc_annotator.fit.labels.unknown import pixel_findings, unknown_findings
-from procc_annotator.fit.labels.unpainted import paint_findings
+from procc_annotator.fit.labels.unknown import pixel_coordinate_findings, unknown_class_findings
+from procc_annotator.fit.labels.unpainted import line_evidence_findings
 from procc_annotator.fit.result import FitResult
-from procc_annotator.fit.solving.models import STRONG
-from procc_annotator.fit.solving.observations import PictureFrame
-from procc_annotator.fit.solving.strong_lens import MANY_LEFT_OUT
+from procc_annotator.fit.solving.models import WIDE_ANGLE_MODELS
+from procc_annotator.fit.solving.observations import ImageFrame
+from procc_annotator.fit.solving.strong_lens import MANY_OUTLIERS
 
-LabelRules = Callable[[ClickedFrame, Sequence[Finding]], Iterable[Finding]]
+LabelRule = Callable[[FrameEvidence, Sequence[Finding]], Iterable[Finding]]
 """A family of rules: the frame, and what is known before: that is not to be told again."""
 
-_WITH_CAMERA: tuple[LabelRules, ...] = (camera_findings, unknown_findings)
-_BY_EYE: tuple[LabelRules, ...] = (shape_findings, overlap_findings, side_findings, short_findings)
+_CAMERA_RULES: tuple[LabelRule, ...] = (camera_findings, unknown_class_findings)
+_CAMERA_FREE_RULES: tuple[LabelRule, ...] = (shape_findings, overlap_findings, side_findings, short_end_findings)
 # Of findings of one severity the surest come first.
-_SUREST_FIRST = (
+_RULE_ORDER = (
     Rule.PIXELS,
     Rule.UNKNOWN_CLASS,
     Rule.REFLECTED,
@@ -76,24 +76,24 @@ def check_labels(
         At most one finding about each mistake: what the camera explains is not told again by rules
         that need none.
     """
-    frame = PictureFrame(size)
-    if len(suspects_of(fit, frame)) >= MANY_LEFT_OUT and fit.model not in STRONG:
+    frame = ImageFrame(size)
+    if len(suspect_elements(fit, frame)) >= MANY_OUTLIERS and fit.model not in WIDE_ANGLE_MODELS:
         go_on()
         other = fit_camera(annotation, field, model=AUTO, size=size)
-        if other.model in STRONG and len(suspects_of(other, frame)) < MANY_LEFT_OUT:
+        if other.model in WIDE_ANGLE_MODELS and len(suspect_elements(other, frame)) < MANY_OUTLIERS:
             fit = other  # the lens is to blame, not the labels
-    looked_at = ClickedFrame(annotation, field, frame, fit, go_on)
-    return tuple(sorted(_once(_found(looked_at, _WITH_CAMERA, _BY_EYE)), key=_sureness))
+    looked_at = FrameEvidence(annotation, field, frame, fit, go_on)
+    return tuple(sorted(_drop_redundant(_apply_rules(looked_at, _CAMERA_RULES, _CAMERA_FREE_RULES)), key=_finding_order))
 
 
-def with_paint(
+def add_line_evidence(
     findings: Sequence[Finding],
     annotation: FrameAnnotation,
     field: Field,
     *,
     size: tuple[int, int],
     fit: FitResult,
-    paint: Mapping[str, ElementPaint],
+    paint: Mapping[str, LineEvidence],
 ) -> tuple[Finding, ...]:
     """What is known once the picture was looked at: the surest first.
 
@@ -107,14 +107,14 @@ def with_paint(
     """
     if any(f.rule is Rule.PIXELS for f in findings):
         return tuple(findings)
-    looked_at = ClickedFrame(annotation, field, PictureFrame(size), fit, paint=paint)
+    looked_at = FrameEvidence(annotation, field, ImageFrame(size), fit, paint=paint)
     found = [f for f in findings if f.rule is not Rule.SHORT]
-    for rules in (short_findings, paint_findings):
+    for rules in (short_end_findings, line_evidence_findings):
         found.extend(rules(looked_at, tuple(found)))
-    return tuple(sorted(found, key=_sureness))
+    return tuple(sorted(found, key=_finding_order))
 
 
-def check_by_eye(
+def check_without_camera(
     annotation: FrameAnnotation, field: Field, *, size: tuple[int, int]
 ) -> tuple[Finding, ...]:
     """What can be seen without a camera to be wrong with a frame's labels, the surest first.
@@ -123,15 +123,15 @@ def check_by_eye(
         annotation, field, size: as of `check_labels`.
     """
     no_fit = FitResult("", size, None, failure="not asked for")
-    looked_at = ClickedFrame(annotation, field, PictureFrame(size), no_fit)
+    looked_at = FrameEvidence(annotation, field, ImageFrame(size), no_fit)
     return tuple(
-        sorted(_found(looked_at, (unknown_findings, *_BY_EYE)), key=lambda f: f.severity.rank)
+        sorted(_apply_rules(looked_at, (unknown_class_findings, *_CAMERA_FREE_RULES)), key=lambda f: f.severity.rank)
     )
 
 
-def _found(looked_at: ClickedFrame, *stages: tuple[LabelRules, ...]) -> list[Finding]:
+def _apply_rules(looked_at: FrameEvidence, *stages: tuple[LabelRule, ...]) -> list[Finding]:
     """What rules find; those of one stage know what the stages before found."""
-    found = list(pixel_findings(looked_at, ()))
+    found = list(pixel_coordinate_findings(looked_at, ()))
     if found:
         return found  # no other rule has anything to say then
     for stage in stages:
@@ -141,7 +141,7 @@ def _found(looked_at: ClickedFrame, *stages: tuple[LabelRules, ...]) -> list[Fin
     return found
 
 
-def _once(found: Sequence[Finding]) -> list[Finding]:
+def _drop_redundant(found: Sequence[Finding]) -> list[Finding]:
     """Leave out what is vaguely said by the camera where another rule says it plainly."""
     plain = {
         name
@@ -160,5 +160,5 @@ def _once(found: Sequence[Finding]) -> list[Finding]:
     ]
 
 
-def _sureness(finding: Finding) -> tuple[int, int, float]:
-    return finding.severity.rank, _SUREST_FIRST.index(finding.rule), -(finding.error_px or 0.0)
+def _finding_order(finding: Finding) -> tuple[int, int, float]:
+    return finding.severity.rank, _RULE_ORDER.index(finding.rule), -(finding.error_px or 0.0)

@@ -14,45 +14,45 @@ import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation, points_px
 from procc_annotator.field.model import Element, Field
-from procc_annotator.fit.labels.seen_paint import ElementPaint
+from procc_annotator.fit.labels.seen_paint import LineEvidence
 from procc_annotator.fit.result import ElementResidual, FitResult, PosedCamera
-from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
-from procc_annotator.language import Said, said
+from procc_annotator.fit.solving.observations import FloatArray, ImageFrame
+from procc_annotator.language import TranslatableText, translatable
 
 # An element with a point farther off than this is not where the camera of the others shows it.
-LIMIT_PX = 9.0
+SUSPECT_LIMIT_PX = 9.0
 # Where the other elements fit well less will do: so many times as far off as the next worst one.
-_LEAST_LIMIT_PX = 6.5
-_TIMES_NEXT = 3.0
+_MIN_SUSPECT_LIMIT_PX = 6.5
+_NEXT_ELEMENT_RATIO = 3.0
 # Points this near to another class could be that class.
 FITS_PX = 8.0
 # Elements that are right lie this near when the mistakes are left out.
-RIGHT_PX = 5.0
+CORRECT_PX = 5.0
 # A straight element may lie this far beside a line, whatever the lens.
-BENT_PX = 4.0
+STRAIGHT_TOLERANCE_PX = 4.0
 
 
-def limit_of(fit: FitResult, frame: PictureFrame) -> float:
+def suspect_limit(fit: FitResult, frame: ImageFrame) -> float:
     """From what distance on an element of this fit is a suspect, solver px."""
-    worst = sorted(off_px(element, frame) for element in fit.elements)
+    worst = sorted(element_error(element, frame) for element in fit.elements)
     if len(worst) < 2:
-        return LIMIT_PX
-    return min(max(_TIMES_NEXT * worst[-2], _LEAST_LIMIT_PX), LIMIT_PX)
+        return SUSPECT_LIMIT_PX
+    return min(max(_NEXT_ELEMENT_RATIO * worst[-2], _MIN_SUSPECT_LIMIT_PX), SUSPECT_LIMIT_PX)
 
 
-def off_px(element: ElementResidual, frame: PictureFrame) -> float:
+def element_error(element: ElementResidual, frame: ImageFrame) -> float:
     """How far off an element is, solver px: its largest distance, which of a landmark that is not
     known exactly counts less."""
     return element.most_counted_px * frame.scale
 
 
-def in_picture(solver_px: float, frame: PictureFrame) -> float:
+def in_image_px(solver_px: float, frame: ImageFrame) -> float:
     """The same distance in px of the picture."""
     return solver_px / frame.scale
 
 
 @dataclass(frozen=True, eq=False)
-class Clicked:
+class AnnotatedElement:
     """One annotated element of the field.
 
     Attributes:
@@ -71,14 +71,14 @@ class Clicked:
         return self.element.name
 
     @property
-    def title(self) -> Said:
+    def title(self) -> TranslatableText:
         """What people call it."""
-        return said(self.element.title)
+        return translatable(self.element.title)
 
 
-def clicked_elements(
-    annotation: FrameAnnotation, field: Field, frame: PictureFrame
-) -> tuple[Clicked, ...]:
+def annotated_elements(
+    annotation: FrameAnnotation, field: Field, frame: ImageFrame
+) -> tuple[AnnotatedElement, ...]:
     """What was clicked of the elements that have a place on the field, in the file's order."""
     found = []
     centre = np.array(frame.centre_px)
@@ -90,12 +90,12 @@ def clicked_elements(
         # Squares of numbers far beyond any picture do only harm.
         known = np.flatnonzero((np.abs(points) < 1e5).all(axis=1))
         if len(known):
-            found.append(Clicked(element, points[known], tuple(known.tolist())))
+            found.append(AnnotatedElement(element, points[known], tuple(known.tolist())))
     return tuple(found)
 
 
 @dataclass(frozen=True, eq=False)
-class ClickedFrame:
+class FrameEvidence:
     """A frame whose labels are looked at: what every rule is given.
 
     Attributes:
@@ -109,21 +109,21 @@ class ClickedFrame:
 
     annotation: FrameAnnotation
     field: Field
-    frame: PictureFrame
+    frame: ImageFrame
     fit: FitResult
     go_on: Callable[[], None] = lambda: None
-    paint: Mapping[str, ElementPaint] = dataclasses.field(default_factory=dict)
+    paint: Mapping[str, LineEvidence] = dataclasses.field(default_factory=dict)
 
     @cached_property
-    def clicked(self) -> tuple[Clicked, ...]:
+    def clicked(self) -> tuple[AnnotatedElement, ...]:
         """What was clicked of the elements that have a place on the field, in the file's order."""
-        return clicked_elements(self.annotation, self.field, self.frame)
+        return annotated_elements(self.annotation, self.field, self.frame)
 
     @cached_property
     def explained(self) -> frozenset[str]:
         """The classes that the fitted camera explains."""
-        limit = limit_of(self.fit, self.frame)
-        return frozenset(e.name for e in self.fit.elements if off_px(e, self.frame) <= limit)
+        limit = suspect_limit(self.fit, self.frame)
+        return frozenset(e.name for e in self.fit.elements if element_error(e, self.frame) <= limit)
 
     @property
     def is_whole(self) -> bool:
@@ -133,7 +133,7 @@ class ClickedFrame:
         return isinstance(self.fit.camera, PosedCamera) and len(self.explained) == len(elements)
 
 
-def far_apart(points: FloatArray) -> tuple[FloatArray, FloatArray]:
+def extreme_points(points: FloatArray) -> tuple[FloatArray, FloatArray]:
     """The two of (n, 2) points that are farthest along their main direction."""
     centred = points - points.mean(axis=0)
     _, _, axes = np.linalg.svd(centred, full_matrices=False)

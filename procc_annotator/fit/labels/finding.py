@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from procc_annotator.errors import UsageError
-from procc_annotator.language import said
+from procc_annotator.language import translatable
 
 
 class Severity(StrEnum):
@@ -23,7 +23,7 @@ class Severity(StrEnum):
         return tuple(Severity).index(self)
 
 
-def severity_named(name: str) -> Severity:
+def severity_from_name(name: str) -> Severity:
     """The severity of this name.
 
     Raises:
@@ -83,7 +83,7 @@ class Remedy:
     renamed: tuple[tuple[str, str], ...] = ()
 
 
-LOOK = Remedy(RemedyKind.LOOK, said("look at it"))
+LOOK = Remedy(RemedyKind.LOOK, translatable("look at it"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -112,6 +112,6 @@ class Finding:
     model: str | None = None
 
 
-def surely_wrong(found: Iterable[Finding]) -> frozenset[str]:
+def error_classes(found: Iterable[Finding]) -> frozenset[str]:
     """The classes that errors are about."""
     return frozenset(name for f in found if f.severity is Severity.ERROR for name in f.elements)

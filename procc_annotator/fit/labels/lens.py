@@ -5,16 +5,16 @@ from __future__ import annotations
 import numpy as np
 
 from procc_annotator.fit.solving.jacobian import Lens
-from procc_annotator.fit.solving.models import FREE, KAPPA, LEAST_KAPPA
-from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
+from procc_annotator.fit.solving.models import FREE_PARAMETERS, KAPPA, MIN_KAPPA
+from procc_annotator.fit.solving.observations import FloatArray, ImageFrame
 
 # Radial coefficients kappa (see `fit.solving.models`) from the strongest barrel that a fit allows,
 # below 0, to a pincushion beyond any that cameras have: it shows the picture's corners a third
 # farther out than they would lie without it.
-PLAUSIBLE_KAPPAS = np.linspace(LEAST_KAPPA, 0.3, 8)
+PLAUSIBLE_KAPPAS = np.linspace(MIN_KAPPA, 0.3, 8)
 
 
-def undistorted(points: FloatArray, kappa: float, frame: PictureFrame) -> FloatArray:
+def undistort_points(points: FloatArray, kappa: float, frame: ImageFrame) -> FloatArray:
     """Points as a lens of radial coefficient 0 would show them.
 
     Args:
@@ -27,19 +27,19 @@ def undistorted(points: FloatArray, kappa: float, frame: PictureFrame) -> FloatA
         negative kappa does not show, farther out than it reaches, is taken for lying at the edge
         of what it does.
     """
-    vector = np.zeros((1, FREE["R+"]))
+    vector = np.zeros((1, FREE_PARAMETERS["R+"]))
     vector[0, KAPPA] = kappa
     return np.asarray(Lens.of(vector, frame.half_diagonal).undistorted(points.T)[0].T)
 
 
-def beside_line(points: FloatArray) -> FloatArray:
+def line_residuals(points: FloatArray) -> FloatArray:
     """Signed distances of (n, 2) points from the straight line through all of them."""
     centred = points - points.mean(axis=0)
     _, _, axes = np.linalg.svd(centred, full_matrices=False)
     return np.asarray(centred @ axes[-1])
 
 
-def least_bend(points: FloatArray, frame: PictureFrame) -> float:
+def min_line_residuals(points: FloatArray, frame: ImageFrame) -> float:
     """How far points lie beside a straight line, seen through the lens that helps them most.
 
     Args:
@@ -50,6 +50,6 @@ def least_bend(points: FloatArray, frame: PictureFrame) -> float:
         The largest distance, solver px.
     """
     return min(
-        float(np.abs(beside_line(undistorted(points, kappa, frame))).max())
+        float(np.abs(line_residuals(undistort_points(points, kappa, frame))).max())
         for kappa in PLAUSIBLE_KAPPAS.tolist()
     )

@@ -11,23 +11,23 @@ import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation, Polyline
 from procc_annotator.field.geometry import Spot
-from procc_annotator.field.landmarks import known_covariances
+from procc_annotator.field.landmarks import landmark_covariances
 from procc_annotator.field.model import Element, Field
-from procc_annotator.fit.labels.clicked import FITS_PX, LIMIT_PX
-from procc_annotator.fit.solving.models import FREE, bounded_in
-from procc_annotator.fit.solving.noise import shown_spread, softened
-from procc_annotator.fit.solving.observations import FloatArray, PictureFrame, observe
+from procc_annotator.fit.labels.clicked import FITS_PX, SUSPECT_LIMIT_PX
+from procc_annotator.fit.solving.models import FREE_PARAMETERS, lower_bounded_parameter
+from procc_annotator.fit.solving.noise import projected_spot_covariance, whitened
+from procc_annotator.fit.solving.observations import FloatArray, ImageFrame, build_observations
 from procc_annotator.fit.solving.residual import linear_map, pinhole_residuals
-from procc_annotator.fit.solving.solver import FINAL_LOSS, Loss, Problem, solve
+from procc_annotator.fit.solving.solver import FINAL_LOSS, RobustLoss, Problem, solve
 from procc_annotator.fit.solving.starts import prior_near
-from procc_annotator.fit.solving.surroundings import surroundings_of
+from procc_annotator.fit.solving.surroundings import camera_placement_prior
 
 # Two or three points along a straight line lie on many a curve as well.
-_POINTS_OF_A_CURVE = 4
+_MIN_CURVE_POINTS = 4
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class CandidateClass:
     """How near the points of one polyline are to one class, solver px."""
 
     class_name: str
@@ -39,7 +39,7 @@ def distances_to_classes(
     polyline: Polyline,
     names: Iterable[str],
     field: Field,
-    frame: PictureFrame,
+    frame: ImageFrame,
     vector: FloatArray,
     *,
     as_counted: bool = False,
@@ -58,23 +58,23 @@ def distances_to_classes(
         Class -> (n,) solver px; nothing if the polyline has no usable point.
     """
     disguised = FrameAnnotation(tuple(Polyline(name, polyline.points) for name in names))
-    seen = observe(disguised, field, frame)
+    seen = build_observations(disguised, field, frame)
     if seen is None:
         return {}
     if as_counted:
-        seen = softened(seen, linear_map(vector))
-    found = pinhole_residuals(vector[None], seen, frame.half_diagonal, FREE["P"]).distances[0]
+        seen = whitened(seen, linear_map(vector))
+    found = pinhole_residuals(vector[None], seen, frame.half_diagonal, FREE_PARAMETERS["P"]).distances[0]
     parts = dict(zip(seen.elements, np.split(found, seen.starts[1:]), strict=True))
     return {element.name: part for element, part in parts.items()}
 
 
-def places_of(
+def candidate_classes(
     polyline: Polyline,
     field: Field,
-    frame: PictureFrame,
+    frame: ImageFrame,
     vector: FloatArray,
     within_px: float = FITS_PX,
-) -> tuple[Place, ...]:
+) -> tuple[CandidateClass, ...]:
     """The classes that all points of a polyline are near enough to, the nearest first.
 
     Its own class is among them if it fits. A curve is offered for what was drawn as something else
@@ -82,17 +82,17 @@ def places_of(
     as one; and nothing but spots for a single point clicked as one.
     """
     own, count = field.element(polyline.class_name), len(polyline.points)
-    names = [e.name for e in field.elements if _could_be(e, own, count)]
+    names = [e.name for e in field.elements if _is_possible_class(e, own, count)]
     distances = distances_to_classes(polyline, names, field, frame, vector)
     near = [
-        Place(name, float(d.max()), float(d.mean()))
+        CandidateClass(name, float(d.max()), float(d.mean()))
         for name, d in distances.items()
         if d.max() <= within_px
     ]
     return tuple(sorted(near, key=lambda place: place.mean_px))
 
 
-def _could_be(element: Element, own: Element | None, count: int) -> bool:
+def _is_possible_class(element: Element, own: Element | None, count: int) -> bool:
     """Whether so many points that were clicked as ``own`` may be those of another element."""
     was_spot = own is not None and own.is_spot
     if element.is_spot:
@@ -100,11 +100,11 @@ def _could_be(element: Element, own: Element | None, count: int) -> bool:
     if was_spot and count == 1:
         return False
     was_curved = own is not None and own.is_curved
-    return element.is_straight or was_curved or count >= _POINTS_OF_A_CURVE
+    return element.is_straight or was_curved or count >= _MIN_CURVE_POINTS
 
 
-def worst_point(
-    polyline: Polyline, field: Field, frame: PictureFrame, vector: FloatArray
+def farthest_point(
+    polyline: Polyline, field: Field, frame: ImageFrame, vector: FloatArray
 ) -> tuple[int, float, float] | None:
     """The point of a polyline that is farthest from its element.
 
@@ -127,7 +127,7 @@ def worst_point(
     return known[worst], each[worst], rest
 
 
-def vague_names(field: Field, vector: FloatArray) -> frozenset[str]:
+def uncertain_landmarks(field: Field, vector: FloatArray) -> frozenset[str]:
     """Landmarks that may be anywhere within more than what a label is judged by: that they fit
     says nothing for a camera.
 
@@ -135,32 +135,32 @@ def vague_names(field: Field, vector: FloatArray) -> frozenset[str]:
         field: the elements.
         vector: (11,) pinhole parameters.
     """
-    spreads = known_covariances(field)
+    spreads = landmark_covariances(field)
     marks = [e for e in field.elements if e.name in spreads and isinstance(e.geometry, Spot)]
     if not marks:
         return frozenset()
     spots = np.array([e.geometry.position for e in marks if isinstance(e.geometry, Spot)]).T
     known = np.array([spreads[e.name] for e in marks])
-    variances = np.linalg.eigvalsh(shown_spread(spots, known, linear_map(vector)))[:, -1]
-    vague = variances > LIMIT_PX**2
+    variances = np.linalg.eigvalsh(projected_spot_covariance(spots, known, linear_map(vector)))[:, -1]
+    vague = variances > SUSPECT_LIMIT_PX**2
     return frozenset(e.name for e, far in zip(marks, vague, strict=True) if far)
 
 
 # A mistake pulls the camera as far as it can.
-SQUARED = Loss("squared", 1.0)
+SQUARED_LOSS = RobustLoss("squared", 1.0)
 # Points that lie a little beside their element do not: as in the last step of `fit_camera`.
-HUBER = FINAL_LOSS
+HUBER_LOSS = FINAL_LOSS
 _ITERATIONS = 30
 
 
-def refit(
+def refit_all_points(
     annotation: FrameAnnotation,
     field: Field,
-    frame: PictureFrame,
+    frame: ImageFrame,
     vector: FloatArray,
     model: str,
     *,
-    loss: Loss = HUBER,
+    loss: RobustLoss = HUBER_LOSS,
     without: Collection[str] = (),
 ) -> dict[str, float]:
     """Fit a pinhole from a camera that is nearly right; nothing is taken for a mistake.
@@ -178,30 +178,30 @@ def refit(
         Class -> the largest distance of its points, solver px, as it counts; nothing without usable
         points.
     """
-    seen = observe(annotation, field, frame)
+    seen = build_observations(annotation, field, frame)
     if seen is None:
         return {}
-    seen = softened(seen, linear_map(vector))
+    seen = whitened(seen, linear_map(vector))
     names = [element.name for element in seen.elements]
-    used = seen.leaving_out(np.array([name in without for name in names]))
-    around = surroundings_of(field)
+    used = seen.with_excluded(np.array([name in without for name in names]))
+    around = camera_placement_prior(field)
     residuals = partial(
-        pinhole_residuals, seen=used, half_diagonal=frame.half_diagonal, free=FREE[model]
+        pinhole_residuals, seen=used, half_diagonal=frame.half_diagonal, free=FREE_PARAMETERS[model]
     )
-    prior = prior_near(vector, around, FREE[model])
-    problem = Problem(residuals, used.weights, loss, prior, bounded=bounded_in(vector))
+    prior = prior_near(vector, around, FREE_PARAMETERS[model])
+    problem = Problem(residuals, used.weights, loss, prior, bounded=lower_bounded_parameter(vector))
     # A mistake at the other end of the field may send a step anywhere; it is not taken then.
     with np.errstate(over="ignore", invalid="ignore"):
         found = solve(problem, vector[None].copy(), iterations=_ITERATIONS)
-    worst = seen.worst_of_element(found.distances[0])
+    worst = seen.max_per_element(found.distances[0])
     return dict(zip(names, worst.tolist(), strict=True))
 
 
-def others_with_and_without(
+def leave_one_out_errors(
     annotation: FrameAnnotation,
     wrong: Collection[str],
     field: Field,
-    frame: PictureFrame,
+    frame: ImageFrame,
     vector: FloatArray,
     model: str,
 ) -> tuple[float, float] | None:
@@ -223,7 +223,7 @@ def others_with_and_without(
     """
     means = []
     for without in ((), wrong):
-        found = refit(annotation, field, frame, vector, model, loss=SQUARED, without=without)
+        found = refit_all_points(annotation, field, frame, vector, model, loss=SQUARED_LOSS, without=without)
         others = [distance for name, distance in found.items() if name not in wrong]
         if not others:
             return None

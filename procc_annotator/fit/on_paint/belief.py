@@ -7,22 +7,22 @@ from dataclasses import dataclass
 import numpy as np
 
 from procc_annotator.field.model import Field
-from procc_annotator.fit.on_paint.marks import PARAMETERS_FREE, Marks, residuals
-from procc_annotator.fit.solving.models import KAPPA, LEAST_KAPPA
+from procc_annotator.fit.on_paint.marks import PARAMETERS_FREE, EdgePoints, edge_point_errors
+from procc_annotator.fit.solving.models import KAPPA, MIN_KAPPA
 from procc_annotator.fit.solving.observations import FloatArray
 from procc_annotator.fit.solving.starts import prior_near
-from procc_annotator.fit.solving.surroundings import surroundings_of
+from procc_annotator.fit.solving.surroundings import camera_placement_prior
 
 _ITERATIONS = 8
-_SETTLED_PX = 0.05
-_MOST_KAPPA = 0.6
+_CONVERGED_PX = 0.05
+_MAX_KAPPA = 0.6
 # Farther off, a mark is less and less likely to be of the paint it was taken for.
-LEAST_SCALE_PX = 1.5
-COUNTS = 0.25  # weight from which on it is
+MIN_SCALE_PX = 1.5
+MIN_WEIGHT = 0.25  # weight from which on it is
 
 
 @dataclass(frozen=True, eq=False)
-class Belief:
+class GaussianState:
     """A camera, and how surely it is known.
 
     Attributes:
@@ -40,18 +40,18 @@ class Belief:
         return np.asarray((found + found.T) / 2)
 
 
-def usual(vector: FloatArray, field: Field) -> Belief:
+def default_state(vector: FloatArray, field: Field) -> GaussianState:
     """What is known of any camera around a field that is on the side of another one (11,)."""
-    prior = prior_near(vector, surroundings_of(field), PARAMETERS_FREE)
+    prior = prior_near(vector, camera_placement_prior(field), PARAMETERS_FREE)
     mean = vector.copy()
     mean[:PARAMETERS_FREE] = np.where(
         prior.inverse_sd[0] > 0, prior.mean[0], vector[:PARAMETERS_FREE]
     )
-    return Belief(mean, np.diag(prior.inverse_sd[0] ** 2))
+    return GaussianState(mean, np.diag(prior.inverse_sd[0] ** 2))
 
 
 @dataclass(frozen=True, eq=False)
-class Solved:
+class StateUpdate:
     """The camera that is best for marks and a belief.
 
     Attributes:
@@ -67,15 +67,15 @@ class Solved:
     weights: FloatArray
 
 
-def solve_believed(
-    marks: Marks,
-    belief: Belief,
+def update_state(
+    marks: EdgePoints,
+    belief: GaussianState,
     start: FloatArray,
     half_diagonal: float,
     *,
     error_px: float,
     scale_px: float,
-) -> Solved:
+) -> StateUpdate:
     """The best camera for marks and a belief, robustly.
 
     Args:
@@ -88,10 +88,10 @@ def solve_believed(
             it is that of marks on the same paint.
     """
     free = len(belief.information)
-    vector, scale = start.copy(), max(scale_px, LEAST_SCALE_PX)
+    vector, scale = start.copy(), max(scale_px, MIN_SCALE_PX)
     for _ in range(_ITERATIONS):
-        off, by = residuals(vector[None], marks, half_diagonal, free)
-        weights = weights_of(off[0], scale)
+        off, by = edge_point_errors(vector[None], marks, half_diagonal, free)
+        weights = geman_mcclure_weights(off[0], scale)
         weighted = by[0] * weights[:, None]
         information = weighted.T @ by[0]
         before = belief.vector[:free] - vector[:free]
@@ -100,15 +100,15 @@ def solve_believed(
         step = np.linalg.solve(normal, gradient)
         vector[:free] += step
         if free > KAPPA:
-            vector[KAPPA] = np.clip(vector[KAPPA], LEAST_KAPPA, _MOST_KAPPA)
-        is_last = scale == LEAST_SCALE_PX
-        scale = max(scale / 2, LEAST_SCALE_PX)
-        if is_last and np.abs(by[0] @ step).max(initial=0.0) < _SETTLED_PX:
+            vector[KAPPA] = np.clip(vector[KAPPA], MIN_KAPPA, _MAX_KAPPA)
+        is_last = scale == MIN_SCALE_PX
+        scale = max(scale / 2, MIN_SCALE_PX)
+        if is_last and np.abs(by[0] @ step).max(initial=0.0) < _CONVERGED_PX:
             break
     off = off[0] - by[0] @ step
-    return Solved(vector, information, off, weights_of(off, scale))
+    return StateUpdate(vector, information, off, geman_mcclure_weights(off, scale))
 
 
-def weights_of(off: FloatArray, scale_px: float = LEAST_SCALE_PX) -> FloatArray:
+def geman_mcclure_weights(off: FloatArray, scale_px: float = MIN_SCALE_PX) -> FloatArray:
     """What marks count that are so far off, solver px (Geman and McClure)."""
     return np.asarray((1 / (1 + (off / scale_px) ** 2)) ** 2)

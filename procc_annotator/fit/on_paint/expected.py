@@ -6,20 +6,20 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from procc_annotator.fit.on_paint.painted import Painted
-from procc_annotator.fit.solving.feet import NEAREST_M
+from procc_annotator.fit.on_paint.painted import MarkingPoints
+from procc_annotator.fit.solving.feet import MIN_DEPTH_M
 from procc_annotator.fit.solving.jacobian import Lens
-from procc_annotator.fit.solving.observations import FloatArray, IntArray, PictureFrame
+from procc_annotator.fit.solving.observations import FloatArray, IntArray, ImageFrame
 
-_INSIDE_PX = 3.0  # a cut any nearer to the picture's edge has but one flank
+_IMAGE_MARGIN_PX = 3.0  # a cut any nearer to the picture's edge has but one flank
 
 
 @dataclass(frozen=True, eq=False)
-class Expected:
+class ExpectedLinePoints:
     """n places where paint should be.
 
     Attributes:
-        rows: (n,) of `Painted`.
+        rows: (n,) of `MarkingPoints`.
         px: (2, n) solver px.
         normal: (2, n) unit vectors across the element in the picture.
         width_px: (n,) solver px of the band, across it; 0 where nobody knows.
@@ -34,9 +34,9 @@ class Expected:
     run: IntArray
     length_px: FloatArray
 
-    def chosen(self, places: IntArray) -> Expected:
+    def chosen(self, places: IntArray) -> ExpectedLinePoints:
         """Some of them, in order."""
-        return Expected(
+        return ExpectedLinePoints(
             self.rows[places],
             self.px[:, places],
             self.normal[:, places],
@@ -46,9 +46,9 @@ class Expected:
         )
 
 
-def expect(
-    vector: FloatArray, painted: Painted, frame: PictureFrame, spacing_px: float
-) -> Expected:
+def expected_line_points(
+    vector: FloatArray, painted: MarkingPoints, frame: ImageFrame, spacing_px: float
+) -> ExpectedLinePoints:
     """What of the paint a camera has in its picture.
 
     Args:
@@ -59,12 +59,12 @@ def expect(
             are taken.
     """
     lens = Lens.of(vector[None], frame.half_diagonal)
-    px, shown = projected_px(lens, painted.world)
-    limit = (np.array(frame.size)[:, None] - 1) / 2 * frame.scale - _INSIDE_PX
+    px, shown = project_points(lens, painted.world)
+    limit = (np.array(frame.size)[:, None] - 1) / 2 * frame.scale - _IMAGE_MARGIN_PX
     inside = np.flatnonzero(shown & (np.abs(px) <= limit).all(axis=0))
     if not len(inside):
         nothing = np.zeros((2, 0))
-        return Expected(inside, nothing, nothing, np.zeros(0), inside, np.zeros(0))
+        return ExpectedLinePoints(inside, nothing, nothing, np.zeros(0), inside, np.zeros(0))
     seen = px[:, inside]
     begins = np.empty(len(inside), dtype=bool)
     begins[0] = True
@@ -77,16 +77,16 @@ def expect(
     within = np.floor((gone - gone[np.flatnonzero(begins)][run]) / spacing_px)
     kept = begins | (np.diff(within, prepend=-1.0) > 0)
     rows, chosen = inside[kept], run[kept]
-    normal, width = _across(lens, painted, rows, seen[:, kept])
+    normal, width = _normals_and_widths(lens, painted, rows, seen[:, kept])
     length = np.diff(gone[kept], append=gone[-1])
     length[np.diff(chosen, append=-1) != 0] = spacing_px
-    return Expected(rows, seen[:, kept], normal, width, chosen, length)
+    return ExpectedLinePoints(rows, seen[:, kept], normal, width, chosen, length)
 
 
-def projected_px(lens: Lens, world: FloatArray) -> tuple[FloatArray, np.ndarray]:
+def project_points(lens: Lens, world: FloatArray) -> tuple[FloatArray, np.ndarray]:
     """(3, N) metres -> (2, N) solver px of one camera, and (N,) whether it shows them."""
     place = lens.linear[0, :, :3] @ world + lens.linear[0, :, 3:]
-    ahead = place[2] > NEAREST_M
+    ahead = place[2] > MIN_DEPTH_M
     v = place[:2] / np.where(ahead, place[2], 1.0)
     squares = (v * v).sum(axis=0)
     bend = float(lens.bend[0, 0])
@@ -99,8 +99,8 @@ def projected_px(lens: Lens, world: FloatArray) -> tuple[FloatArray, np.ndarray]
     return px, ahead
 
 
-def _across(
-    lens: Lens, painted: Painted, rows: IntArray, px: FloatArray
+def _normals_and_widths(
+    lens: Lens, painted: MarkingPoints, rows: IntArray, px: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
     """(2, n) unit normals in the picture, and (n,) solver px of the bands' widths."""
     world = painted.world[:, rows]

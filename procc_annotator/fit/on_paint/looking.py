@@ -7,19 +7,19 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from procc_annotator.fit.on_paint.belief import COUNTS
-from procc_annotator.fit.on_paint.expected import Expected, expect
-from procc_annotator.fit.on_paint.marks import Marks
-from procc_annotator.fit.on_paint.offsets import Offsets, offsets_of
-from procc_annotator.fit.on_paint.painted import Painted
-from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
+from procc_annotator.fit.on_paint.belief import MIN_WEIGHT
+from procc_annotator.fit.on_paint.expected import ExpectedLinePoints, expected_line_points
+from procc_annotator.fit.on_paint.marks import EdgePoints
+from procc_annotator.fit.on_paint.offsets import LineOffsets, line_offsets
+from procc_annotator.fit.on_paint.painted import MarkingPoints
+from procc_annotator.fit.solving.observations import FloatArray, ImageFrame
 from procc_annotator.image.pixels import PixelArray
 
-SPACING_PX = 5.0
+POINT_SPACING_PX = 5.0
 
 
 @dataclass(frozen=True, eq=False)
-class PaintLook:
+class LineMeasurement:
     """Paint beside n expected places.
 
     Attributes:
@@ -28,44 +28,44 @@ class PaintLook:
         marks: of those beside which something was.
     """
 
-    expected: Expected
-    offsets: Offsets
-    marks: Marks
+    expected: ExpectedLinePoints
+    offsets: LineOffsets
+    marks: EdgePoints
 
 
-def look(
+def measure_lines(
     picture: PixelArray,
     vector: FloatArray,
-    painted: Painted,
-    frame: PictureFrame,
+    painted: MarkingPoints,
+    frame: ImageFrame,
     reach_px: float,
-    spacing_px: float = SPACING_PX,
-) -> PaintLook:
+    spacing_px: float = POINT_SPACING_PX,
+) -> LineMeasurement:
     """Look for paint beside where a camera (11,) shows it, so many solver px to either side."""
-    return look_at(picture, expect(vector, painted, frame, spacing_px), painted, frame, reach_px)
+    return measure_at(picture, expected_line_points(vector, painted, frame, spacing_px), painted, frame, reach_px)
 
 
-def look_at(
+def measure_at(
     picture: PixelArray,
-    expected: Expected,
-    painted: Painted,
-    frame: PictureFrame,
+    expected: ExpectedLinePoints,
+    painted: MarkingPoints,
+    frame: ImageFrame,
     reach_px: float,
-) -> PaintLook:
+) -> LineMeasurement:
     """Look for paint beside expected places, so many solver px to either side."""
-    offsets = offsets_of(picture, expected, painted, frame, reach_px)
+    offsets = line_offsets(picture, expected, painted, frame, reach_px)
     found = np.flatnonzero(offsets.found)
     normal = expected.normal[:, found]
     across = (expected.px[:, found] * normal).sum(axis=0) + offsets.px[found]
     rows = expected.rows[found]
-    marks = Marks(
+    marks = EdgePoints(
         painted.world[:, rows], across, normal, painted.element[rows], expected.run[found]
     )
-    return PaintLook(expected, offsets, marks)
+    return LineMeasurement(expected, offsets, marks)
 
 
-def shares_on_paint(
-    seen: PaintLook, weights: FloatArray, painted: Painted
+def found_shares(
+    seen: LineMeasurement, weights: FloatArray, painted: MarkingPoints
 ) -> tuple[float, Mapping[str, float]]:
     """The share of what should be in sight that was found where the camera has it, by length.
 
@@ -80,7 +80,7 @@ def shares_on_paint(
     own = painted.element[seen.expected.rows]
     length = seen.expected.length_px
     found = np.zeros(len(length))
-    found[seen.offsets.found] = weights > COUNTS
+    found[seen.offsets.found] = weights > MIN_WEIGHT
     total = np.bincount(own, length, minlength=len(painted.names))
     part = np.bincount(own, length * found, minlength=len(painted.names))
     whole = float(total.sum())

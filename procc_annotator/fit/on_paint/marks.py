@@ -8,17 +8,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.fit.solving.jacobian import Lens, project
-from procc_annotator.fit.solving.models import FREE
+from procc_annotator.fit.solving.models import FREE_PARAMETERS
 from procc_annotator.fit.solving.observations import FloatArray
 
-PARAMETERS_FREE = FREE["R"]
+PARAMETERS_FREE = FREE_PARAMETERS["R"]
 
-Floats = NDArray[np.floating]
-Integers = NDArray[np.integer]
+FloatingArray = NDArray[np.floating]
+IntegerArray = NDArray[np.integer]
 
 
 @dataclass(frozen=True, eq=False)
-class Marks:
+class EdgePoints:
     """n places of paint that were found in a picture.
 
     A place may slide along its element: only its distance across counts, which a camera that moves
@@ -32,18 +32,18 @@ class Marks:
         run: (n,) which stretch in sight.
     """
 
-    world: Floats
-    across: Floats
-    normal: Floats
-    element: Integers
-    run: Integers
+    world: FloatingArray
+    across: FloatingArray
+    normal: FloatingArray
+    element: IntegerArray
+    run: IntegerArray
 
     def __len__(self) -> int:
         return len(self.across)
 
-    def small(self) -> Marks:
+    def small(self) -> EdgePoints:
         """The same in less than half the room, to be kept: places to some micrometres."""
-        return Marks(
+        return EdgePoints(
             self.world.astype(np.float32),
             self.across.astype(np.float32),
             self.normal.astype(np.float32),
@@ -51,9 +51,9 @@ class Marks:
             self.run.astype(np.int16),
         )
 
-    def chosen(self, rows: np.ndarray) -> Marks:
+    def chosen(self, rows: np.ndarray) -> EdgePoints:
         """Some of them."""
-        return Marks(
+        return EdgePoints(
             self.world[:, rows],
             self.across[rows],
             self.normal[:, rows],
@@ -62,8 +62,8 @@ class Marks:
         )
 
 
-def residuals(
-    vectors: FloatArray, marks: Marks, half_diagonal: float, free: int = PARAMETERS_FREE
+def edge_point_errors(
+    vectors: FloatArray, marks: EdgePoints, half_diagonal: float, free: int = PARAMETERS_FREE
 ) -> tuple[FloatArray, FloatArray]:
     """How far marks are from where cameras show them, across.
 

@@ -19,17 +19,17 @@ from procc_annotator.fit.solving.observations import FloatArray
 Values = NDArray[np.float32]
 
 STEP_PX = 0.5  # between samples of a cut
-AROUND = 6  # samples to either side of where the line was found
-_BLURS_PX = (0.85, 1.3)  # standard deviations: of lenses, scaling and loss
+PROFILE_HALF_SAMPLES = 6  # samples to either side of where the line was found
+_BLUR_SIGMAS_PX = (0.85, 1.3)  # standard deviations: of lenses, scaling and loss
 _SHIFTS_PX = np.arange(-1.5, 1.51, 0.25)
 _WIDTHS_PX = np.arange(0.25, 2.01, 0.25)
 
 
-def middles(cuts: Values, width_px: FloatArray) -> FloatArray:
+def line_centres(cuts: Values, width_px: FloatArray) -> FloatArray:
     """How far the middles of lines lie from those of their cuts.
 
     Args:
-        cuts: (n, 2 * `AROUND` + 1, c) values in c colours, `STEP_PX` apart.
+        cuts: (n, 2 * `PROFILE_HALF_SAMPLES` + 1, c) values in c colours, `STEP_PX` apart.
         width_px: (n,) of the lines, px, at most 2.
 
     Returns:
@@ -40,11 +40,11 @@ def middles(cuts: Values, width_px: FloatArray) -> FloatArray:
     found = np.empty(len(cuts))
     for own in np.unique(kind).tolist():
         rows = np.flatnonzero(kind == own)
-        found[rows] = _best_shifts(level[rows], _explaining(own))
+        found[rows] = _best_template_shifts(level[rows], _template_basis(own))
     return found
 
 
-def _best_shifts(level: Values, ways: Values) -> FloatArray:
+def _best_template_shifts(level: Values, ways: Values) -> FloatArray:
     """(n,) px, of (n, c, samples)."""
     blurs, shifts, two, samples = ways.shape
     told = level.reshape(-1, samples) @ ways.reshape(-1, samples).T
@@ -63,22 +63,22 @@ def _best_shifts(level: Values, ways: Values) -> FloatArray:
 
 
 @lru_cache(maxsize=len(_WIDTHS_PX))
-def _explaining(kind: int) -> Values:
+def _template_basis(kind: int) -> Values:
     """(blurs, shifts, 2, samples): what spans a step and a line of a width, less the mean."""
     half = float(_WIDTHS_PX[kind]) / 2
-    places = np.arange(-AROUND, AROUND + 1) * STEP_PX
+    places = np.arange(-PROFILE_HALF_SAMPLES, PROFILE_HALF_SAMPLES + 1) * STEP_PX
     found = []
-    for blur in _BLURS_PX:
+    for blur in _BLUR_SIGMAS_PX:
         for shift in _SHIFTS_PX:
             at = places - shift
-            line = _risen((at + half) / blur) - _risen((at - half) / blur)
-            both = np.stack([_risen(at / blur), line])
+            line = _blurred_step((at + half) / blur) - _blurred_step((at - half) / blur)
+            both = np.stack([_blurred_step(at / blur), line])
             both -= both.mean(axis=1, keepdims=True)
             found.append(np.linalg.qr(both.T)[0].T)
-    shape = (len(_BLURS_PX), len(_SHIFTS_PX), 2, len(places))
+    shape = (len(_BLUR_SIGMAS_PX), len(_SHIFTS_PX), 2, len(places))
     return np.array(found, dtype=np.float32).reshape(shape)
 
 
-def _risen(places: FloatArray) -> FloatArray:
+def _blurred_step(places: FloatArray) -> FloatArray:
     """A step from 0 to 1 at 0, blurred by 1."""
     return np.array([(1 + math.erf(at / math.sqrt(2))) / 2 for at in places.tolist()])

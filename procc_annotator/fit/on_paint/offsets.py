@@ -16,29 +16,29 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.fit.on_paint.expected import Expected
-from procc_annotator.fit.on_paint.narrow import AROUND, STEP_PX, middles
-from procc_annotator.fit.on_paint.painted import Painted
-from procc_annotator.fit.solving.observations import FloatArray, IntArray, PictureFrame
+from procc_annotator.fit.on_paint.expected import ExpectedLinePoints
+from procc_annotator.fit.on_paint.narrow import PROFILE_HALF_SAMPLES, STEP_PX, line_centres
+from procc_annotator.fit.on_paint.painted import MarkingPoints
+from procc_annotator.fit.solving.observations import FloatArray, IntArray, ImageFrame
 from procc_annotator.image.pixels import PixelArray
 
 Values = NDArray[np.float32]
 
 # A cut is sampled in steps of a quarter of the band's width; of half a pixel where it is narrow.
-_WIDTH_STEPS, _LEAST_STEP_PX = 4, STEP_PX
-_GAP_STEPS, _FLANK_STEPS = 1, 3
-_NEIGHBOURS = 2  # to either side, whose cuts are averaged with a place's own
-_BEYOND = _WIDTH_STEPS // 2 + _GAP_STEPS + _FLANK_STEPS
-_LEAST_CONTRAST = 5.0  # grey levels, of the band against the nearer of its flanks
-_RIVAL = 0.75  # of a band's contrast: another one that convinces as much
-_RIVAL_STEPS = 5  # from the band's middle: nearer ones are itself
+_WIDTH_STEPS, _MIN_STEP_PX = 4, STEP_PX
+_FLANK_GAP_STEPS, _FLANK_LENGTH_STEPS = 1, 3
+_AVERAGED_NEIGHBOURS = 2  # to either side, whose cuts are averaged with a place's own
+_PROFILE_MARGIN_STEPS = _WIDTH_STEPS // 2 + _FLANK_GAP_STEPS + _FLANK_LENGTH_STEPS
+_MIN_CONTRAST = 5.0  # grey levels, of the band against the nearer of its flanks
+_RIVAL_RATIO = 0.75  # of a band's contrast: another one that convinces as much
+_RIVAL_MIN_STEPS = 5  # from the band's middle: nearer ones are itself
 # Of a band's contrast: what the grounds beside a narrow line differ by, for its brightest place not
 # to be its middle.
-_UNLIKE = 2.0
+_FLANK_DIFFERENCE_RATIO = 2.0
 
 
 @dataclass(frozen=True, eq=False)
-class Offsets:
+class LineOffsets:
     """Paint beside n expected places.
 
     Attributes:
@@ -52,13 +52,13 @@ class Offsets:
     contrast: FloatArray
 
 
-def offsets_of(
+def line_offsets(
     picture: PixelArray,
-    expected: Expected,
-    painted: Painted,
-    frame: PictureFrame,
+    expected: ExpectedLinePoints,
+    painted: MarkingPoints,
+    frame: ImageFrame,
     reach_px: float | FloatArray,
-) -> Offsets:
+) -> LineOffsets:
     """Look for paint across every expected place.
 
     Args:
@@ -69,34 +69,34 @@ def offsets_of(
         reach_px: (n,) or one for all: how far off paint may be, solver px.
     """
     if not len(expected.rows):
-        return _NONE
-    cut = _CutAcross.of(picture, expected, painted, frame, reach_px)
+        return _NO_OFFSETS
+    cut = _LineProfiles.of(picture, expected, painted, frame, reach_px)
     return cut.offsets(*cut.best(reach_px))
 
 
-def nearest_offsets(
+def nearest_line_offsets(
     picture: PixelArray,
-    expected: Expected,
-    painted: Painted,
-    frame: PictureFrame,
+    expected: ExpectedLinePoints,
+    painted: MarkingPoints,
+    frame: ImageFrame,
     near_px: float,
     far_px: float,
-) -> tuple[Offsets, NDArray[np.bool_]]:
+) -> tuple[LineOffsets, NDArray[np.bool_]]:
     """Look for paint near every expected place, and where there is none farther off, as
-    `offsets_of`; also says (n,) where it was found near."""
+    `line_offsets`; also says (n,) where it was found near."""
     if not len(expected.rows):
-        return _NONE, _NONE.found
-    cut = _CutAcross.of(picture, expected, painted, frame, far_px)
+        return _NO_OFFSETS, _NO_OFFSETS.found
+    cut = _LineProfiles.of(picture, expected, painted, frame, far_px)
     near, far = cut.best(near_px), cut.best(far_px)
     is_near = near[2]
     return cut.offsets(*(np.where(is_near, *both) for both in zip(near, far, strict=True))), is_near
 
 
-_NONE = Offsets(np.zeros(0), np.zeros(0, dtype=bool), np.zeros(0))
+_NO_OFFSETS = LineOffsets(np.zeros(0), np.zeros(0, dtype=bool), np.zeros(0))
 
 
 @dataclass(frozen=True, eq=False)
-class _CutAcross:
+class _LineProfiles:
     """A picture cut across n places.
 
     Attributes:
@@ -109,7 +109,7 @@ class _CutAcross:
         response: (n, 2 half + 1) how much a band there stands out.
     """
 
-    expected: Expected
+    expected: ExpectedLinePoints
     scale: float
     step: FloatArray
     half: int
@@ -121,18 +121,18 @@ class _CutAcross:
     def of(
         cls,
         picture: PixelArray,
-        expected: Expected,
-        painted: Painted,
-        frame: PictureFrame,
+        expected: ExpectedLinePoints,
+        painted: MarkingPoints,
+        frame: ImageFrame,
         reach_px: float | FloatArray,
     ) -> Self:
         """As far as paint may be off, solver px."""
-        step = np.maximum(expected.width_px / frame.scale / _WIDTH_STEPS, _LEAST_STEP_PX)
+        step = np.maximum(expected.width_px / frame.scale / _WIDTH_STEPS, _MIN_STEP_PX)
         half = int(np.ceil((reach_px / frame.scale / step).max()))
-        cuts = _cuts(picture, expected, frame, step, half + _BEYOND)
+        cuts = _sample_profiles(picture, expected, frame, step, half + _PROFILE_MARGIN_STEPS)
         tone = painted.tone[expected.rows]
-        values = _values(cuts, tone, painted.element[expected.rows])
-        response = _averaged(_standing_out(values), expected.run)
+        values = _profile_values(cuts, tone, painted.element[expected.rows])
+        response = _neighbour_mean(_band_response(values), expected.run)
         return cls(expected, frame.scale, step, half, cuts, values, response)
 
     def best(
@@ -141,25 +141,25 @@ class _CutAcross:
         """See `_best`, no farther off than so many solver px."""
         reach = np.broadcast_to(np.asarray(reach_px) / self.scale, self.step.shape)
         away = np.abs(np.arange(-self.half, self.half + 1)) * self.step[:, None]
-        return _best(self.response, away <= reach[:, None])
+        return _best_columns(self.response, away <= reach[:, None])
 
-    def offsets(self, at: FloatArray, contrast: FloatArray, found: NDArray[np.bool_]) -> Offsets:
+    def offsets(self, at: FloatArray, contrast: FloatArray, found: NDArray[np.bool_]) -> LineOffsets:
         """What lies at columns (n,), in the middle of the paint."""
         px = (at - self.half) * self.step
-        narrow = np.flatnonzero(found & (self.step == _LEAST_STEP_PX))
-        column = _BEYOND + np.rint(at[narrow]).astype(np.intp)
-        unlike = _between_unlike(self.values, narrow, column, contrast[narrow])
+        narrow = np.flatnonzero(found & (self.step == _MIN_STEP_PX))
+        column = _PROFILE_MARGIN_STEPS + np.rint(at[narrow]).astype(np.intp)
+        unlike = _is_between_surfaces(self.values, narrow, column, contrast[narrow])
         if unlike.any():
             narrow, column = narrow[unlike], column[unlike]
-            around = column[:, None] + np.arange(-AROUND, AROUND + 1)
-            cut = _mean_rows(self.cuts, narrow, around, self.expected)
-            shift = middles(cut, self.expected.width_px[narrow] / self.scale)
-            px[narrow] = (column - _BEYOND - self.half) * _LEAST_STEP_PX + shift
-        return Offsets(px * self.scale, found, contrast)
+            around = column[:, None] + np.arange(-PROFILE_HALF_SAMPLES, PROFILE_HALF_SAMPLES + 1)
+            cut = _neighbour_mean_colours(self.cuts, narrow, around, self.expected)
+            shift = line_centres(cut, self.expected.width_px[narrow] / self.scale)
+            px[narrow] = (column - _PROFILE_MARGIN_STEPS - self.half) * _MIN_STEP_PX + shift
+        return LineOffsets(px * self.scale, found, contrast)
 
 
-def _cuts(
-    picture: PixelArray, expected: Expected, frame: PictureFrame, step: FloatArray, half: int
+def _sample_profiles(
+    picture: PixelArray, expected: ExpectedLinePoints, frame: ImageFrame, step: FloatArray, half: int
 ) -> PixelArray:
     """(n, 2 half + 1, 3) BGR across every place."""
     centre = np.array(frame.centre_px)[:, None]
@@ -173,7 +173,7 @@ def _cuts(
     return np.asarray(cut[..., :3], dtype=np.uint8)
 
 
-def _values(cuts: PixelArray, tone: IntArray, element: IntArray) -> Values:
+def _profile_values(cuts: PixelArray, tone: IntArray, element: IntArray) -> Values:
     """(n, m) of cuts, in which paint is lighter than what is beside it."""
     # White paint is light in all colours, coloured paint dark in one of them.
     lowest = np.minimum(np.minimum(cuts[..., 0], cuts[..., 1]), cuts[..., 2])
@@ -183,20 +183,20 @@ def _values(cuts: PixelArray, tone: IntArray, element: IntArray) -> Values:
     if len(unknown):
         grey = cuts[unknown].astype(np.float32).mean(axis=2)
         # An element is painted in one colour: all of its places tell which.
-        strength = [np.maximum(_standing_out(own), 0).max(axis=1) for own in (grey, -grey)]
+        strength = [np.maximum(_band_response(own), 0).max(axis=1) for own in (grey, -grey)]
         own = element[unknown]
         votes = np.stack([np.bincount(own, s) for s in strength])
         values[unknown] = np.where((votes[0] >= votes[1])[own][:, None], grey, -grey)
     return values
 
 
-def _standing_out(values: Values) -> Values:
+def _band_response(values: Values) -> Values:
     total = np.zeros((len(values), values.shape[1] + 1), dtype=np.float32)
     np.cumsum(values, axis=1, out=total[:, 1:])
-    inner, flank, gap = _WIDTH_STEPS, _FLANK_STEPS, _GAP_STEPS
+    inner, flank, gap = _WIDTH_STEPS, _FLANK_LENGTH_STEPS, _FLANK_GAP_STEPS
     # Half weights at both ends of the band keep its middle on a sample.
-    width = values.shape[1] - 2 * _BEYOND
-    begin = _BEYOND - inner // 2
+    width = values.shape[1] - 2 * _PROFILE_MARGIN_STEPS
+    begin = _PROFILE_MARGIN_STEPS - inner // 2
 
     def sum_from(first: int, many: int) -> Values:
         return total[:, first + many : first + many + width] - total[:, first : first + width]
@@ -207,49 +207,49 @@ def _standing_out(values: Values) -> Values:
     return np.asarray(band / (2 * inner) - np.maximum(left, right))
 
 
-def _averaged(response: Values, run: IntArray) -> Values:
+def _neighbour_mean(response: Values, run: IntArray) -> Values:
     """The mean over each place and its neighbours on the same stretch."""
     rows = np.arange(len(run))
     first = np.searchsorted(run, run)
     last = np.searchsorted(run, run, side="right") - 1
     found = response.copy()
-    for away in range(1, _NEIGHBOURS + 1):
+    for away in range(1, _AVERAGED_NEIGHBOURS + 1):
         for other in (rows - away, rows + away):
             found += response[np.clip(other, first, last)]
-    found /= 2 * _NEIGHBOURS + 1
+    found /= 2 * _AVERAGED_NEIGHBOURS + 1
     return found
 
 
-def _between_unlike(
+def _is_between_surfaces(
     values: Values, rows: IntArray, columns: IntArray, contrast: FloatArray
 ) -> NDArray[np.bool_]:
     """(k,) whether a line at a column lies between grounds of different tones."""
-    away = np.arange(_BEYOND - _FLANK_STEPS + 1, _BEYOND + 1)
+    away = np.arange(_PROFILE_MARGIN_STEPS - _FLANK_LENGTH_STEPS + 1, _PROFILE_MARGIN_STEPS + 1)
     one, other = (
         values[rows[:, None], columns[:, None] + side * away].mean(axis=1) for side in (1, -1)
     )
-    return np.asarray(np.abs(one - other) > _UNLIKE * contrast)
+    return np.asarray(np.abs(one - other) > _FLANK_DIFFERENCE_RATIO * contrast)
 
 
-def _mean_rows(cuts: PixelArray, rows: IntArray, columns: IntArray, expected: Expected) -> Values:
+def _neighbour_mean_colours(cuts: PixelArray, rows: IntArray, columns: IntArray, expected: ExpectedLinePoints) -> Values:
     """(k, m, 3) of some rows and their neighbours on the same stretch, at (k, m) columns."""
     total = np.zeros((*columns.shape, 3), dtype=np.float32)
-    for other in _neighbours(expected.run):
+    for other in _neighbour_rows(expected.run):
         total += cuts[other[rows][:, None], columns]
-    total /= 2 * _NEIGHBOURS + 1
+    total /= 2 * _AVERAGED_NEIGHBOURS + 1
     return total
 
 
-def _neighbours(run: IntArray) -> Iterator[IntArray]:
+def _neighbour_rows(run: IntArray) -> Iterator[IntArray]:
     """Each place itself, and those beside it on the same stretch, or its end."""
     rows = np.arange(len(run))
     first = np.searchsorted(run, run)
     last = np.searchsorted(run, run, side="right") - 1
-    for away in range(-_NEIGHBOURS, _NEIGHBOURS + 1):
+    for away in range(-_AVERAGED_NEIGHBOURS, _AVERAGED_NEIGHBOURS + 1):
         yield np.clip(rows + away, first, last)
 
 
-def _best(
+def _best_columns(
     response: Values, within: NDArray[np.bool_]
 ) -> tuple[FloatArray, FloatArray, NDArray[np.bool_]]:
     """(n,) column of each place's band, between columns; its contrast; whether it convinces."""
@@ -262,9 +262,9 @@ def _best(
     left = response[rows, np.maximum(best - 1, 0)]
     right = response[rows, np.minimum(best + 1, response.shape[1] - 1)]
     is_top = (left <= contrast) & (right <= contrast)
-    convinces = is_top & (contrast >= _LEAST_CONTRAST)
-    far = np.abs(columns - best[:, None]) >= _RIVAL_STEPS
+    convinces = is_top & (contrast >= _MIN_CONTRAST)
+    far = np.abs(columns - best[:, None]) >= _RIVAL_MIN_STEPS
     rival = np.where(far, allowed, -np.inf).max(axis=1)
     bend = np.maximum(2 * contrast - left - right, 1e-6)
     at = best + np.clip((right - left) / (2 * bend), -0.5, 0.5)
-    return at, contrast, convinces & (rival < _RIVAL * contrast)
+    return at, contrast, convinces & (rival < _RIVAL_RATIO * contrast)

@@ -13,22 +13,22 @@ from procc_annotator.field.geometry import (
     Part,
     Spot,
     angles_of,
-    at_angles,
+    points_at_angles,
     outline_of,
     parts_of,
 )
 from procc_annotator.field.model import Element, Field
-from procc_annotator.field.paint import normal_of_paint
+from procc_annotator.field.paint import marking_normal
 from procc_annotator.fit.solving.observations import FloatArray, IntArray
 
 # Between two places, of half the field's length; curves turn by this much at most.
-_SPACING = 0.004
-_LARGEST_TURN_RAD = 0.05
-_TONES = {LIGHTER: 1, DARKER: -1}
+_SPACING_SHARE = 0.004
+_MAX_STEP_RAD = 0.05
+_TONE_SIGNS = {LIGHTER: 1, DARKER: -1}
 
 
 @dataclass(frozen=True, eq=False)
-class Painted:
+class MarkingPoints:
     """N places in the middle of the paint of E elements.
 
     Attributes:
@@ -53,25 +53,25 @@ class Painted:
     tone: IntArray
 
 
-def painted_of(field: Field) -> Painted:
+def marking_points(field: Field) -> MarkingPoints:
     """The places of a field's paint.
 
     Args:
         field: its elements are taken for the middle of their paint, as they are where clicks are
             put there: whoever wants them where they are painted asks for ``lines = middle``.
     """
-    return _painted(field.elements)
+    return _marking_points(field.elements)
 
 
 @lru_cache(maxsize=8)
-def _painted(elements: tuple[Element, ...]) -> Painted:
+def _marking_points(elements: tuple[Element, ...]) -> MarkingPoints:
     sought = [e for e in elements if e.appearance.kind in (LINE, BAR) and not e.is_spot]
     reach = max((float(np.abs(outline_of(e.geometry)).max()) for e in sought), default=1.0)
     world, along, across, counts, owners = [], [], [], [], []
     for number, element in enumerate(sought):
-        normal = None if element.appearance.kind == BAR else normal_of_paint(element)
-        for part in _parts(element):
-            places, ways = _places(part, _SPACING * reach)
+        normal = None if element.appearance.kind == BAR else marking_normal(element)
+        for part in _marking_parts(element):
+            places, ways = _points_along(part, _SPACING_SHARE * reach)
             world.append(places)
             along.append(ways)
             across.append(np.zeros_like(ways) if normal is None else np.cross(normal, ways))
@@ -80,9 +80,9 @@ def _painted(elements: tuple[Element, ...]) -> Painted:
     if not sought:
         nothing = np.zeros((3, 0))
         rows = np.zeros(0, dtype=np.intp)
-        return Painted((), nothing, nothing, nothing, rows, rows, np.zeros(0), rows)
+        return MarkingPoints((), nothing, nothing, nothing, rows, rows, np.zeros(0), rows)
     element_of = np.repeat(owners, counts)
-    return Painted(
+    return MarkingPoints(
         tuple(e.name for e in sought),
         np.concatenate(world).T.copy(),
         np.concatenate(along).T.copy(),
@@ -90,15 +90,15 @@ def _painted(elements: tuple[Element, ...]) -> Painted:
         element_of,
         np.repeat(np.arange(len(counts)), counts),
         np.array([e.appearance.width_m for e in sought])[element_of],
-        np.array([_TONES.get(e.appearance.tone, 0) for e in sought], dtype=np.intp)[element_of],
+        np.array([_TONE_SIGNS.get(e.appearance.tone, 0) for e in sought], dtype=np.intp)[element_of],
     )
 
 
-def _parts(element: Element) -> list[Part]:
+def _marking_parts(element: Element) -> list[Part]:
     return [part for part in parts_of(element.geometry) if not isinstance(part, Spot)]
 
 
-def _places(part: Part, spacing_m: float) -> tuple[FloatArray, FloatArray]:
+def _points_along(part: Part, spacing_m: float) -> tuple[FloatArray, FloatArray]:
     """(n, 3) metres along a part, and (n, 3) unit vectors along it there."""
     if isinstance(part, Spot):
         raise TypeError("a spot has no course")
@@ -109,8 +109,8 @@ def _places(part: Part, spacing_m: float) -> tuple[FloatArray, FloatArray]:
         places = start + shares * (end - start)
         return places, np.broadcast_to((end - start) / length, places.shape)
     first, last = angles_of(part)
-    step = min(spacing_m / part.radius, _LARGEST_TURN_RAD)
+    step = min(spacing_m / part.radius, _MAX_STEP_RAD)
     angles = np.linspace(first, last, max(3, int(np.ceil((last - first) / step)) + 1))
     ahead, aside = np.array(part.ahead), np.array(part.aside)
     ways = -np.sin(angles)[:, None] * ahead + np.cos(angles)[:, None] * aside
-    return at_angles(part, angles), ways
+    return points_at_angles(part, angles), ways

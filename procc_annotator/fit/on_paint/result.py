@@ -6,10 +6,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from procc_annotator.fit.on_paint.belief import COUNTS, Belief, Solved
-from procc_annotator.fit.on_paint.marks import PARAMETERS_FREE, Marks
-from procc_annotator.fit.on_paint.painted import Painted
-from procc_annotator.fit.result import ElementResidual, FitResult, PoseDeviations
+from procc_annotator.fit.on_paint.belief import MIN_WEIGHT, GaussianState, StateUpdate
+from procc_annotator.fit.on_paint.marks import PARAMETERS_FREE, EdgePoints
+from procc_annotator.fit.on_paint.painted import MarkingPoints
+from procc_annotator.fit.result import ElementResidual, FitResult, PoseStandardDeviations
 from procc_annotator.fit.solving.models import (
     LOG_FOCAL,
     PARAMETERS,
@@ -17,15 +17,15 @@ from procc_annotator.fit.solving.models import (
     Z,
     camera_from_vector,
 )
-from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
+from procc_annotator.fit.solving.observations import FloatArray, ImageFrame
 
-_LEAST_ERROR_PX, _USUAL_ERROR_PX, _BELIEF = 0.08, 0.5, 20.0
-_TOGETHER = 12  # neighbouring marks, whose errors may have a part in common
-_MOST_TOGETHER = 12.0
+_MIN_ERROR_PX, _PRIOR_ERROR_PX, _PRIOR_WEIGHT = 0.08, 0.5, 20.0
+_CORRELATION_LAGS = 12  # neighbouring marks, whose errors may have a part in common
+_MAX_CORRELATED = 12.0
 
 
 @dataclass(frozen=True, slots=True)
-class Worth:
+class EdgeNoiseModel:
     """What marks are off by.
 
     Attributes:
@@ -37,51 +37,51 @@ class Worth:
     together: float
 
     @property
-    def information_px(self) -> float:
+    def independent_error_px(self) -> float:
         """Standard deviation that marks would have if they were as many independent ones."""
         return self.error_px * float(np.sqrt(self.together))
 
 
-def worth_of(solved: Solved, marks: Marks) -> Worth:
+def estimate_edge_noise(solved: StateUpdate, marks: EdgePoints) -> EdgeNoiseModel:
     """What the marks of a picture are worth, by what remains of them."""
-    counted = solved.weights > COUNTS
+    counted = solved.weights > MIN_WEIGHT
     off, run = solved.off[counted], marks.run[counted]
     if not len(off):
-        return Worth(_USUAL_ERROR_PX, _MOST_TOGETHER)
+        return EdgeNoiseModel(_PRIOR_ERROR_PX, _MAX_CORRELATED)
     squares = float((off * off).sum())
-    variance = (squares + _BELIEF * _USUAL_ERROR_PX**2) / (len(off) + _BELIEF)
+    variance = (squares + _PRIOR_WEIGHT * _PRIOR_ERROR_PX**2) / (len(off) + _PRIOR_WEIGHT)
     # Sums of neighbours: as large as they are independent, or larger.
     place = np.arange(len(run)) - np.searchsorted(run, run)
-    group = run * (len(run) // _TOGETHER + 2) + place // _TOGETHER
+    group = run * (len(run) // _CORRELATION_LAGS + 2) + place // _CORRELATION_LAGS
     _, of = np.unique(group, return_inverse=True)
     sums = np.bincount(of, off)
     together = float((sums * sums).sum()) / max(squares, 1e-9)
-    return Worth(
-        max(float(np.sqrt(variance)), _LEAST_ERROR_PX), min(max(together, 1.0), _MOST_TOGETHER)
+    return EdgeNoiseModel(
+        max(float(np.sqrt(variance)), _MIN_ERROR_PX), min(max(together, 1.0), _MAX_CORRELATED)
     )
 
 
-def fit_of(
-    solved: Solved,
-    marks: Marks,
-    belief: Belief,
-    worth: Worth,
-    painted: Painted,
-    frame: PictureFrame,
+def fit_from_edge_points(
+    solved: StateUpdate,
+    marks: EdgePoints,
+    belief: GaussianState,
+    worth: EdgeNoiseModel,
+    painted: MarkingPoints,
+    frame: ImageFrame,
 ) -> FitResult:
     """A fit to marks, as any fit is handed back."""
-    information = solved.information / worth.information_px**2 + belief.information
+    information = solved.information / worth.independent_error_px**2 + belief.information
     covariance = np.linalg.inv(information)
     covariance = (covariance + covariance.T) / 2
-    return fit_result(
-        solved.vector, covariance, frame, worth.error_px, _elements(solved, marks, painted, frame)
+    return fit_from_covariance(
+        solved.vector, covariance, frame, worth.error_px, _element_residuals(solved, marks, painted, frame)
     )
 
 
-def fit_result(
+def fit_from_covariance(
     vector: FloatArray,
     covariance: FloatArray,
-    frame: PictureFrame,
+    frame: ImageFrame,
     error_px: float,
     elements: tuple[ElementResidual, ...] = (),
 ) -> FitResult:
@@ -96,7 +96,7 @@ def fit_result(
     """
     sd = np.sqrt(np.maximum(np.diag(covariance), 0.0)).tolist()
     focal = float(np.exp(vector[LOG_FOCAL])) / frame.scale
-    deviations = PoseDeviations(
+    deviations = PoseStandardDeviations(
         sd[0], sd[1], sd[2], (sd[X], sd[X + 1], sd[Z]), focal * sd[LOG_FOCAL]
     )
     return FitResult(
@@ -115,14 +115,14 @@ def fit_result(
     )
 
 
-def _elements(
-    solved: Solved, marks: Marks, painted: Painted, frame: PictureFrame
+def _element_residuals(
+    solved: StateUpdate, marks: EdgePoints, painted: MarkingPoints, frame: ImageFrame
 ) -> tuple[ElementResidual, ...]:
     away = np.abs(solved.off) / frame.scale
     found = []
     for number in np.unique(marks.element).tolist():
         own = marks.element == number
-        counted = own & (solved.weights > COUNTS)
+        counted = own & (solved.weights > MIN_WEIGHT)
         left_out = not counted.any()
         distances = away[own if left_out else counted]
         found.append(ElementResidual(painted.names[number], tuple(distances.tolist()), left_out))

@@ -16,22 +16,22 @@ import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
-from procc_annotator.fit.predict.joints import Ends, ends_in_sight
-from procc_annotator.fit.predict.mistaken import carrying_another_label
+from procc_annotator.fit.predict.joints import ExpectedEnds, expected_ends
+from procc_annotator.fit.predict.mistaken import classes_labelled_otherwise
 from procc_annotator.fit.predict.sight import (
-    Stretch,
-    between_corners,
-    stretches_in_sight,
+    VisibleStretch,
+    split_at_corners,
+    visible_stretches,
 )
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.observations import FloatArray
-from procc_annotator.metric.course import normals_of
+from procc_annotator.metric.course import polyline_normals
 
 # A ghost is offered where it is known to this, across the element, px at 960 px width.
-MOST_SD_PX = 3.0
+MAX_SD_PX = 3.0
 # Shorter pieces are not worth a click, px at 960 px width.
-SHORTEST_PX = 10.0
-_KNOT_PX = 12.0  # the deviation changes slowly along an element
+MIN_LENGTH_PX = 10.0
+_SD_SPACING_PX = 12.0  # the deviation changes slowly along an element
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,7 +61,7 @@ class Ghost:
 
     name: str
     pieces: tuple[GhostPiece, ...]
-    ends: Ends = (None, None)
+    ends: ExpectedEnds = (None, None)
 
     @property
     def sd_px(self) -> float:
@@ -75,7 +75,7 @@ def find_ghosts(
     fit: FitResult,
     *,
     without: Collection[str] = (),
-    most_sd_px: float = MOST_SD_PX,
+    most_sd_px: float = MAX_SD_PX,
 ) -> tuple[Ghost, ...]:
     """The elements in sight that are not annotated, where the fit knows them well enough.
 
@@ -96,41 +96,41 @@ def find_ghosts(
         return ()
     per_reference = (fit.size[0] - 1) / 959
     optional = {e.name for e in field.elements if e.optional}
-    seen = missing_stretches(annotation, field, fit, optional.union(without))
-    smooth = [part for stretch in seen for part in between_corners(stretch)]
-    long_enough = [s for s in smooth if s.length_px >= SHORTEST_PX * per_reference]
-    pieces = deviations_along(long_enough, fit)
+    seen = unannotated_stretches(annotation, field, fit, optional.union(without))
+    smooth = [part for stretch in seen for part in split_at_corners(stretch)]
+    long_enough = [s for s in smooth if s.length_px >= MIN_LENGTH_PX * per_reference]
+    pieces = stretch_deviations(long_enough, fit)
     found: dict[str, list[GhostPiece]] = {}
     for stretch, piece in zip(long_enough, pieces, strict=True):
         found.setdefault(stretch.name, []).append(piece)
-    ends = ends_in_sight(long_enough, field, fit)
+    ends = expected_ends(long_enough, field, fit)
     ghosts = (
         Ghost(name, tuple(pieces), ends.get(name, (None, None))) for name, pieces in found.items()
     )
     return tuple(g for g in ghosts if g.sd_px <= most_sd_px * per_reference)
 
 
-def missing_stretches(
+def unannotated_stretches(
     annotation: FrameAnnotation, field: Field, fit: FitResult, without: Collection[str] = ()
-) -> tuple[Stretch, ...]:
+) -> tuple[VisibleStretch, ...]:
     """What the fitted camera has in sight of elements that have no points yet, neither under their
     own class nor under another one."""
     if fit.camera is None:
         return ()
     taken = {p.class_name for p in (*annotation.polylines, *annotation.unconfirmed) if p.points}
-    seen = stretches_in_sight(field, fit.camera, fit.size, taken.union(without))
-    mistaken = carrying_another_label(annotation, fit, seen)
+    seen = visible_stretches(field, fit.camera, fit.size, taken.union(without))
+    mistaken = classes_labelled_otherwise(annotation, fit, seen)
     return tuple(stretch for stretch in seen if stretch.name not in mistaken)
 
 
-def deviations_along(stretches: list[Stretch], fit: FitResult) -> list[GhostPiece]:
+def stretch_deviations(stretches: list[VisibleStretch], fit: FitResult) -> list[GhostPiece]:
     """The pieces of stretches, with deviations; one call for all of them."""
     if not stretches:
         return []
-    knots = [_knots(s) for s in stretches]
+    knots = [_sd_sample_rows(s) for s in stretches]
     world = np.concatenate([s.points_world[k] for s, k in zip(stretches, knots, strict=True)])
     across = np.concatenate(
-        [normals_of(s.points_px)[k] for s, k in zip(stretches, knots, strict=True)]
+        [polyline_normals(s.points_px)[k] for s, k in zip(stretches, knots, strict=True)]
     )
     # Of the camera, and of what this element may lie beside it by itself.
     sd = np.hypot(fit.projected_sd(world, across), fit.offset_px)
@@ -141,6 +141,6 @@ def deviations_along(stretches: list[Stretch], fit: FitResult) -> list[GhostPiec
     ]
 
 
-def _knots(stretch: Stretch) -> np.ndarray:
-    count = min(len(stretch.points_px), max(3, round(stretch.length_px / _KNOT_PX)))
+def _sd_sample_rows(stretch: VisibleStretch) -> np.ndarray:
+    count = min(len(stretch.points_px), max(3, round(stretch.length_px / _SD_SPACING_PX)))
     return np.unique(np.linspace(0, len(stretch.points_px) - 1, count).round().astype(np.intp))

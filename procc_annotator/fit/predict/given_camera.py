@@ -13,11 +13,11 @@ from procc_annotator.fit.solving.observations import FloatArray
 
 # What a given camera may show an element beside its paint by, px at 960 px width: such cameras
 # come from paint or from points, not from a guess.
-_SD_PX = 1.5
+_ASSUMED_SD_PX = 1.5
 
 
 @dataclass(frozen=True, eq=False)
-class GivenCamera(FitResult):
+class ExternalCameraFit(FitResult):
     """A fit nobody made: every element may lie beside the camera as a whole, by the same."""
 
     def projected_covariance(self, points_world: FloatArray) -> FloatArray:
@@ -25,11 +25,11 @@ class GivenCamera(FitResult):
         return np.zeros((len(points_world), 2, 2))
 
 
-def given_camera(camera: PinholeCamera | HomographyCamera, size: tuple[int, int]) -> GivenCamera:
+def external_camera_fit(camera: PinholeCamera | HomographyCamera, size: tuple[int, int]) -> ExternalCameraFit:
     """A camera in px of a picture, with what it may be off by in this picture.
 
     Args:
         camera: in px of the picture.
         size: (width, height) px.
     """
-    return GivenCamera("given", size, camera, offset_px=_SD_PX * (size[0] - 1) / 959)
+    return ExternalCameraFit("given", size, camera, offset_px=_ASSUMED_SD_PX * (size[0] - 1) / 959)

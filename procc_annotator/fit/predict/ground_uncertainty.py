@@ -15,23 +15,23 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.camera.base import Camera
-from procc_annotator.camera.ground_search import ground_slopes
+from procc_annotator.camera.ground_search import ground_jacobian
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.fit.result import FitResult
-from procc_annotator.fit.solving.covariance import worst_sd
+from procc_annotator.fit.solving.covariance import max_direction_sd
 from procc_annotator.fit.solving.observations import FloatArray
-from procc_annotator.metric.ground import Rectangle, field_rectangle
-from procc_annotator.metric.spread import Spread, share_within, spread
+from procc_annotator.metric.ground import GroundRectangle, field_rectangle
+from procc_annotator.metric.spread import MapSummary, area_share_within, map_summary
 
 BoolArray = NDArray[np.bool_]
 
-GOOD_TO_M = (0.1, 0.5, 1.0)
+ACCURACY_LEVELS_M = (0.1, 0.5, 1.0)
 """Standard deviations on the ground that a map tells apart, metres."""
 
-_STEP_M = 1.0
-_FEWEST_STEPS = 60  # across what is in sight, however little of the field that is
-_BORDER_PX = 0.5  # pixels are unit squares around their centres
+_GRID_STEP_M = 1.0
+_MIN_GRID_STEPS = 60  # across what is in sight, however little of the field that is
+_BORDER_TOLERANCE_PX = 0.5  # pixels are unit squares around their centres
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,21 +59,21 @@ class GroundUncertainty:
     in_sight: BoolArray
 
     @cached_property
-    def statistics(self) -> Spread:
+    def statistics(self) -> MapSummary:
         """Least, median and largest standard deviation over the field in sight, metres."""
-        return spread(self._counted, self._areas)
+        return map_summary(self._counted, self._areas)
 
-    def share_good_to(self, metres: float) -> float | None:
+    def share_within_m(self, metres: float) -> float | None:
         """The share of the field in sight with a standard deviation up to that, in [0, 1]; None
         where nothing of the field is in sight."""
-        return share_within(self._counted, self._areas, metres)
+        return area_share_within(self._counted, self._areas, metres)
 
     @cached_property
-    def inside_px(self) -> FloatArray:
+    def distance_to_border_px(self) -> FloatArray:
         """(h, w) px by which a sample is inside the picture's border, below 0 outside."""
         width, height = self.fit.size
-        right_bottom = np.array([width, height]) - 1 + _BORDER_PX
-        margins = np.minimum(self.points_px + _BORDER_PX, right_bottom - self.points_px)
+        right_bottom = np.array([width, height]) - 1 + _BORDER_TOLERANCE_PX
+        margins = np.minimum(self.points_px + _BORDER_TOLERANCE_PX, right_bottom - self.points_px)
         return np.asarray(margins.min(axis=2))
 
     @cached_property
@@ -83,7 +83,7 @@ class GroundUncertainty:
     @cached_property
     def _areas(self) -> FloatArray:
         """(h, w) m²: the part of the map nearest to each sample."""
-        return np.outer(_lengths(self.ys_m), _lengths(self.xs_m))
+        return np.outer(_sample_lengths(self.ys_m), _sample_lengths(self.xs_m))
 
 
 def ground_covariance(fit: FitResult, ground: FloatArray, *, click_px: float = 0.0) -> FloatArray:
@@ -113,7 +113,7 @@ def ground_covariance(fit: FitResult, ground: FloatArray, *, click_px: float = 0
     shown &= np.isfinite(px).all(axis=1)
     covariance_px = fit.projected_covariance(world[shown])
     covariance_px += click_px**2 * np.eye(2)
-    by_pixel = _ground_by_pixel(fit.camera, ground[shown], px[shown])
+    by_pixel = _ground_from_pixel_jacobian(fit.camera, ground[shown], px[shown])
     found[shown] = by_pixel @ covariance_px @ by_pixel.transpose(0, 2, 1)
     return found
 
@@ -121,10 +121,10 @@ def ground_covariance(fit: FitResult, ground: FloatArray, *, click_px: float = 0
 def ground_sd(fit: FitResult, ground: FloatArray, *, click_px: float = 0.0) -> FloatArray:
     """(N,) metres: the standard deviation in the worst direction, the square root of the larger
     eigenvalue of `ground_covariance`; NaN likewise."""
-    return worst_sd(ground_covariance(fit, ground, click_px=click_px))
+    return max_direction_sd(ground_covariance(fit, ground, click_px=click_px))
 
 
-def ground_uncertainty(fit: FitResult, field: Field) -> GroundUncertainty:
+def map_ground_uncertainty(fit: FitResult, field: Field) -> GroundUncertainty:
     """Map how surely a fit knows the field's ground.
 
     Samples are at most a metre apart, closer where little of the field is in sight. Off the field's
@@ -139,18 +139,18 @@ def ground_uncertainty(fit: FitResult, field: Field) -> GroundUncertainty:
     """
     if fit.camera is None:
         raise UsageError(f"there is no camera: {fit.failure}")
-    xs, ys = _axes_in_sight(fit.camera, fit.size, field_rectangle(field))
-    px, shown, in_sight = _seen(fit.camera, fit.size, xs, ys)
-    counts = _grown(in_sight) & shown
+    xs, ys = _visible_grid_axes(fit.camera, fit.size, field_rectangle(field))
+    px, shown, in_sight = _project_grid(fit.camera, fit.size, xs, ys)
+    counts = _dilate_mask(in_sight) & shown
     x, y = np.meshgrid(xs, ys)
     sd = np.full(counts.shape, np.nan)
     sd[counts] = ground_sd(fit, np.column_stack((x[counts], y[counts])))
     return GroundUncertainty(fit, xs, ys, px, sd, in_sight)
 
 
-def _ground_by_pixel(camera: Camera, ground: FloatArray, px: FloatArray) -> FloatArray:
+def _ground_from_pixel_jacobian(camera: Camera, ground: FloatArray, px: FloatArray) -> FloatArray:
     """(N, 2, 2) metres a pixel: columns are steps along u and v, rows x and y."""
-    (a, c), (b, d) = (slope.T for slope in ground_slopes(camera, ground, px))
+    (a, c), (b, d) = (slope.T for slope in ground_jacobian(camera, ground, px))
     inverse = np.empty((len(ground), 2, 2))
     inverse[:, 0, 0], inverse[:, 0, 1] = d, -b
     inverse[:, 1, 0], inverse[:, 1, 1] = -c, a
@@ -158,27 +158,27 @@ def _ground_by_pixel(camera: Camera, ground: FloatArray, px: FloatArray) -> Floa
         return np.asarray(inverse / (a * d - b * c)[:, None, None])
 
 
-def _axes_in_sight(
-    camera: Camera, size: tuple[int, int], rectangle: Rectangle
+def _visible_grid_axes(
+    camera: Camera, size: tuple[int, int], rectangle: GroundRectangle
 ) -> tuple[FloatArray, FloatArray]:
     """(w,), (h,) metres: an even grid over as much of the rectangle as is in sight."""
-    xs = _even(rectangle.left, rectangle.right, 1)
-    ys = _even(rectangle.top, rectangle.bottom, 1)
-    near = _grown(_seen(camera, size, xs, ys)[2])
+    xs = _even_axis(rectangle.left, rectangle.right, 1)
+    ys = _even_axis(rectangle.top, rectangle.bottom, 1)
+    near = _dilate_mask(_project_grid(camera, size, xs, ys)[2])
     if not near.any():
         return xs, ys
     (top, bottom), (left, right) = (np.flatnonzero(near.any(axis=k))[[0, -1]] for k in (1, 0))
     return (
-        _even(xs[left], xs[right], _FEWEST_STEPS),
-        _even(ys[top], ys[bottom], _FEWEST_STEPS),
+        _even_axis(xs[left], xs[right], _MIN_GRID_STEPS),
+        _even_axis(ys[top], ys[bottom], _MIN_GRID_STEPS),
     )
 
 
-def _even(low: float, high: float, fewest: int) -> FloatArray:
-    return np.linspace(low, high, max(fewest, int(np.ceil((high - low) / _STEP_M))) + 1)
+def _even_axis(low: float, high: float, fewest: int) -> FloatArray:
+    return np.linspace(low, high, max(fewest, int(np.ceil((high - low) / _GRID_STEP_M))) + 1)
 
 
-def _seen(
+def _project_grid(
     camera: Camera, size: tuple[int, int], xs: FloatArray, ys: FloatArray
 ) -> tuple[FloatArray, BoolArray, BoolArray]:
     """(h, w, 2) px of a grid on the ground, NaN where the camera shows none; (h, w) whether it
@@ -188,19 +188,19 @@ def _seen(
     px, shown = camera.project(world)
     shown = shown & np.isfinite(px).all(axis=1)
     px = np.where(shown[:, None], px, np.nan)
-    limits = np.array(size) - 1 + _BORDER_PX
-    inside = shown & ((px >= -_BORDER_PX) & (px <= limits)).all(axis=1)
+    limits = np.array(size) - 1 + _BORDER_TOLERANCE_PX
+    inside = shown & ((px >= -_BORDER_TOLERANCE_PX) & (px <= limits)).all(axis=1)
     return px.reshape(*x.shape, 2), shown.reshape(x.shape), inside.reshape(x.shape)
 
 
-def _grown(mask: BoolArray) -> BoolArray:
+def _dilate_mask(mask: BoolArray) -> BoolArray:
     """With the neighbours of what is in it."""
     padded = np.pad(mask, 1)
     rows = padded[:-2] | padded[1:-1] | padded[2:]
     return np.asarray(rows[:, :-2] | rows[:, 1:-1] | rows[:, 2:])
 
 
-def _lengths(samples: FloatArray) -> FloatArray:
+def _sample_lengths(samples: FloatArray) -> FloatArray:
     """What each sample stands for, metres; the first and the last are at the border."""
     middles = (samples[1:] + samples[:-1]) / 2
     return np.diff(np.concatenate((samples[:1], middles, samples[-1:])))

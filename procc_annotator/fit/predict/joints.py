@@ -10,19 +10,19 @@ import numpy as np
 from procc_annotator.field.geometry import Line
 from procc_annotator.field.model import Field
 from procc_annotator.field.neighbours import distances_to
-from procc_annotator.fit.predict.sight import Stretch, stretches_in_sight
+from procc_annotator.fit.predict.sight import VisibleStretch, visible_stretches
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.observations import FloatArray
-from procc_annotator.metric.course import lengths_along, places_at
+from procc_annotator.metric.course import arc_lengths, points_at_arc_lengths
 
-_MEET_M = 0.2  # paint has a width, and some lines end at another one's edge
-_AROUND_PX = 80.0
-_BAR_PX = 240.0  # of one: letters and boards behind it are shorter than it
-_LEAST_PX = 15.0
+_JOINT_TOLERANCE_M = 0.2  # paint has a width, and some lines end at another one's edge
+_JOINT_WINDOW_PX = 80.0
+_BAR_WINDOW_PX = 240.0  # of one: letters and boards behind it are shorter than it
+_MIN_JOINT_LENGTH_PX = 15.0
 
 
 @dataclass(frozen=True, eq=False)
-class Joint:
+class ElementJoint:
     """Another element at an end of an element.
 
     Attributes:
@@ -35,7 +35,7 @@ class Joint:
 
 
 @dataclass(frozen=True, eq=False)
-class End:
+class ExpectedEnd:
     """An end that the field gives an element.
 
     Attributes:
@@ -46,14 +46,14 @@ class End:
 
     place_px: FloatArray
     sd_px: float
-    joints: tuple[Joint, ...] = ()
+    joints: tuple[ElementJoint, ...] = ()
 
 
 # An element's first and its last end; None where the picture's edge cuts it off.
-Ends = tuple[End | None, End | None]
+ExpectedEnds = tuple[ExpectedEnd | None, ExpectedEnd | None]
 
 
-def ends_in_sight(stretches: Sequence[Stretch], field: Field, fit: FitResult) -> dict[str, Ends]:
+def expected_ends(stretches: Sequence[VisibleStretch], field: Field, fit: FitResult) -> dict[str, ExpectedEnds]:
     """The ends of straight elements, by class.
 
     Args:
@@ -67,48 +67,48 @@ def ends_in_sight(stretches: Sequence[Stretch], field: Field, fit: FitResult) ->
         return {}
     world = np.concatenate([s.points_world[[0, -1]] for s in straight])
     apart = distances_to(field.elements, world).reshape(len(straight), 2, -1)
-    along = np.concatenate([_outwards(s.points_px) for s in straight])
+    along = np.concatenate([_outward_directions(s.points_px) for s in straight])
     sd = np.hypot(fit.projected_sd(world, along), fit.offset_px).reshape(-1, 2)
     shown: dict[str, list[FloatArray]] = {}
-    for stretch in stretches_in_sight(field, fit.camera, fit.size):
+    for stretch in visible_stretches(field, fit.camera, fit.size):
         shown.setdefault(stretch.name, []).append(stretch.points_px)
-    found: dict[str, Ends] = {}
+    found: dict[str, ExpectedEnds] = {}
     for row, stretch in enumerate(straight):
         line = lines[stretch.name]
         corners = np.array([line.start, line.end])
-        ends: list[End | None] = []
+        ends: list[ExpectedEnd | None] = []
         for k, end in enumerate((0, -1)):
             off = np.linalg.norm(corners - stretch.points_world[end], axis=1)
             if off.min() > 1e-6:
                 ends.append(None)
                 continue
-            others = [field.elements[i] for i in np.flatnonzero(apart[row, k] <= _MEET_M)]
+            others = [field.elements[i] for i in np.flatnonzero(apart[row, k] <= _JOINT_TOLERANCE_M)]
             place = stretch.points_px[end]
             joints = (
-                Joint(other.name, around)
+                ElementJoint(other.name, around)
                 for other in others
                 for course in (shown.get(other.name, ()) if other.name != stretch.name else ())
-                if (around := _around(course, place, on_ground=other.on_ground)) is not None
+                if (around := _curve_near(course, place, on_ground=other.on_ground)) is not None
             )
-            ends.append(End(place, float(sd[row, k]), tuple(joints)))
+            ends.append(ExpectedEnd(place, float(sd[row, k]), tuple(joints)))
         found[stretch.name] = ends[0], ends[1]
     return found
 
 
-def _outwards(course: FloatArray) -> FloatArray:
+def _outward_directions(course: FloatArray) -> FloatArray:
     """(2, 2) unit vectors along a course at both of its ends."""
     steps = np.array([course[0] - course[1], course[-1] - course[-2]])
     return np.asarray(steps / np.maximum(np.hypot(*steps.T), 1e-12)[:, None])
 
 
-def _around(course: FloatArray, place: FloatArray, *, on_ground: bool) -> FloatArray | None:
+def _curve_near(course: FloatArray, place: FloatArray, *, on_ground: bool) -> FloatArray | None:
     """What of a course lies around a place, every pixel; None: too little."""
-    lengths = lengths_along(course)
+    lengths = arc_lengths(course)
     nearest = lengths[np.hypot(*(course - place).T).argmin()]
-    reach = _AROUND_PX if on_ground else _BAR_PX
+    reach = _JOINT_WINDOW_PX if on_ground else _BAR_WINDOW_PX
     begin = max(0.0, nearest - reach)
     end = min(float(lengths[-1]), nearest + reach)
-    if end - begin < _LEAST_PX:
+    if end - begin < _MIN_JOINT_LENGTH_PX:
         return None
     at = np.linspace(begin, end, round(end - begin) + 1)
-    return places_at(course, at, lengths)
+    return points_at_arc_lengths(course, at, lengths)

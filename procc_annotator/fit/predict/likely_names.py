@@ -19,24 +19,24 @@ from numpy.typing import NDArray
 from procc_annotator.camera.base import FloatArray
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.model import Element, Field
-from procc_annotator.field.sample import sample_every
-from procc_annotator.fit.solving.surroundings import Surroundings, surroundings_of
+from procc_annotator.field.sample import sample_evenly
+from procc_annotator.fit.solving.surroundings import CameraPlacementPrior, camera_placement_prior
 
-_PLACES = 10  # along an element
+_SAMPLES_PER_ELEMENT = 10  # along an element
 _SPACING_M = 0.25
-_WIDTHS = (0.42, 0.6, 0.85, 1.2, 1.7)  # of the view at the middle, of half the field's length
-_AT_X, _AT_Y = np.linspace(-0.9, 0.9, 13), (-0.5, 0.0, 0.4)  # looked at, of half its size
-_ALONG = (-0.3, 0.0, 0.3)
-_BEYOND = 0.08  # of the picture around it: a line is drawn up to its edge
-_OFF = 0.07  # of the picture's width that usual cameras are off by
-_TURNED = 3.0  # how much farther a line counts that runs across
-_DRAWN = 5  # places along what was drawn
+_VIEW_WIDTHS = (0.42, 0.6, 0.85, 1.2, 1.7)  # of the view at the middle, of half the field's length
+_TARGET_X, _TARGET_Y = np.linspace(-0.9, 0.9, 13), (-0.5, 0.0, 0.4)  # looked at, of half its size
+_POSITIONS_ALONG = (-0.3, 0.0, 0.3)
+_END_TOLERANCE = 0.08  # of the picture around it: a line is drawn up to its edge
+_LINE_SD = 0.07  # of the picture's width that usual cameras are off by
+_ANGLE_FACTOR = 3.0  # how much farther a line counts that runs across
+_DRAWN_SAMPLES = 5  # places along what was drawn
 
 Float32 = NDArray[np.float32]
 
 
 @dataclass(frozen=True, eq=False)
-class _Views:
+class _ExpectedViews:
     """Where usual cameras show elements, shares of the picture's width.
 
     Attributes:
@@ -49,7 +49,7 @@ class _Views:
     y: Float32
 
 
-def likely_names(
+def likely_classes(
     field: Field,
     drawn: FloatArray,
     size: tuple[int, int],
@@ -63,22 +63,22 @@ def likely_names(
         size: (width, height) of the picture, px.
         known: the elements of the picture that have names, (n, 2) px each; none of them is offered.
     """
-    views = _views(field.elements, surroundings_of(field), round(size[1] / size[0], 3))
+    views = _expected_views(field.elements, camera_placement_prior(field), round(size[1] / size[0], 3))
     weight = np.ones(views.x.shape[2], dtype=np.float32)
     for name, line in known.items():
         if name in views.names:
-            weight *= _likelihood(views, line / size[0], [views.names.index(name)])[0] + 1e-3
+            weight *= _line_likelihood(views, line / size[0], [views.names.index(name)])[0] + 1e-3
     rows = [i for i, name in enumerate(views.names) if name not in known]
     if not rows:
         return ()
-    score = _likelihood(views, drawn / size[0], rows) @ weight
+    score = _line_likelihood(views, drawn / size[0], rows) @ weight
     order = np.argsort(-score, kind="stable")
     return tuple(views.names[rows[i]] for i in order.tolist() if score[i] > 0)
 
 
-def _likelihood(views: _Views, line: FloatArray, rows: list[int]) -> Float32:
+def _line_likelihood(views: _ExpectedViews, line: FloatArray, rows: list[int]) -> Float32:
     """(R, B) of a line, in shares of the width, being each of some elements."""
-    at = np.linspace(0, len(line) - 1, _DRAWN)
+    at = np.linspace(0, len(line) - 1, _DRAWN_SAMPLES)
     whole = np.arange(len(line))
     px = np.stack([np.interp(at, whole, line[:, axis]) for axis in (0, 1)], axis=1)
     px = px.astype(np.float32)
@@ -96,40 +96,40 @@ def _likelihood(views: _Views, line: FloatArray, rows: list[int]) -> Float32:
     runs = px[-1] - px[0]
     lengths = np.maximum(np.hypot(course_x, course_y) * np.hypot(*runs), 1e-12)
     sine = (course_x * runs[1] - course_y * runs[0]) / lengths
-    off = np.mean(away, axis=0) * (1 + _TURNED * sine**2) + _OFF / 2 * np.abs(sine)
-    return np.asarray(np.exp(-0.5 * (off / _OFF) ** 2), dtype=np.float32)
+    off = np.mean(away, axis=0) * (1 + _ANGLE_FACTOR * sine**2) + _LINE_SD / 2 * np.abs(sine)
+    return np.asarray(np.exp(-0.5 * (off / _LINE_SD) ** 2), dtype=np.float32)
 
 
 @lru_cache(maxsize=4)
-def _views(elements: tuple[Element, ...], around: Surroundings, ratio: float) -> _Views:
+def _expected_views(elements: tuple[Element, ...], around: CameraPlacementPrior, ratio: float) -> _ExpectedViews:
     lines = [e for e in elements if not e.is_spot and not e.optional]
-    samples = sample_every(Field("", "", (), tuple(lines)), _SPACING_M)
+    samples = sample_evenly(Field("", "", (), tuple(lines)), _SPACING_M)
     rows = []
     for i in range(len(lines)):
         own = samples.of(i)
-        rows.append(own[np.linspace(0, len(own) - 1, _PLACES).round().astype(int)])
+        rows.append(own[np.linspace(0, len(own) - 1, _SAMPLES_PER_ELEMENT).round().astype(int)])
     world = np.concatenate(rows) if rows else np.empty((0, 3))
     found = []
-    for camera in _cameras(around, ratio):
+    for camera in _usual_cameras(around, ratio):
         px, shown = camera.project(world)
-        inside = (px > -_BEYOND).all(axis=1) & (px < np.array([1 + _BEYOND, ratio + _BEYOND])).all(
+        inside = (px > -_END_TOLERANCE).all(axis=1) & (px < np.array([1 + _END_TOLERANCE, ratio + _END_TOLERANCE])).all(
             axis=1
         )
         px[~(shown & inside)] = np.nan
         if np.isfinite(px[:, 0]).any():
-            found.append(px.reshape(len(lines), _PLACES, 2).astype(np.float32))
-    places = np.array(found, dtype=np.float32).reshape(-1, len(lines), _PLACES, 2)
+            found.append(px.reshape(len(lines), _SAMPLES_PER_ELEMENT, 2).astype(np.float32))
+    places = np.array(found, dtype=np.float32).reshape(-1, len(lines), _SAMPLES_PER_ELEMENT, 2)
     x, y = np.ascontiguousarray(places.T)
-    return _Views(tuple(e.name for e in lines), x, y)
+    return _ExpectedViews(tuple(e.name for e in lines), x, y)
 
 
-def _cameras(around: Surroundings, ratio: float) -> list[PinholeCamera]:
+def _usual_cameras(around: CameraPlacementPrior, ratio: float) -> list[PinholeCamera]:
     """All usual ones; px in shares of the picture's width."""
     # Of two sides from which a field looks the same one is enough.
     sides = ("near",) if around.has_main_side else ("near", "right")
     found = []
     for side, along, height, x, y, width in itertools.product(
-        sides, _ALONG, around.height[1:], _AT_X, _AT_Y, _WIDTHS
+        sides, _POSITIONS_ALONG, around.height[1:], _TARGET_X, _TARGET_Y, _VIEW_WIDTHS
     ):
         half = around.half_length, around.half_width
         reach = half[1 if side == "near" else 0] + around.distance[1]

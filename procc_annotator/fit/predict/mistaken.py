@@ -11,17 +11,17 @@ from collections.abc import Iterable
 import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation, points_px
-from procc_annotator.fit.predict.sight import Stretch
+from procc_annotator.fit.predict.sight import VisibleStretch
 from procc_annotator.fit.result import FitResult
 from procc_annotator.metric.polylines import Polylines
 
-_ALONG_PX = 6.0  # at 960 px width
-_MOST_POINTS = 0.8  # of an element's points lie along the other one
-_TIMES_NEARER = 3.0  # than to where the camera shows their own element
+_MAX_DISTANCE_PX = 6.0  # at 960 px width
+_MIN_POINT_SHARE = 0.8  # of an element's points lie along the other one
+_NEARER_RATIO = 3.0  # than to where the camera shows their own element
 
 
-def carrying_another_label(
-    annotation: FrameAnnotation, fit: FitResult, stretches: Iterable[Stretch]
+def classes_labelled_otherwise(
+    annotation: FrameAnnotation, fit: FitResult, stretches: Iterable[VisibleStretch]
 ) -> frozenset[str]:
     """The classes along which another element is annotated that does not belong there.
 
@@ -32,8 +32,8 @@ def carrying_another_label(
         fit: to it.
         stretches: what is in sight of the classes in question.
     """
-    along_px = _ALONG_PX * (fit.size[0] - 1) / 959
-    far_px = _TIMES_NEARER * along_px
+    along_px = _MAX_DISTANCE_PX * (fit.size[0] - 1) / 959
+    far_px = _NEARER_RATIO * along_px
     astray = {e.name: e.mean_px for e in fit.elements if e.left_out or e.mean_px > far_px}
     courses: dict[str, list[np.ndarray]] = {}
     for stretch in stretches:
@@ -44,14 +44,14 @@ def carrying_another_label(
             continue
         points = points_px(polyline, fit.size)
         for name, pieces in courses.items():
-            apart = _distances(points, pieces)
-            near = float(np.mean(apart <= along_px)) >= _MOST_POINTS
-            if near and _TIMES_NEARER * float(np.median(apart)) <= astray[polyline.class_name]:
+            apart = _distances_to_pieces(points, pieces)
+            near = float(np.mean(apart <= along_px)) >= _MIN_POINT_SHARE
+            if near and _NEARER_RATIO * float(np.median(apart)) <= astray[polyline.class_name]:
                 found.add(name)
     return frozenset(found)
 
 
-def _distances(points: np.ndarray, pieces: list[np.ndarray]) -> np.ndarray:
+def _distances_to_pieces(points: np.ndarray, pieces: list[np.ndarray]) -> np.ndarray:
     """(n,) px from points to the nearest of some courses."""
     vertices = np.concatenate(pieces)
     is_end = np.zeros(len(vertices), dtype=bool)

@@ -14,17 +14,17 @@ from numpy.typing import NDArray
 from procc_annotator.camera.base import Camera
 from procc_annotator.field.geometry import Spot, Vector
 from procc_annotator.field.model import Element, Field
-from procc_annotator.field.sample import FieldSamples, sample_every
-from procc_annotator.fit.line_ends import steps_to_edge
+from procc_annotator.field.sample import FieldSamples, sample_evenly
+from procc_annotator.fit.line_ends import steps_to_image_edge
 from procc_annotator.fit.solving.observations import FloatArray
 
-_SPACING_M = 0.25
+_SAMPLE_SPACING_M = 0.25
 # Neighbouring samples of what is smooth turn by 15 degrees at most.
-_CORNER = math.cos(math.radians(25.0))
+_CORNER_COSINE = math.cos(math.radians(25.0))
 
 
 @dataclass(frozen=True, eq=False)
-class Stretch:
+class VisibleStretch:
     """A stretch of an element inside the picture, in the element's direction.
 
     Attributes:
@@ -40,11 +40,11 @@ class Stretch:
     length_px: float
 
 
-def between_corners(stretch: Stretch) -> tuple[Stretch, ...]:
+def split_at_corners(stretch: VisibleStretch) -> tuple[VisibleStretch, ...]:
     """A stretch of a chain in the parts that its corners cut it into; any other one as it is."""
     steps = np.diff(stretch.points_world, axis=0)
     steps /= np.maximum(np.linalg.norm(steps, axis=1, keepdims=True), 1e-12)
-    corners = np.flatnonzero((steps[1:] * steps[:-1]).sum(axis=1) < _CORNER) + 1
+    corners = np.flatnonzero((steps[1:] * steps[:-1]).sum(axis=1) < _CORNER_COSINE) + 1
     if not len(corners):
         return (stretch,)
     bounds = [0, *corners.tolist(), len(stretch.points_px) - 1]
@@ -52,16 +52,16 @@ def between_corners(stretch: Stretch) -> tuple[Stretch, ...]:
     for begin, last in pairwise(bounds):
         px, world = stretch.points_px[begin : last + 1], stretch.points_world[begin : last + 1]
         length = float(np.hypot(*np.diff(px, axis=0).T).sum())
-        found.append(Stretch(stretch.name, px, world, length))
+        found.append(VisibleStretch(stretch.name, px, world, length))
     return tuple(found)
 
 
-def spots_in_sight(
+def visible_spots(
     field: Field, camera: Camera, size: tuple[int, int], without: Collection[str] = ()
 ) -> dict[str, Vector]:
     """The spots that lie inside the picture, by geometry alone: name -> metres.
 
-    Args: as for `stretches_in_sight`.
+    Args: as for `visible_stretches`.
     """
     spots = {
         e.name: e.geometry.position
@@ -76,9 +76,9 @@ def spots_in_sight(
     return {name: spots[name] for name, seen in zip(spots, inside.tolist(), strict=True) if seen}
 
 
-def stretches_in_sight(
+def visible_stretches(
     field: Field, camera: Camera, size: tuple[int, int], without: Collection[str] = ()
-) -> tuple[Stretch, ...]:
+) -> tuple[VisibleStretch, ...]:
     """The stretches of the field's elements that lie inside the picture, by geometry alone.
 
     Spots have none.
@@ -93,12 +93,12 @@ def stretches_in_sight(
         size: (width, height) px.
         without: classes to pass over.
     """
-    samples = _samples(field.elements)
+    samples = _element_samples(field.elements)
     world = samples.points_world
     px, shown = camera.project(world)
     limits = np.array(size, dtype=np.float64) - 1
     inside = shown & ((px >= 0) & (px <= limits)).all(axis=1)
-    found: list[Stretch] = []
+    found: list[VisibleStretch] = []
     for row in np.unique(
         np.searchsorted(samples.offsets, np.flatnonzero(inside), side="right") - 1
     ):
@@ -107,63 +107,63 @@ def stretches_in_sight(
             continue
         rows = np.arange(samples.offsets[row], samples.offsets[row + 1])
         if samples.closed[row]:
-            rows = _turned(rows, inside)
-        found.extend(_cut(name, px[rows], world[rows], shown[rows], inside[rows], limits))
+            rows = _rotate_circle_start(rows, inside)
+        found.extend(_clip_stretch(name, px[rows], world[rows], shown[rows], inside[rows], limits))
     return tuple(found)
 
 
 @lru_cache(maxsize=16)
-def _samples(elements: tuple[Element, ...]) -> FieldSamples:
-    return sample_every(Field("", "", (), elements), _SPACING_M)
+def _element_samples(elements: tuple[Element, ...]) -> FieldSamples:
+    return sample_evenly(Field("", "", (), elements), _SAMPLE_SPACING_M)
 
 
-def _turned(rows: NDArray[np.intp], inside: NDArray[np.bool_]) -> NDArray[np.intp]:
+def _rotate_circle_start(rows: NDArray[np.intp], inside: NDArray[np.bool_]) -> NDArray[np.intp]:
     """The rows of a circle, begun in the middle of the longest stretch outside the picture."""
     around = rows[:-1]
     out = ~inside[around]
     if not out.any():
         return rows
-    runs = _runs(np.concatenate([out, out]))
+    runs = _true_runs(np.concatenate([out, out]))
     begin, end = max(runs, key=lambda run: run[1] - run[0])
     middle = ((begin + end) // 2) % len(around)
     turned = np.roll(around, -middle)
     return np.append(turned, turned[0])
 
 
-def _cut(
+def _clip_stretch(
     name: str,
     px: FloatArray,
     world: FloatArray,
     shown: NDArray[np.bool_],
     inside: NDArray[np.bool_],
     limits: FloatArray,
-) -> list[Stretch]:
+) -> list[VisibleStretch]:
     stretches = []
-    for begin, end in _runs(inside):
+    for begin, end in _true_runs(inside):
         rows = np.arange(begin, end)
         course, places = px[rows], world[rows]
         if begin > 0 and shown[begin - 1]:
-            share = _leaving(px[begin], px[begin - 1], limits)
+            share = _exit_share(px[begin], px[begin - 1], limits)
             course = np.vstack([px[begin] + share * (px[begin - 1] - px[begin]), course])
             places = np.vstack([world[begin] + share * (world[begin - 1] - world[begin]), places])
         if end < len(px) and shown[end]:
             last = end - 1
-            share = _leaving(px[last], px[end], limits)
+            share = _exit_share(px[last], px[end], limits)
             course = np.vstack([course, px[last] + share * (px[end] - px[last])])
             places = np.vstack([places, world[last] + share * (world[end] - world[last])])
         steps = np.hypot(*np.diff(course, axis=0).T)
         kept = np.concatenate([[True], steps > 1e-9])
         if kept.sum() >= 2:
-            stretches.append(Stretch(name, course[kept], places[kept], float(steps.sum())))
+            stretches.append(VisibleStretch(name, course[kept], places[kept], float(steps.sum())))
     return stretches
 
 
-def _leaving(inner: FloatArray, outer: FloatArray, limits: FloatArray) -> float:
+def _exit_share(inner: FloatArray, outer: FloatArray, limits: FloatArray) -> float:
     """The share of the way from inside to outside at which the picture's edge is reached."""
-    return min(max(steps_to_edge(inner, outer - inner, limits), 0.0), 1.0)
+    return min(max(steps_to_image_edge(inner, outer - inner, limits), 0.0), 1.0)
 
 
-def _runs(of: NDArray[np.bool_]) -> list[tuple[int, int]]:
+def _true_runs(of: NDArray[np.bool_]) -> list[tuple[int, int]]:
     """First and one past the last index of each run of True."""
     edges = np.flatnonzero(np.diff(np.concatenate([[0], of.astype(np.int8), [0]])))
     return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))

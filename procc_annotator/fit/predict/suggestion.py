@@ -14,26 +14,26 @@ import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
-from procc_annotator.fit.predict.ghosts import SHORTEST_PX
-from procc_annotator.fit.predict.mistaken import carrying_another_label
+from procc_annotator.fit.predict.ghosts import MIN_LENGTH_PX
+from procc_annotator.fit.predict.mistaken import classes_labelled_otherwise
 from procc_annotator.fit.predict.sight import (
-    Stretch,
-    spots_in_sight,
-    stretches_in_sight,
+    VisibleStretch,
+    visible_spots,
+    visible_stretches,
 )
 from procc_annotator.fit.result import FitResult
-from procc_annotator.fit.solving.covariance import projected_derivatives
-from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
-from procc_annotator.metric.course import lengths_along, normals_of
+from procc_annotator.fit.solving.covariance import projected_jacobian
+from procc_annotator.fit.solving.observations import FloatArray, ImageFrame
+from procc_annotator.metric.course import arc_lengths, polyline_normals
 
-_CLICKS_STRAIGHT, _CLICKS_CURVE = 2, 5
-_EITHER_WAY = np.eye(2)
-_JUDGED_EVERY_PX = 40.0  # at 960 px width
-_LEAST_GAIN_PX, _LEAST_GAIN = 0.1, 0.1  # px of the picture, share
+_CLICKS_PER_LINE, _CLICKS_PER_CURVE = 2, 5
+_BOTH_AXES = np.eye(2)
+_EVALUATION_SPACING_PX = 40.0  # at 960 px width
+_MIN_GAIN_PX, _MIN_GAIN = 0.1, 0.1  # px of the picture, share
 
 
 @dataclass(frozen=True, slots=True)
-class Suggestion:
+class AnnotationSuggestion:
     """What annotating an element would bring.
 
     Attributes:
@@ -57,16 +57,16 @@ class Suggestion:
     @property
     def is_worthwhile(self) -> bool:
         """Whether annotating it makes a difference worth a word."""
-        return self.gain_px >= max(_LEAST_GAIN_PX, _LEAST_GAIN * self.sd_before_px)
+        return self.gain_px >= max(_MIN_GAIN_PX, _MIN_GAIN * self.sd_before_px)
 
 
-def suggest_next(
+def suggest_annotations(
     annotation: FrameAnnotation,
     field: Field,
     fit: FitResult,
     *,
     without: Collection[str] = (),
-) -> tuple[Suggestion, ...]:
+) -> tuple[AnnotationSuggestion, ...]:
     """The elements that wait to be annotated, the most helpful first.
 
     Candidates are all elements that the fitted camera has in the picture, also those that it does
@@ -86,33 +86,33 @@ def suggest_next(
     """
     if fit.camera is None or fit.of_clicks is None or fit.error_px is None:
         return ()
-    frame = PictureFrame(fit.size)
-    shortest = SHORTEST_PX / frame.scale
+    frame = ImageFrame(fit.size)
+    shortest = MIN_LENGTH_PX / frame.scale
     passed_over = {e.name for e in field.elements if e.optional}
     passed_over -= {landmark.name for landmark in field.landmarks}
-    whole = stretches_in_sight(field, fit.camera, fit.size, passed_over)
+    whole = visible_stretches(field, fit.camera, fit.size, passed_over)
     seen = [s for s in whole if s.length_px >= shortest]
     if not seen:
         return ()
     taken = {p.class_name for p in (*annotation.polylines, *annotation.unconfirmed) if p.points}
     taken = taken.union(without)
-    taken |= carrying_another_label(annotation, fit, [s for s in seen if s.name not in taken])
+    taken |= classes_labelled_otherwise(annotation, fit, [s for s in seen if s.name not in taken])
     lines = [name for name in dict.fromkeys(s.name for s in seen) if name not in taken]
-    spots = spots_in_sight(field, fit.camera, fit.size, passed_over | taken)
+    spots = visible_spots(field, fit.camera, fit.size, passed_over | taken)
     clicks = [
-        *(_clicks(field, name, seen) for name in lines),
-        *(_Clicks(np.array([place, place]), _EITHER_WAY, 1) for place in spots.values()),
+        *(_simulate_clicks(field, name, seen) for name in lines),
+        *(_SimulatedClicks(np.array([place, place]), _BOTH_AXES, 1) for place in spots.values()),
     ]
-    places = [*(_middle(_longest(name, seen)) for name in lines), *spots.values()]
-    sds = _sds_px(fit, frame, _judged(seen, frame), clicks)
+    places = [*(_stretch_midpoint(_longest_stretch(name, seen)) for name in lines), *spots.values()]
+    sds = _projection_sds_px(fit, frame, _evaluation_points(seen, frame), clicks)
     found = [
-        Suggestion(name, float(sds[0]), float(sd), place)
+        AnnotationSuggestion(name, float(sds[0]), float(sd), place)
         for name, sd, place in zip((*lines, *spots), sds[1:], places, strict=True)
     ]
     return tuple(sorted(found, key=lambda s: s.sd_after_px))
 
 
-class _Clicks(NamedTuple):
+class _SimulatedClicks(NamedTuple):
     """Where an annotator would click an element: (n, 3) metres, and (n, 2) the directions in which
     each click ties the camera down; how many points they are."""
 
@@ -121,11 +121,11 @@ class _Clicks(NamedTuple):
     points: int
 
 
-def _sds_px(
+def _projection_sds_px(
     fit: FitResult,
-    frame: PictureFrame,
+    frame: ImageFrame,
     judged: FloatArray,
-    clicks: Sequence[_Clicks],
+    clicks: Sequence[_SimulatedClicks],
 ) -> FloatArray:
     """(1 + C,) px: how surely the fit knows where places appear, and would with more clicks.
 
@@ -137,7 +137,7 @@ def _sds_px(
     """
     assert fit.of_clicks is not None
     assert fit.error_px is not None
-    derivatives = _derivatives(fit, frame, np.concatenate([judged, *(c.world for c in clicks)]))
+    derivatives = _projection_derivatives(fit, frame, np.concatenate([judged, *(c.world for c in clicks)]))
     rows = derivatives[: len(judged)].reshape(-1, derivatives.shape[2])
     # The mean over rows r of r C r' is the trace of C times the mean of r' r.
     spread = rows.T @ rows / len(rows)
@@ -153,44 +153,44 @@ def _sds_px(
     return np.asarray(np.sqrt(variances) / frame.scale)
 
 
-def _clicks(field: Field, name: str, seen: list[Stretch]) -> _Clicks:
+def _simulate_clicks(field: Field, name: str, seen: list[VisibleStretch]) -> _SimulatedClicks:
     """Regularly along what is visible of an element that is no spot."""
-    stretch = _longest(name, seen)
+    stretch = _longest_stretch(name, seen)
     element = field.element(name)
     straight = element is not None and element.is_straight
-    count = _CLICKS_STRAIGHT if straight else _CLICKS_CURVE
+    count = _CLICKS_PER_LINE if straight else _CLICKS_PER_CURVE
     rows = _rows_every(stretch, count)
-    return _Clicks(stretch.points_world[rows], normals_of(stretch.points_px)[rows], len(rows))
+    return _SimulatedClicks(stretch.points_world[rows], polyline_normals(stretch.points_px)[rows], len(rows))
 
 
-def _longest(name: str, seen: list[Stretch]) -> Stretch:
+def _longest_stretch(name: str, seen: list[VisibleStretch]) -> VisibleStretch:
     return max((s for s in seen if s.name == name), key=lambda s: s.length_px)
 
 
-def _middle(stretch: Stretch) -> tuple[float, float, float]:
+def _stretch_midpoint(stretch: VisibleStretch) -> tuple[float, float, float]:
     x, y, z = stretch.points_world[len(stretch.points_world) // 2].tolist()
     return x, y, z
 
 
-def _judged(seen: list[Stretch], frame: PictureFrame) -> FloatArray:
+def _evaluation_points(seen: list[VisibleStretch], frame: ImageFrame) -> FloatArray:
     """(N, 3) metres: places evenly along everything in the picture."""
-    spacing = _JUDGED_EVERY_PX / frame.scale
+    spacing = _EVALUATION_SPACING_PX / frame.scale
     return np.concatenate(
         [s.points_world[_rows_every(s, max(2, round(s.length_px / spacing)))] for s in seen]
     )
 
 
-def _rows_every(stretch: Stretch, count: int) -> np.ndarray:
+def _rows_every(stretch: VisibleStretch, count: int) -> np.ndarray:
     """Rows of so many points, evenly along a stretch."""
-    lengths = lengths_along(stretch.points_px)
+    lengths = arc_lengths(stretch.points_px)
     rows = np.searchsorted(lengths, np.linspace(0.0, lengths[-1], count))
     return np.unique(np.minimum(rows, len(lengths) - 1))
 
 
-def _derivatives(fit: FitResult, frame: PictureFrame, world: FloatArray) -> FloatArray:
+def _projection_derivatives(fit: FitResult, frame: ImageFrame, world: FloatArray) -> FloatArray:
     assert fit.of_clicks is not None
     assert fit.vector is not None
-    derivatives, shown = projected_derivatives(
+    derivatives, shown = projected_jacobian(
         fit.vector, fit.basis, frame.half_diagonal, len(fit.of_clicks), world
     )
     return np.where(shown[:, None, None], derivatives, 0.0)

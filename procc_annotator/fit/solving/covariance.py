@@ -8,22 +8,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.field.model import Field
-from procc_annotator.fit.solving.feet import NEAREST_M
-from procc_annotator.fit.solving.final_fit import FoundCamera
+from procc_annotator.fit.solving.feet import MIN_DEPTH_M
+from procc_annotator.fit.solving.final_fit import CameraSolution
 from procc_annotator.fit.solving.jacobian import Lens, project
-from procc_annotator.fit.solving.models import CENTRE, half_turned
-from procc_annotator.fit.solving.noise import error_from
-from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
+from procc_annotator.fit.solving.models import POSITION_SLICE, rotated_180
+from procc_annotator.fit.solving.noise import estimate_click_sd
+from procc_annotator.fit.solving.observations import FloatArray, ImageFrame
 from procc_annotator.fit.solving.residual import homography_derivatives, pinhole_residuals
 from procc_annotator.fit.solving.solver import ROBUST_LOSS
 
 
-def error_of_points(found: FoundCamera) -> float:
-    """Standard deviation of a point across its element, solver px; see `error_from`."""
-    return error_from(found.components, found.prior.mean.shape[1])
+def point_error_sd(found: CameraSolution) -> float:
+    """Standard deviation of a point across its element, solver px; see `estimate_click_sd`."""
+    return estimate_click_sd(found.components, found.prior.mean.shape[1])
 
 
-def worst_sd(covariances: FloatArray) -> FloatArray:
+def max_direction_sd(covariances: FloatArray) -> FloatArray:
     """(N,) standard deviations in the direction where each is largest.
 
     Args:
@@ -34,7 +34,7 @@ def worst_sd(covariances: FloatArray) -> FloatArray:
     return np.asarray(np.sqrt(half + apart))
 
 
-def covariance_of(found: FoundCamera, error_px: float) -> FloatArray:
+def parameter_covariance(found: CameraSolution, error_px: float) -> FloatArray:
     """(n, n) covariance of the free parameters.
 
     The n points of an element count as the square root of n independent ones, as they do in the
@@ -70,14 +70,14 @@ def projected_covariance(
         (N, 2, 2) solver px squared; NaN for points that the camera does not show, or off the
         ground for a homography.
     """
-    derivatives, shown = projected_derivatives(
+    derivatives, shown = projected_jacobian(
         vector, basis, half_diagonal, len(covariance), points_world
     )
     found = derivatives @ covariance @ derivatives.transpose(0, 2, 1)
     return np.where(shown[:, None, None], found, np.nan)
 
 
-def projected_derivatives(
+def projected_jacobian(
     vector: FloatArray,
     basis: FloatArray | None,
     half_diagonal: float,
@@ -97,14 +97,14 @@ def projected_derivatives(
     world = np.ascontiguousarray(points_world.T)[None]
     if basis is not None:
         derivatives, depth = homography_derivatives(vector[None], basis, world)
-        shown = (depth[0] > NEAREST_M) & (world[0, 2] == 0)
+        shown = (depth[0] > MIN_DEPTH_M) & (world[0, 2] == 0)
     else:
         lens = Lens.of(vector[None], half_diagonal)
-        shown = (lens.linear[:, 2, :3] @ world[0] + lens.linear[:, 2, 3:])[0] > NEAREST_M
-        beyond = lens.beyond_fold(world)
+        shown = (lens.linear[:, 2, :3] @ world[0] + lens.linear[:, 2, 3:])[0] > MIN_DEPTH_M
+        beyond = lens.is_beyond_fold(world)
         if beyond is not None:
             shown &= ~beyond[0]
-        safe = np.where(shown, world, (lens.rotation[:, 2] + vector[CENTRE])[:, :, None])
+        safe = np.where(shown, world, (lens.rotation[:, 2] + vector[POSITION_SLICE])[:, :, None])
         _, _, derivatives = project(lens, safe, np.zeros_like(safe), free)
     return derivatives[0].transpose(2, 1, 0), shown
 
@@ -113,10 +113,10 @@ def projected_derivatives(
 # that is not, such as a running track with its finish line, much of what a picture shows may be the
 # same all the same: lanes are, their marks are not. No standard deviation tells of that.
 # What the end must explain to be known, squares of the error of a point: twenty times as likely.
-_WORTH = 3.0
+_OPPOSITE_END_EVIDENCE = 3.0
 
 
-def same_from_other_end(found: FoundCamera, field: Field, frame: PictureFrame) -> bool:
+def is_opposite_end_possible(found: CameraSolution, field: Field, frame: ImageFrame) -> bool:
     """Whether the points leave open from which end of the field a camera sees it.
 
     Args:
@@ -127,11 +127,11 @@ def same_from_other_end(found: FoundCamera, field: Field, frame: PictureFrame) -
     if found.basis is not None or field.symmetries:
         return False
     here = found.solution.distances[0]
-    vectors = half_turned(found.vector[None])
+    vectors = rotated_180(found.vector[None])
     free = found.prior.mean.shape[1]
     there = pinhole_residuals(vectors, found.seen, half_diagonal=frame.half_diagonal, free=free)
     costs = [
         float(ROBUST_LOSS.cost_and_weight(distances)[0] @ found.seen.weights)
         for distances in (here, np.asarray(there.distances[0]))
     ]
-    return costs[1] - costs[0] < _WORTH * error_of_points(found) ** 2
+    return costs[1] - costs[0] < _OPPOSITE_END_EVIDENCE * point_error_sd(found) ** 2

@@ -9,14 +9,14 @@ from procc_annotator.fit.solving.observations import FloatArray, IntArray, Obser
 
 # Two lines of the field meet if they come this close, metres, about as paint is wide, at most this
 # share beyond their ends.
-_APART_M, _BEYOND = 0.15, 0.02
+_SAME_POINT_M, _EXTENSION_SHARE = 0.15, 0.02
 # Where two lines of the picture cross at less than this sine of an angle, or farther out than this
 # from its centre (solver px), clicks do not tell well.
-_LEAST_SINE, _FARTHEST_PX = 0.05, 1000.0
+_MIN_CROSSING_SINE, _MAX_CROSSING_PX = 0.05, 1000.0
 _TINY = 1e-9
 
 
-def nearest_crossing(seen: Observations) -> tuple[FloatArray, FloatArray] | None:
+def nearest_control_point(seen: Observations) -> tuple[FloatArray, FloatArray] | None:
     """Of the places where two annotated straight elements meet, and of the annotated spots, the one
     nearest to the picture's centre.
 
@@ -29,37 +29,37 @@ def nearest_crossing(seen: Observations) -> tuple[FloatArray, FloatArray] | None
         The place (3,), metres, and where the picture shows it (2,), solver px; None if there is
         none.
     """
-    places, shown = _crossings(seen)
+    places, shown = _line_crossings(seen)
     spots = [row for row, element in enumerate(seen.elements) if element.is_spot]
     if spots:
         known = seen.parts.spots[:, : len(spots)]
         places = np.concatenate([places, known], axis=1)
         shown = np.concatenate([shown, seen.points[:, seen.starts[spots]]], axis=1)
     far = np.hypot(shown[0], shown[1])
-    if not far.size or far.min() > _FARTHEST_PX:
+    if not far.size or far.min() > _MAX_CROSSING_PX:
         return None
     best = int(np.argmin(far))
     return places[:, best], shown[:, best]
 
 
-def _crossings(seen: Observations) -> tuple[FloatArray, FloatArray]:
+def _line_crossings(seen: Observations) -> tuple[FloatArray, FloatArray]:
     """(3, K) metres and (2, K) solver px: where annotated straight elements meet clearly."""
-    lines = _straight(seen)
+    lines = _straight_count(seen)
     enough = np.flatnonzero(seen.counts[:lines] >= 2)
     first, second = np.triu_indices(len(enough), 1)
     one, other = enough[first], enough[second]
-    places, meet = _on_the_field(seen, one, other)
-    shown, clear = _in_the_picture(seen, one, other)
+    places, meet = _crossings_on_field(seen, one, other)
+    shown, clear = _crossings_in_image(seen, one, other)
     known = meet & clear
     return places[:, known], shown[:, known]
 
 
-def _straight(seen: Observations) -> int:
+def _straight_count(seen: Observations) -> int:
     """Number of straight elements, which come first, as do their lines."""
     return sum(element.is_straight for element in seen.elements)
 
 
-def _on_the_field(
+def _crossings_on_field(
     seen: Observations, one: IntArray, other: IntArray
 ) -> tuple[FloatArray, NDArray[np.bool_]]:
     """(3, K) places on lines ``one`` nearest to lines ``other`` (K,), and whether they meet."""
@@ -73,15 +73,15 @@ def _on_the_field(
     along_a = (np.cross(between, span_b, axis=0) * normal).sum(axis=0) / square
     along_b = (np.cross(between, span_a, axis=0) * normal).sum(axis=0) / square
     apart = np.abs((between * normal).sum(axis=0)) / np.sqrt(square)
-    within = (np.abs(np.stack([along_a, along_b]) - 0.5) <= 0.5 + _BEYOND).all(axis=0)
-    return begin[:, one] + along_a * span_a, crossed & within & (apart < _APART_M)
+    within = (np.abs(np.stack([along_a, along_b]) - 0.5) <= 0.5 + _EXTENSION_SHARE).all(axis=0)
+    return begin[:, one] + along_a * span_a, crossed & within & (apart < _SAME_POINT_M)
 
 
-def _in_the_picture(
+def _crossings_in_image(
     seen: Observations, one: IntArray, other: IntArray
 ) -> tuple[FloatArray, NDArray[np.bool_]]:
     """(2, K) solver px where the lines of the picture cross, and whether they do so clearly."""
-    lines = _straight(seen)
+    lines = _straight_count(seen)
     counts = seen.counts[:lines]
     points = seen.points[:, : counts.sum()]
     of_point = seen.element_of_point[: points.shape[1]]
@@ -91,7 +91,7 @@ def _in_the_picture(
     angle = np.arctan2(2 * spread[2], spread[0] - spread[1]) / 2
     cosine, sine = np.cos(angle), np.sin(angle)
     turn = cosine[one] * sine[other] - sine[one] * cosine[other]
-    clear = np.abs(turn) > _LEAST_SINE
+    clear = np.abs(turn) > _MIN_CROSSING_SINE
     between = middle[:, other] - middle[:, one]
     along = between[0] * sine[other] - between[1] * cosine[other]
     along = along / np.where(clear, turn, 1.0)

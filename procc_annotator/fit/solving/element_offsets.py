@@ -19,9 +19,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.fit.solving.final_fit import FoundCamera
-from procc_annotator.fit.solving.noise import MOST_PX
-from procc_annotator.fit.solving.observations import FloatArray, Observations, PictureFrame
+from procc_annotator.fit.solving.final_fit import CameraSolution
+from procc_annotator.fit.solving.noise import MAX_NOISE_RESIDUAL_PX
+from procc_annotator.fit.solving.observations import FloatArray, Observations, ImageFrame
 from procc_annotator.fit.solving.residual import (
     Residuals,
     homography_residuals,
@@ -31,9 +31,9 @@ from procc_annotator.fit.solving.solver import FINAL_LOSS
 
 # What elements and points are off by where the residuals cannot tell, and how many means and
 # residuals that belief is worth; as bands of held-out elements ask for (docs/fitting.md).
-USUAL_OFFSET_PX, _OFFSET_BELIEF = 1.0, 2.0
-_USUAL_NOISE_PX, _NOISE_BELIEF = 1.0, 4.0
-_LEAST_NOISE_PX = 0.2
+PRIOR_OFFSET_PX, _OFFSET_PRIOR_WEIGHT = 1.0, 2.0
+_PRIOR_NOISE_PX, _NOISE_PRIOR_WEIGHT = 1.0, 4.0
+_MIN_NOISE_PX = 0.2
 _TINY = 1e-9
 
 
@@ -60,7 +60,7 @@ class ElementOffsets:
         return np.asarray(self.sd_px**2 * moved @ moved.T)
 
 
-def element_offsets(found: FoundCamera, frame: PictureFrame, error_px: float) -> ElementOffsets:
+def estimate_element_offsets(found: CameraSolution, frame: ImageFrame, error_px: float) -> ElementOffsets:
     """How far the elements of a fit lie beside its model.
 
     Args:
@@ -68,22 +68,22 @@ def element_offsets(found: FoundCamera, frame: PictureFrame, error_px: float) ->
         frame: its picture.
         error_px: standard deviation of a point across its element, solver px.
     """
-    kept = found.seen.leaving_out(found.left_out)
+    kept = found.seen.with_excluded(found.left_out)
     free = found.prior.mean.shape[1]
     if found.basis is not None:
         off = homography_residuals(found.vector[None], kept, found.basis)
     else:
         off = pinhole_residuals(found.vector[None], kept, frame.half_diagonal, free)
-    values, slopes, weights, member = _rows(off, kept, found.left_out)
+    values, slopes, weights, member = _residual_rows(off, kept, found.left_out)
     pulls = (slopes * weights) @ member / error_px**2
     gain = np.linalg.inv(
         (slopes * weights) @ slopes.T + error_px**2 * np.diag(found.prior.inverse_sd[0] ** 2)
     ) @ (slopes * weights)
-    clipped = np.clip(values, -MOST_PX, MOST_PX)
-    return ElementOffsets(_offset_sd(clipped, slopes, gain, member), pulls)
+    clipped = np.clip(values, -MAX_NOISE_RESIDUAL_PX, MAX_NOISE_RESIDUAL_PX)
+    return ElementOffsets(_offset_sd_by_moments(clipped, slopes, gain, member), pulls)
 
 
-def _rows(
+def _residual_rows(
     off: Residuals, seen: Observations, left_out: NDArray[np.bool_]
 ) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
     """The single residuals of the elements with a say: (N,) px, (n, N) their derivatives, (N,)
@@ -111,7 +111,7 @@ def _rows(
     return values, slopes, np.concatenate([weights[k] for _, k in rows]), member
 
 
-def _offset_sd(
+def _offset_sd_by_moments(
     values: FloatArray, slopes: FloatArray, gain: FloatArray, member: FloatArray
 ) -> float:
     """Standard deviation of an element's offset, by the moments of N residuals of G elements.
@@ -135,13 +135,13 @@ def _offset_sd(
     offsets_in_all += ((sum_gain @ sum_gain.T) * across).sum()
     of_means = float((((values @ member) / counts) ** 2).sum())
     of_all = float((values**2).sum())
-    of_means += _OFFSET_BELIEF * USUAL_OFFSET_PX**2
-    offsets_in_means += _OFFSET_BELIEF
-    of_all += _NOISE_BELIEF * _USUAL_NOISE_PX**2
-    noise_in_all += _NOISE_BELIEF
+    of_means += _OFFSET_PRIOR_WEIGHT * PRIOR_OFFSET_PX**2
+    offsets_in_means += _OFFSET_PRIOR_WEIGHT
+    of_all += _NOISE_PRIOR_WEIGHT * _PRIOR_NOISE_PX**2
+    noise_in_all += _NOISE_PRIOR_WEIGHT
     determinant = noise_in_means * offsets_in_all - offsets_in_means * noise_in_all
     noise = (of_means * offsets_in_all - offsets_in_means * of_all) / determinant
-    if not noise >= _LEAST_NOISE_PX**2:
-        noise = _LEAST_NOISE_PX**2
+    if not noise >= _MIN_NOISE_PX**2:
+        noise = _MIN_NOISE_PX**2
     offset = (of_means - noise_in_means * noise) / offsets_in_means
     return float(np.sqrt(max(offset, 0.0)))

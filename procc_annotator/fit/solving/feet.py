@@ -15,21 +15,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.fit.solving.observations import FloatArray, IntArray, Observations
-from procc_annotator.fit.solving.stacked import Stacked
+from procc_annotator.fit.solving.stacked import BatchedObservations
 
 # Nearer than this to the camera's plane nothing is projected: its pixels would be anywhere.
-NEAREST_M = 0.5
+MIN_DEPTH_M = 0.5
 _TINY = 1e-12
-_LARGEST_STEP_RAD = 0.5
+_MAX_STEP_RAD = 0.5
 # Coordinates of aside, centre and ahead, each going on round: their cross products are those of
 # slices (`numpy.cross` takes several times as long on small arrays).
-_TURNS = [6, 7, 8, 6, 7, 0, 1, 2, 0, 1, 3, 4, 5, 3, 4]
+_GRAM_ORDER = [6, 7, 8, 6, 7, 0, 1, 2, 0, 1, 3, 4, 5, 3, 4]
 # The whole of a curve is looked at where the last step is larger, or the point is farther off.
-_SETTLED_PX, _DOUBTFUL_PX = 1.0, 4.0
+_CONVERGED_PX, _AMBIGUOUS_PX = 1.0, 4.0
 
 
 @dataclass(frozen=True, eq=False)
-class Feet:
+class ClosestPoints:
     """Feet of N points for B cameras.
 
     Attributes:
@@ -48,13 +48,13 @@ class Feet:
     pair: IntArray | None = None
 
 
-def find_feet(
+def find_closest_points(
     linear: FloatArray,
     undistorted: FloatArray,
-    seen: Observations | Stacked,
+    seen: Observations | BatchedObservations,
     *,
     thorough: bool = True,
-) -> Feet:
+) -> ClosestPoints:
     """Feet of all points.
 
     Args:
@@ -68,24 +68,24 @@ def find_feet(
     points = undistorted if candidates.point is None else undistorted[:, :, candidates.point]
     lines, curves = seen.line_pairs, seen.curve_pairs
     count, total = len(linear), points.shape[2]
-    feet = Feet(
+    feet = ClosestPoints(
         np.empty((count, 3, total)),
         np.empty((count, 3, total)),
         np.empty((count, total), dtype=bool),
         np.empty((count, total), dtype=bool),
     )
     if lines:
-        _on_lines(linear, points[:, :, :lines], seen, feet)
+        _closest_on_lines(linear, points[:, :, :lines], seen, feet)
     if lines < curves:
-        _on_curves(linear, points[:, :, lines:curves], seen, feet, thorough)
+        _closest_on_curves(linear, points[:, :, lines:curves], seen, feet, thorough)
     if isinstance(seen, Observations) and curves < total:
-        _on_spots(linear, seen, feet)
+        _closest_on_spots(linear, seen, feet)
     if candidates.of_point is None:
         return feet
-    return _nearest(linear, points, candidates.of_point, feet)
+    return _nearest_candidates(linear, points, candidates.of_point, feet)
 
 
-def _nearest(linear: FloatArray, points: FloatArray, of_point: IntArray, feet: Feet) -> Feet:
+def _nearest_candidates(linear: FloatArray, points: FloatArray, of_point: IntArray, feet: ClosestPoints) -> ClosestPoints:
     """Of the feet of all candidates those that lie nearest to their point in the picture."""
     place = linear[:, :, :3] @ feet.world + linear[:, :, 3:]
     depth = np.where(feet.hidden, 1.0, place[:, 2])[:, None]
@@ -94,7 +94,7 @@ def _nearest(linear: FloatArray, points: FloatArray, of_point: IntArray, feet: F
     best = np.argmin(apart[:, of_point], axis=2)
     pair = of_point[np.arange(len(of_point)), best]
     camera = np.arange(len(linear))[:, None]
-    return Feet(
+    return ClosestPoints(
         np.take_along_axis(feet.world, pair[:, None], axis=2),
         np.take_along_axis(feet.along, pair[:, None], axis=2),
         feet.at_end[camera, pair],
@@ -103,25 +103,25 @@ def _nearest(linear: FloatArray, points: FloatArray, of_point: IntArray, feet: F
     )
 
 
-def _on_spots(linear: FloatArray, seen: Observations, feet: Feet) -> None:
+def _closest_on_spots(linear: FloatArray, seen: Observations, feet: ClosestPoints) -> None:
     split, of_pair = seen.curve_pairs, seen.spot_of_pair
     depths = linear[:, 2, :3] @ seen.parts.spots + linear[:, 2, 3:]
     feet.world[:, :, split:] = seen.parts.spots[:, of_pair]
     feet.along[:, :, split:] = 0.0
     feet.at_end[:, split:] = True
-    feet.hidden[:, split:] = depths[:, of_pair] < NEAREST_M
+    feet.hidden[:, split:] = depths[:, of_pair] < MIN_DEPTH_M
 
 
-def _on_lines(
-    linear: FloatArray, points: FloatArray, seen: Observations | Stacked, feet: Feet
+def _closest_on_lines(
+    linear: FloatArray, points: FloatArray, seen: Observations | BatchedObservations, feet: ClosestPoints
 ) -> None:
     split = seen.line_pairs
-    table, hidden = _lines_in_sight(linear, seen)
+    table, hidden = _visible_lines(linear, seen)
     # Elements are handed to their points in one step, a plane each number.
     table = seen.of_lines(table)
     across = table[2:4]
-    share = _dot(points.transpose(1, 0, 2) - table[0:2], across)
-    length = _dot(across, across)
+    share = _dot_2d(points.transpose(1, 0, 2) - table[0:2], across)
+    length = _dot_2d(across, across)
     length += _TINY
     share /= length
     inside = np.maximum(share, 0.0)
@@ -137,15 +137,15 @@ def _on_lines(
     feet.along[:, :, :split] = seen.line_span
     feet.hidden[:, :split] = False if hidden is None else seen.of_lines(hidden)
     at_first, at_second = position <= 0.0, position >= 1.0
-    if isinstance(seen, Observations) and not seen.parts.all_end:
+    if isinstance(seen, Observations) and not seen.parts.all_have_ends:
         at_first &= seen.parts.ends[0, seen.line_of_pair]
         at_second &= seen.parts.ends[1, seen.line_of_pair]
     at_first |= at_second
     np.logical_and(inside != share, at_first, out=feet.at_end[:, :split])
 
 
-def _lines_in_sight(
-    linear: FloatArray, seen: Observations | Stacked
+def _visible_lines(
+    linear: FloatArray, seen: Observations | BatchedObservations
 ) -> tuple[FloatArray, NDArray[np.bool_] | None]:
     """What the cameras show of L lines: (8, B, L), u and v of the first end in sight, u and v from
     there to the second, the depths of both, the share of the line before the first and that in
@@ -156,14 +156,14 @@ def _lines_in_sight(
     ends = ends.reshape(len(linear), 3, 2, lines)
     first, span = ends[:, :, 0], ends[:, :, 1] - ends[:, :, 0]
     depths = ends[:, 2]
-    behind = depths < NEAREST_M
+    behind = depths < MIN_DEPTH_M
     table = np.empty((8, len(linear), lines))
     hidden = None
     if behind.any():
         # Where the element crosses the nearest depth that is projected; no matter where it does
         # not.
         fall = span[:, 2]
-        crossing = (NEAREST_M - depths[:, 0]) / np.where(np.abs(fall) > _TINY, fall, 1.0)
+        crossing = (MIN_DEPTH_M - depths[:, 0]) / np.where(np.abs(fall) > _TINY, fall, 1.0)
         low = np.where(behind[:, 0], crossing, 0.0)
         high = np.where(behind[:, 1], crossing, 1.0)
         hidden = behind[:, 0] & behind[:, 1]
@@ -185,8 +185,8 @@ def _lines_in_sight(
     return table, hidden
 
 
-def _on_curves(
-    linear: FloatArray, points: FloatArray, seen: Observations | Stacked, feet: Feet, thorough: bool
+def _closest_on_curves(
+    linear: FloatArray, points: FloatArray, seen: Observations | BatchedObservations, feet: ClosestPoints, thorough: bool
 ) -> None:
     curves = seen.parts.curves
     on_curves = slice(seen.line_pairs, seen.curve_pairs)
@@ -197,18 +197,18 @@ def _on_curves(
     planes = frame.reshape(-1, 3, 3, curves).transpose(2, 1, 0, 3).reshape(9, -1, curves)
     # Cramer's rule: the point of the circle's plane that a pixel shows, in radii from the centre.
     # Above the horizon it goes on to the direction in which the pixel's ray leaves.
-    turns = planes[_TURNS].reshape(3, 5, -1, curves)
+    turns = planes[_GRAM_ORDER].reshape(3, 5, -1, curves)
     one, other = turns[:2], turns[1:]
     crossed = one[:, 1:4] * other[:, 2:] - one[:, 2:] * other[:, 1:4]
     crossed *= np.where((planes[3:6] * crossed[0]).sum(axis=0) < 0, -1.0, 1.0)
     table = seen.of_curves(np.concatenate([planes, crossed.reshape(6, -1, curves)]))
     points = np.ascontiguousarray(points.transpose(1, 0, 2))
-    sine, cosine = _dot(table[12:14], points), _dot(table[9:11], points)
+    sine, cosine = _dot_2d(table[12:14], points), _dot_2d(table[9:11], points)
     sine += table[14]
     cosine += table[11]
     angle = np.arctan2(sine, cosine)
     half = seen.curve_half
-    angle, corner = _stepped(table[:9], points, half, angle, thorough)
+    angle, corner = _newton_on_curves(table[:9], points, half, angle, thorough)
     cosine, sine = np.cos(angle), np.sin(angle)
     world = seen.curve_frames
     cos_wide, sin_wide = cosine[:, None], sine[:, None]
@@ -221,17 +221,17 @@ def _on_curves(
     depths = cosine * table[5]
     depths += table[2]
     depths += sine * table[8]
-    np.less(depths, NEAREST_M, out=feet.hidden[:, on_curves])
+    np.less(depths, MIN_DEPTH_M, out=feet.hidden[:, on_curves])
     at_end = np.abs(angle) >= half
     if corner is not None:
         corner &= ~at_end
-    if isinstance(seen, Observations) and not seen.parts.all_end:
+    if isinstance(seen, Observations) and not seen.parts.all_have_ends:
         ends = seen.parts.ends[:, seen.parts.lines :][:, seen.curve_of_pair]
         at_end = ((angle <= -half) & ends[0]) | ((angle >= half) & ends[1])
     feet.at_end[:, on_curves] = at_end if corner is None else at_end | corner
 
 
-def _stepped(
+def _newton_on_curves(
     table: FloatArray, points: FloatArray, half: FloatArray, angle: FloatArray, thorough: bool
 ) -> tuple[FloatArray, NDArray[np.bool_] | None]:
     """Angles on curves (9, B, N: centre, ahead and aside as the camera maps them) nearest to points
@@ -247,37 +247,37 @@ def _stepped(
         place += sine * aside
         speed = cosine * aside
         speed -= sine * ahead
-        depth = np.maximum(place[2], NEAREST_M)
+        depth = np.maximum(place[2], MIN_DEPTH_M)
         apart = points - place[:2] / depth
         motion = points - apart
         motion *= speed[2]
         np.subtract(speed[:2], motion, out=motion)
         motion /= depth
-        squares = _dot(motion, motion)
+        squares = _dot_2d(motion, motion)
         squares += _TINY
-        step = _dot(apart, motion)
+        step = _dot_2d(apart, motion)
         step /= squares
-        angle += np.minimum(np.maximum(step, -_LARGEST_STEP_RAD), _LARGEST_STEP_RAD)
+        angle += np.minimum(np.maximum(step, -_MAX_STEP_RAD), _MAX_STEP_RAD)
         np.maximum(angle, least, out=angle)
         np.minimum(angle, half, out=angle)
     if not thorough:
         return angle, None
     last = step * step * squares
-    off = _dot(apart, apart) - last
-    doubtful = (last > _SETTLED_PX**2) | (off > _DOUBTFUL_PX**2) | (place[2] < NEAREST_M)
+    off = _dot_2d(apart, apart) - last
+    doubtful = (last > _CONVERGED_PX**2) | (off > _AMBIGUOUS_PX**2) | (place[2] < MIN_DEPTH_M)
     camera, point = np.nonzero(doubtful)
     if not len(camera):
         return angle, None
     curves = table[:, camera, point].T.reshape(-1, 3, 3)
     half = np.broadcast_to(half, angle.shape)[camera, point]
-    found = nearest_angles(curves, half, points[:, camera, point].T, NEAREST_M)
+    found = nearest_angles(curves, half, points[:, camera, point].T, MIN_DEPTH_M)
     angle[camera, point] = np.where(found.seen, found.angles, angle[camera, point])
     corner = np.zeros(angle.shape, dtype=bool)
     corner[camera, point] = found.seen & found.corner
     return angle, corner
 
 
-def _dot(a: FloatArray, b: FloatArray) -> FloatArray:
+def _dot_2d(a: FloatArray, b: FloatArray) -> FloatArray:
     """(2, B, N), (2, B, N) -> (B, N) scalar products."""
     products = a * b
     products[0] += products[1]
@@ -286,12 +286,12 @@ def _dot(a: FloatArray, b: FloatArray) -> FloatArray:
 
 
 # Places looked at all along the curve, then in turn about the nearest one of the chords between.
-_ALONG, _ABOUT, _TIMES = 17, 9, 3
+_SEARCH_SAMPLES, _REFINE_SAMPLES, _REFINE_ROUNDS = 17, 9, 3
 _CORNER_PX = 1.0
 
 
 @dataclass(frozen=True, eq=False)
-class Nearest:
+class NearestAngles:
     """Where K curves are nearest to K points.
 
     Attributes:
@@ -308,7 +308,7 @@ class Nearest:
 
 def nearest_angles(
     curves: FloatArray, half_rad: FloatArray, points: FloatArray, nearest_m: float
-) -> Nearest:
+) -> NearestAngles:
     """The angles at which K curves are nearest to K points of the picture.
 
     Args:
@@ -320,23 +320,23 @@ def nearest_angles(
     """
     half = half_rad[:, None]
     reach = np.minimum(half, np.pi)
-    angles = reach * np.linspace(-1.0, 1.0, _ALONG)
-    found = _on_chords(curves, angles, points, nearest_m)
-    spacing = reach * 2 / (_ALONG - 1)
-    about = np.linspace(-1.0, 1.0, _ABOUT)
-    for _ in range(_TIMES):
+    angles = reach * np.linspace(-1.0, 1.0, _SEARCH_SAMPLES)
+    found = _nearest_on_chords(curves, angles, points, nearest_m)
+    spacing = reach * 2 / (_SEARCH_SAMPLES - 1)
+    about = np.linspace(-1.0, 1.0, _REFINE_SAMPLES)
+    for _ in range(_REFINE_ROUNDS):
         angles = np.minimum(np.maximum(found.angles[:, None] + spacing * about, -half), half)
-        closer = _on_chords(curves, angles, points, nearest_m)
+        closer = _nearest_on_chords(curves, angles, points, nearest_m)
         # Next to where a curve is lost from sight nothing closer may be seen.
         both = np.where(closer.seen, closer.angles, found.angles)
-        found = Nearest(both, found.seen, closer.corner)
-        spacing = spacing * 2 / (_ABOUT - 1)
+        found = NearestAngles(both, found.seen, closer.corner)
+        spacing = spacing * 2 / (_REFINE_SAMPLES - 1)
     return found
 
 
-def _on_chords(
+def _nearest_on_chords(
     curves: FloatArray, angles: FloatArray, points: FloatArray, nearest_m: float
-) -> Nearest:
+) -> NearestAngles:
     """Where the chords between (K, S) angles of the curves are nearest to the points."""
     turn = np.stack([np.ones_like(angles), np.cos(angles), np.sin(angles)], axis=1)
     place = curves.transpose(0, 2, 1) @ turn
@@ -353,6 +353,6 @@ def _on_chords(
     best = rows, np.argmin(squares, axis=1)
     step = angles[rows, best[1] + 1] - angles[best]
     past = (free[best] - share[best]) ** 2 * length[best]
-    return Nearest(
+    return NearestAngles(
         angles[best] + share[best] * step, np.isfinite(squares[best]), past > _CORNER_PX**2
     )

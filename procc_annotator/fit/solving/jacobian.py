@@ -7,20 +7,20 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.fit.solving.lens_curve import LensCurve
+from procc_annotator.fit.solving.lens_curve import RadialLensCurve
 from procc_annotator.fit.solving.models import (
     ASPECT,
-    CENTRE,
+    POSITION_SLICE,
     KAPPA,
     LOG_FOCAL,
     PAN,
     PRINCIPAL_X,
     PRINCIPAL_Y,
     ROLL,
-    SECOND,
+    SECOND_KAPPA,
     is_fisheye,
-    is_strong,
-    rotations,
+    is_wide_angle,
+    rotation_matrices,
 )
 from procc_annotator.fit.solving.observations import FloatArray
 
@@ -46,8 +46,8 @@ class Lens:
     linear: FloatArray
     focal: FloatArray
     bend: FloatArray
-    bend_by_kappa: float
-    curve: LensCurve | None = None
+    distortion_by_kappa: float
+    curve: RadialLensCurve | None = None
 
     @classmethod
     def of(cls, vectors: FloatArray, half_diagonal: float) -> Lens:
@@ -57,16 +57,16 @@ class Lens:
             vectors: (B, 11) or (B, 13).
             half_diagonal: half the picture's diagonal, solver px.
         """
-        rotation = rotations(vectors)
+        rotation = rotation_matrices(vectors)
         linear = np.empty((len(vectors), 3, 4))
         linear[:, :, :3] = rotation
-        linear[:, :, 3] = -(rotation @ vectors[:, CENTRE, None])[:, :, 0]
+        linear[:, :, 3] = -(rotation @ vectors[:, POSITION_SLICE, None])[:, :, 0]
         focal = np.exp(vectors[:, LOG_FOCAL])
         linear[:, :2] *= focal[:, None, None]
-        bend_by_kappa = 1 / half_diagonal**2
-        bend = vectors[:, KAPPA : KAPPA + 1] * bend_by_kappa
-        curve = _curve_of(vectors, half_diagonal) if is_strong(vectors) else None
-        return cls(vectors, rotation, linear, focal, bend, bend_by_kappa, curve)
+        distortion_by_kappa = 1 / half_diagonal**2
+        bend = vectors[:, KAPPA : KAPPA + 1] * distortion_by_kappa
+        curve = _lens_curve_of(vectors, half_diagonal) if is_wide_angle(vectors) else None
+        return cls(vectors, rotation, linear, focal, bend, distortion_by_kappa, curve)
 
     def undistorted(self, points: FloatArray, bent: NDArray[np.bool_] | None = None) -> FloatArray:
         """(2, N) or (B, 2, N) solver px -> (B, 2, N) where a lens without distortion would show
@@ -99,7 +99,7 @@ class Lens:
         around *= radius[:, None]
         return around
 
-    def beyond_fold(self, world: FloatArray) -> NDArray[np.bool_] | None:
+    def is_beyond_fold(self, world: FloatArray) -> NDArray[np.bool_] | None:
         """(B, 3, N) metres, in front of the cameras -> (B, N) whether a point lies so far out that
         barrel distortion would fold it back among others; None if no lens folds."""
         if self.curve is not None:
@@ -140,12 +140,12 @@ def project(
     bends = curve is not None or lens.bend.any()
     derivatives = np.empty((len(vectors), free, 2, world.shape[2]))
     inner = np.empty((len(vectors), 7, 2, world.shape[2])) if bends else derivatives[:, :KAPPA]
-    _without_lens(lens, v, depth, inner)
+    _undistorted_derivatives(lens, v, depth, inner)
     bent, pixels = v, v
     if bends or free > KAPPA:
         squares = np.einsum("bkn,bkn->bn", v, v)
     if bends:
-        bent, moved = _bent(lens, v, moved, squares, inner, derivatives[:, :7])
+        bent, moved = _distort(lens, v, moved, squares, inner, derivatives[:, :7])
         pixels = bent
     stretch = 1 + vectors[:, ASPECT, None]
     if vectors[:, ASPECT : PRINCIPAL_Y + 1].any():
@@ -160,17 +160,17 @@ def project(
     if curve is not None:
         first, second = curve.by_coefficients(squares)
     if free > KAPPA:
-        by_first = squares * lens.bend_by_kappa if first is None else first
+        by_first = squares * lens.distortion_by_kappa if first is None else first
         derivatives[:, KAPPA] = v * by_first[:, None]
     if free > ASPECT:
-        _by_picture(derivatives, bent, stretch)
-    if free > SECOND and second is not None:
-        derivatives[:, SECOND] = v * second[:, None]
-        derivatives[:, SECOND, 0] *= stretch
+        _image_derivatives(derivatives, bent, stretch)
+    if free > SECOND_KAPPA and second is not None:
+        derivatives[:, SECOND_KAPPA] = v * second[:, None]
+        derivatives[:, SECOND_KAPPA, 0] *= stretch
     return pixels, moved, derivatives
 
 
-def _bent(
+def _distort(
     lens: Lens,
     v: FloatArray,
     along: FloatArray,
@@ -194,18 +194,18 @@ def _bent(
     return v * grown[:, None], moved
 
 
-def _without_lens(lens: Lens, v: FloatArray, depth: FloatArray, found: FloatArray) -> None:
+def _undistorted_derivatives(lens: Lens, v: FloatArray, depth: FloatArray, found: FloatArray) -> None:
     """Fill in (B, 7, 2, N) what pose and focal length do to undistorted pixels ``v`` (B, 2, N) of
     points at a ``depth`` (B, 1, N)."""
-    _by_rotation(lens, v, found[:, PAN : ROLL + 1])
-    by_centre = found[:, CENTRE]
+    _rotation_derivatives(lens, v, found[:, PAN : ROLL + 1])
+    by_centre = found[:, POSITION_SLICE]
     np.multiply(lens.linear[:, 2, :3, None, None], v[:, None], out=by_centre)
     by_centre -= lens.linear[:, :2, :3].transpose(0, 2, 1)[:, :, :, None]
     by_centre /= depth[:, None]
     found[:, LOG_FOCAL] = v
 
 
-def _by_picture(derivatives: FloatArray, bent: FloatArray, stretch: FloatArray) -> None:
+def _image_derivatives(derivatives: FloatArray, bent: FloatArray, stretch: FloatArray) -> None:
     """Fill in what aspect ratio and principal point do to pixels, and stretch all else."""
     derivatives[:, :ASPECT, 0] *= stretch[:, None]
     derivatives[:, ASPECT:] = 0.0
@@ -214,16 +214,16 @@ def _by_picture(derivatives: FloatArray, bent: FloatArray, stretch: FloatArray) 
     derivatives[:, PRINCIPAL_Y, 1] = 1.0
 
 
-def _curve_of(vectors: FloatArray, half_diagonal: float) -> LensCurve:
+def _lens_curve_of(vectors: FloatArray, half_diagonal: float) -> RadialLensCurve:
     fisheye = is_fisheye(vectors)
     unit = np.full((len(vectors), 1), half_diagonal)
     if fisheye:
         unit = np.exp(vectors[:, LOG_FOCAL : LOG_FOCAL + 1])
-    first, second = vectors[:, KAPPA : KAPPA + 1], vectors[:, SECOND : SECOND + 1]
-    return LensCurve(first, second, unit, fisheye)
+    first, second = vectors[:, KAPPA : KAPPA + 1], vectors[:, SECOND_KAPPA : SECOND_KAPPA + 1]
+    return RadialLensCurve(first, second, unit, fisheye)
 
 
-def _by_rotation(lens: Lens, v: FloatArray, found: FloatArray) -> None:
+def _rotation_derivatives(lens: Lens, v: FloatArray, found: FloatArray) -> None:
     """Fill in (B, 3, 2, N): the undistorted pixel's derivative by pan, tilt and roll.
 
     Each angle turns the camera about an axis that is fixed in its own frame: pan about the world's

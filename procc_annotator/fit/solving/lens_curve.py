@@ -16,14 +16,14 @@ from procc_annotator.fit.solving.observations import FloatArray
 
 # Nearer to a right angle off the axis nothing of a field is seen; farther out than so many half
 # diagonals no lens shows anything of the picture.
-_MOST_ANGLE_RAD, _MOST_RADII = 1.5, 6.0
-_STEPS = 20
-_NEAREST = 1e-3  # of the unit: nearer to the axis the curve is straight
+_MAX_ANGLE_RAD, _MAX_RADII = 1.5, 6.0
+_NEWTON_STEPS = 20
+_SERIES_RADIUS = 1e-3  # of the unit: nearer to the axis the curve is straight
 _TINY = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
-class LensCurve:
+class RadialLensCurve:
     """B curves of one kind.
 
     Attributes:
@@ -44,7 +44,7 @@ class LensCurve:
         # 1 + a s + b s^2 = 0 with s = t^2, as 1 / s: the largest positive root is the nearest turn.
         inside = a * a - 4 * b
         root = np.where(inside >= 0, (-a + np.sqrt(np.maximum(inside, 0.0))) / 2, 0.0)
-        most = _MOST_ANGLE_RAD if self.fisheye else _MOST_RADII
+        most = _MAX_ANGLE_RAD if self.fisheye else _MAX_RADII
         return np.asarray(np.minimum(1 / np.sqrt(np.maximum(root, 1 / most**2)), most))
 
     def undistorted(self, distance: FloatArray) -> FloatArray:
@@ -55,7 +55,7 @@ class LensCurve:
         wanted = distance / self.unit
         low, high = np.zeros_like(wanted), np.broadcast_to(self.reach, wanted.shape).copy()
         t = np.minimum(wanted, high)
-        for _ in range(_STEPS):
+        for _ in range(_NEWTON_STEPS):
             off = self._shown(t) - wanted
             low, high = np.where(off < 0, t, low), np.where(off > 0, t, high)
             step = t - off / np.maximum(self._slope(t), _TINY)
@@ -94,7 +94,7 @@ class LensCurve:
         return np.asarray(squares >= (self.unit * self.reach) ** 2)
 
     def _ray(self, squares: FloatArray) -> tuple[FloatArray, FloatArray]:
-        radius = np.maximum(np.sqrt(squares), _NEAREST * self.unit)
+        radius = np.maximum(np.sqrt(squares), _SERIES_RADIUS * self.unit)
         return radius, np.arctan2(radius, self.unit)
 
     def _shown(self, t: FloatArray) -> FloatArray:

@@ -29,7 +29,7 @@ import numpy as np
 from procc_annotator.camera.fisheye import FisheyeCamera
 from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.camera.pinhole import PinholeCamera
-from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
+from procc_annotator.fit.solving.observations import FloatArray, ImageFrame
 
 PARAMETERS = (
     "pan",
@@ -45,41 +45,41 @@ PARAMETERS = (
     "principal_y",
 )
 PAN, TILT, ROLL, X, Y, Z, LOG_FOCAL, KAPPA, ASPECT, PRINCIPAL_X, PRINCIPAL_Y = range(11)
-SECOND, FISHEYE = 11, 12  # of a strong lens
-CENTRE = slice(X, Z + 1)
+SECOND_KAPPA, FISHEYE_FLAG = 11, 12  # of a strong lens
+POSITION_SLICE = slice(X, Z + 1)
 # Barrel distortion of this size shows places up to 1.11 h from the principal point; below -4 / 27
 # it would not reach the picture's corners.
-LEAST_KAPPA = -0.12
+MIN_KAPPA = -0.12
 # The first so many parameters of a pinhole model are free, the others stay at zero.
-FREE = {"P": 7, "R": 8, "R+": 11, "R2": 12, "F": 12}
-MODELS = ("H", *FREE)
-STRONG = ("R2", "F")
+FREE_PARAMETERS = {"P": 7, "R": 8, "R+": 11, "R2": 12, "F": 12}
+MODELS = ("H", *FREE_PARAMETERS)
+WIDE_ANGLE_MODELS = ("R2", "F")
 
 
-def is_strong(vectors: FloatArray) -> bool:
+def is_wide_angle(vectors: FloatArray) -> bool:
     """Whether parameters, of one camera or several, are those of a strong lens."""
-    return bool(vectors.shape[-1] > SECOND)
+    return bool(vectors.shape[-1] > SECOND_KAPPA)
 
 
 def is_fisheye(vectors: FloatArray) -> bool:
     """Whether they are those of fisheyes."""
-    return is_strong(vectors) and bool(vectors[..., FISHEYE].all())
+    return is_wide_angle(vectors) and bool(vectors[..., FISHEYE_FLAG].all())
 
 
-def bounded_in(vectors: FloatArray) -> int | None:
+def lower_bounded_parameter(vectors: FloatArray) -> int | None:
     """The parameter that may not fall below 0 unless it starts there: of a lens of one coefficient,
     which would fold."""
-    return None if is_strong(vectors) else KAPPA
+    return None if is_wide_angle(vectors) else KAPPA
 
 
-def parameters_of(model: str) -> tuple[str, ...]:
+def parameter_names(model: str) -> tuple[str, ...]:
     """Names of a pinhole model's free parameters."""
     names = {"R2": (*PARAMETERS, "kappa2"), "F": (*PARAMETERS, "k2")}
-    plain = names.get(model, PARAMETERS)[: FREE[model]]
+    plain = names.get(model, PARAMETERS)[: FREE_PARAMETERS[model]]
     return tuple("k1" if model == "F" and name == "kappa" else name for name in plain)
 
 
-def camera_from_vector(vector: FloatArray, frame: PictureFrame) -> PinholeCamera:
+def camera_from_vector(vector: FloatArray, frame: ImageFrame) -> PinholeCamera:
     """The camera of a pinhole vector.
 
     Args:
@@ -88,11 +88,11 @@ def camera_from_vector(vector: FloatArray, frame: PictureFrame) -> PinholeCamera
     """
     focal = math.exp(vector[LOG_FOCAL])
     k1 = float(vector[KAPPA]) * (focal / frame.half_diagonal) ** 2
-    k2 = float(vector[SECOND]) * (focal / frame.half_diagonal) ** 4 if is_strong(vector) else 0.0
+    k2 = float(vector[SECOND_KAPPA]) * (focal / frame.half_diagonal) ** 4 if is_wide_angle(vector) else 0.0
     fy = focal / frame.scale
     centre = frame.centre_px
     return PinholeCamera(
-        _wrapped(float(vector[PAN])),
+        _wrap_angle(float(vector[PAN])),
         float(vector[TILT]),
         float(vector[ROLL]),
         (float(vector[X]), float(vector[Y]), float(vector[Z])),
@@ -105,10 +105,10 @@ def camera_from_vector(vector: FloatArray, frame: PictureFrame) -> PinholeCamera
     )
 
 
-def fisheye_from_vector(vector: FloatArray, frame: PictureFrame) -> FisheyeCamera:
+def fisheye_from_vector(vector: FloatArray, frame: ImageFrame) -> FisheyeCamera:
     """The camera of a fisheye's vector (13,), in pixels of the picture."""
-    lens = float(vector[KAPPA]), float(vector[SECOND])
-    plain = camera_from_vector(vector[:SECOND], frame)
+    lens = float(vector[KAPPA]), float(vector[SECOND_KAPPA])
+    plain = camera_from_vector(vector[:SECOND_KAPPA], frame)
     return FisheyeCamera(
         plain.pan_rad,
         plain.tilt_rad,
@@ -120,8 +120,8 @@ def fisheye_from_vector(vector: FloatArray, frame: PictureFrame) -> FisheyeCamer
     )
 
 
-def strong_vector_from_camera(
-    camera: PinholeCamera | FisheyeCamera, frame: PictureFrame
+def wide_angle_vector_from_camera(
+    camera: PinholeCamera | FisheyeCamera, frame: ImageFrame
 ) -> FloatArray:
     """The vector (13,) of a strong lens closest to a camera: higher terms are dropped."""
     if isinstance(camera, FisheyeCamera):
@@ -141,7 +141,7 @@ def strong_vector_from_camera(
     return vector
 
 
-def half_turned(vectors: FloatArray) -> FloatArray:
+def rotated_180(vectors: FloatArray) -> FloatArray:
     """(B, 11) pinhole parameters after half a turn of the camera about the field's centre."""
     other = vectors.copy()
     other[:, PAN] += math.pi
@@ -149,7 +149,7 @@ def half_turned(vectors: FloatArray) -> FloatArray:
     return other
 
 
-def vector_from_camera(camera: PinholeCamera, frame: PictureFrame) -> FloatArray:
+def vector_from_camera(camera: PinholeCamera, frame: ImageFrame) -> FloatArray:
     """The pinhole vector closest to a camera: higher distortion terms are dropped.
 
     Args:
@@ -169,7 +169,7 @@ def vector_from_camera(camera: PinholeCamera, frame: PictureFrame) -> FloatArray
             camera.roll_rad,
             *camera.position_world,
             math.log(focal),
-            max(camera.radial[0] * (frame.half_diagonal / focal) ** 2, LEAST_KAPPA),
+            max(camera.radial[0] * (frame.half_diagonal / focal) ** 2, MIN_KAPPA),
             fx / fy - 1,
             (camera.principal_point_px[0] - centre[0]) * frame.scale,
             (camera.principal_point_px[1] - centre[1]) * frame.scale,
@@ -177,7 +177,7 @@ def vector_from_camera(camera: PinholeCamera, frame: PictureFrame) -> FloatArray
     )
 
 
-def rotations(vectors: FloatArray) -> FloatArray:
+def rotation_matrices(vectors: FloatArray) -> FloatArray:
     """(B, >= 3) pan, tilt, roll -> (B, 3, 3) world to camera, as `rotation_cam_from_world`."""
     turn = np.empty((2, 3, len(vectors)))  # cosines, then sines
     np.cos(vectors[:, :3].T, out=turn[0])
@@ -198,7 +198,7 @@ def rotations(vectors: FloatArray) -> FloatArray:
 
 def homography_from_pinhole(vector: FloatArray) -> FloatArray:
     """(3, 3) ground (x, y, 1) in metres -> solver px, of a pinhole vector; no distortion."""
-    rotation = rotations(vector[None])[0]
+    rotation = rotation_matrices(vector[None])[0]
     focal = math.exp(vector[LOG_FOCAL])
     lens = np.array(
         [
@@ -207,18 +207,18 @@ def homography_from_pinhole(vector: FloatArray) -> FloatArray:
             [0.0, 0.0, 1.0],
         ]
     )
-    from_ground = np.column_stack([rotation[:, :2], -rotation @ vector[CENTRE]])
+    from_ground = np.column_stack([rotation[:, :2], -rotation @ vector[POSITION_SLICE]])
     return np.asarray(lens @ from_ground)
 
 
-def homography_camera(image_from_ground: FloatArray, frame: PictureFrame) -> HomographyCamera:
+def homography_camera(image_from_ground: FloatArray, frame: ImageFrame) -> HomographyCamera:
     """The camera of a homography in solver px."""
     scale, (cx, cy) = frame.scale, frame.centre_px
     picture = np.array([[1 / scale, 0.0, cx], [0.0, 1 / scale, cy], [0.0, 0.0, 1.0]])
     return HomographyCamera(picture @ image_from_ground)
 
 
-def homography_in_solver(camera: HomographyCamera, frame: PictureFrame) -> FloatArray:
+def homography_from_camera(camera: HomographyCamera, frame: ImageFrame) -> FloatArray:
     """(3, 3) ground -> solver px; the inverse of `homography_camera`.
 
     Scaled so that the depth of ground points is about that in metres.
@@ -230,5 +230,5 @@ def homography_in_solver(camera: HomographyCamera, frame: PictureFrame) -> Float
     return np.asarray(matrix / norm if norm > 0 else matrix)
 
 
-def _wrapped(angle: float) -> float:
+def _wrap_angle(angle: float) -> float:
     return math.remainder(angle, 2 * math.pi)

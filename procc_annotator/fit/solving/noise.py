@@ -13,16 +13,16 @@ from dataclasses import replace
 
 import numpy as np
 
-from procc_annotator.fit.solving.feet import NEAREST_M
+from procc_annotator.fit.solving.feet import MIN_DEPTH_M
 from procc_annotator.fit.solving.observations import FloatArray, Observations
 
 # What a click is off by where the points cannot tell, and how many residuals that belief is worth.
-USUAL_ERROR_PX = 1.5
-_BELIEF = 10.0
-MOST_PX = 3 * USUAL_ERROR_PX  # more is a mistake, and says nothing of what clicks are usually off
+PRIOR_CLICK_SD_PX = 1.5
+_CLICK_SD_PRIOR_WEIGHT = 10.0
+MAX_NOISE_RESIDUAL_PX = 3 * PRIOR_CLICK_SD_PX  # more is a mistake, and says nothing of what clicks are usually off
 
 
-def error_from(components: FloatArray, parameters: int) -> float:
+def estimate_click_sd(components: FloatArray, parameters: int) -> float:
     """Standard deviation of a point across its element, and of a spot along each axis, solver px.
 
     The residuals' own, drawn towards 1.5 px where there are few of them: a fit to three elements
@@ -33,13 +33,13 @@ def error_from(components: FloatArray, parameters: int) -> float:
             element, two of a spot and of a true end.
         parameters: how many were fitted to them.
     """
-    squares = float((np.clip(components, -MOST_PX, MOST_PX) ** 2).sum())
+    squares = float((np.clip(components, -MAX_NOISE_RESIDUAL_PX, MAX_NOISE_RESIDUAL_PX) ** 2).sum())
     spare = max(len(components) - parameters, 0)
-    return float(np.sqrt((_BELIEF * USUAL_ERROR_PX**2 + squares) / (_BELIEF + spare)))
+    return float(np.sqrt((_CLICK_SD_PRIOR_WEIGHT * PRIOR_CLICK_SD_PX**2 + squares) / (_CLICK_SD_PRIOR_WEIGHT + spare)))
 
 
-def softened(
-    seen: Observations, linear: FloatArray, error_px: float = USUAL_ERROR_PX
+def whitened(
+    seen: Observations, linear: FloatArray, error_px: float = PRIOR_CLICK_SD_PX
 ) -> Observations:
     """The same points, those on uncertain spots counting as much as these are known.
 
@@ -53,14 +53,14 @@ def softened(
     uncertain = np.flatnonzero(seen.spreads.any(axis=(1, 2)))
     elements = seen.element_of_point[uncertain]
     spots = seen.parts.spots[:, elements - seen.first_spot]
-    values, axes = np.linalg.eigh(shown_spread(spots, seen.spreads[uncertain], linear))
+    values, axes = np.linalg.eigh(projected_spot_covariance(spots, seen.spreads[uncertain], linear))
     shares = error_px / np.sqrt(error_px**2 + np.maximum(values, 0.0))
     soft = np.tile(np.eye(2)[:, :, None], seen.points.shape[1])
     soft[:, :, uncertain] = np.einsum("kia,ka,kja->ijk", axes, shares, axes)
     return replace(seen, soft=soft)
 
 
-def shown_spread(spots: FloatArray, spreads: FloatArray, linear: FloatArray) -> FloatArray:
+def projected_spot_covariance(spots: FloatArray, spreads: FloatArray, linear: FloatArray) -> FloatArray:
     """What uncertain places are off in the picture, to first order.
 
     Args:
@@ -72,7 +72,7 @@ def shown_spread(spots: FloatArray, spreads: FloatArray, linear: FloatArray) -> 
         (K, 2, 2) solver px squared; 0 for places behind the camera.
     """
     place = linear[:, :3] @ spots + linear[:, 3:]
-    ahead = place[2] >= NEAREST_M
+    ahead = place[2] >= MIN_DEPTH_M
     depth = np.where(ahead, place[2], 1.0)
     shown = (place[:2] / depth).T
     slopes = (linear[:2, :3] - shown[:, :, None] * linear[2, :3]) / depth[:, None, None]
@@ -80,7 +80,7 @@ def shown_spread(spots: FloatArray, spreads: FloatArray, linear: FloatArray) -> 
     return np.asarray(np.where(ahead[:, None, None], spread, 0.0))
 
 
-def as_shown(values: FloatArray, seen: Observations) -> FloatArray:
+def unwhitened(values: FloatArray, seen: Observations) -> FloatArray:
     """(2, N) solver px: residuals as the picture shows them, of those of softened points."""
     if seen.soft is None:
         return values

@@ -16,9 +16,9 @@ from numpy.typing import NDArray
 
 from procc_annotator.annotation import FrameAnnotation, Polyline, points_px
 from procc_annotator.field.geometry import Chain
-from procc_annotator.field.landmarks import known_covariances
+from procc_annotator.field.landmarks import landmark_covariances
 from procc_annotator.field.model import Element, Field
-from procc_annotator.fit.solving.parts import Candidates, Parts
+from procc_annotator.fit.solving.parts import PrimitiveCandidates, Primitives
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.intp]
@@ -26,14 +26,14 @@ AnyArray = TypeVar("AnyArray", FloatArray, NDArray[np.bool_])
 
 REFERENCE_WIDTH = 960
 # No lens shows a point this far outside the picture; squares of larger numbers only do harm.
-_FARTHEST_PX = 20000.0
-_SAME_PLACE_PX = 0.5
+_MAX_COORDINATE_PX = 20000.0
+_SAME_POINT_PX = 0.5
 # More points on an element tell a camera nothing more, but take their time.
-MOST_POINTS = 64
+MAX_POINTS = 64
 
 
 @dataclass(frozen=True)
-class PictureFrame:
+class ImageFrame:
     """The picture: its size, and the scale between its pixels and those of the solver."""
 
     size: tuple[int, int]
@@ -75,14 +75,14 @@ class Observations:
     points: FloatArray
     element_of_point: IntArray
     weights: FloatArray
-    parts: Parts
+    parts: Primitives
     spreads: FloatArray | None = None
     soft: FloatArray | None = None
 
     @cached_property
-    def candidates(self) -> Candidates:
+    def candidates(self) -> PrimitiveCandidates:
         """The parts that the points' feet may lie on."""
-        return Candidates.of(self.parts, self.element_of_point)
+        return PrimitiveCandidates.of(self.parts, self.element_of_point)
 
     @cached_property
     def line_pairs(self) -> int:
@@ -153,7 +153,7 @@ class Observations:
         """At most so many points an element, evenly chosen, for a quick look."""
         keep = np.concatenate(
             [
-                start + spread_places(count, most)
+                start + evenly_spaced_indices(count, most)
                 for start, count in zip(self.starts, self.counts, strict=True)
             ]
         )
@@ -161,7 +161,7 @@ class Observations:
             self,
             points=self.points[:, keep],
             element_of_point=self.element_of_point[keep],
-            weights=_weights(self.element_of_point[keep], len(self.elements)),
+            weights=_point_weights(self.element_of_point[keep], len(self.elements)),
             spreads=None if self.spreads is None else self.spreads[keep],
             soft=None if self.soft is None else self.soft[:, :, keep],
         )
@@ -174,28 +174,28 @@ class Observations:
     def on(self, field: Field) -> Observations:
         """The same points on the elements as another size of the same field has them."""
         elements = tuple(field.elements[field.index[e.name]] for e in self.elements)
-        return replace(self, elements=elements, parts=Parts.of(elements))
+        return replace(self, elements=elements, parts=Primitives.of(elements))
 
-    def leaving_out(self, left_out: NDArray[np.bool_]) -> Observations:
+    def with_excluded(self, left_out: NDArray[np.bool_]) -> Observations:
         """The same, with weight 0 for the elements marked in ``left_out`` (E,)."""
         if not left_out.any():
             return self
         weights = np.where(left_out[self.element_of_point], 0.0, self.weights)
         return replace(self, weights=weights)
 
-    def worst_of_element(self, of_points: FloatArray) -> FloatArray:
+    def max_per_element(self, of_points: FloatArray) -> FloatArray:
         """(..., N) values of the points -> (..., E) the largest of each element."""
         return np.asarray(np.maximum.reduceat(of_points, self.starts, axis=-1))
 
-    def mean_of_element(self, of_points: FloatArray) -> FloatArray:
+    def mean_per_element(self, of_points: FloatArray) -> FloatArray:
         """(..., N) values of the points -> (..., E) the mean of each element."""
         return np.asarray(np.add.reduceat(of_points, self.starts, axis=-1) / self.counts)
 
 
-def observe(
+def build_observations(
     annotation: FrameAnnotation,
     field: Field,
-    frame: PictureFrame,
+    frame: ImageFrame,
     *,
     ground_only: bool = False,
     without: Collection[str] = (),
@@ -203,7 +203,7 @@ def observe(
     """The points of an annotation on elements whose place on the field is known.
 
     Points that repeat another one of their element tell nothing new and are left out, as are
-    unconfirmed elements. Of an element with more than `MOST_POINTS` points so many are taken,
+    unconfirmed elements. Of an element with more than `MAX_POINTS` points so many are taken,
     evenly, its ends among them.
 
     Args:
@@ -225,15 +225,15 @@ def observe(
         if ground_only and not field.elements[row].on_ground:
             continue
         px = (points_px(polyline, frame.size) - centre) * frame.scale
-        used = _used(px)
+        used = _usable_points(px)
         if len(used):
-            found[row] = px[used].clip(-_FARTHEST_PX, _FARTHEST_PX)
+            found[row] = px[used].clip(-_MAX_COORDINATE_PX, _MAX_COORDINATE_PX)
     if not found:
         return None
     # In the field's order, so that the result does not depend on the order in the file.
-    order = sorted(found, key=lambda row: (_rank(field.elements[row]), row))
-    seen = _pack([field.elements[row] for row in order], [found[row] for row in order])
-    known = known_covariances(field) if field.landmarks else {}
+    order = sorted(found, key=lambda row: (_element_order(field.elements[row]), row))
+    seen = _build_arrays([field.elements[row] for row in order], [found[row] for row in order])
+    known = landmark_covariances(field) if field.landmarks else {}
     exact = np.zeros((3, 3))
     spreads = np.array([known.get(element.name, exact) for element in seen.elements])
     if not spreads.any():
@@ -241,51 +241,51 @@ def observe(
     return replace(seen, spreads=spreads[seen.element_of_point])
 
 
-def used_points(polyline: Polyline, frame: PictureFrame) -> IntArray:
+def used_point_indices(polyline: Polyline, frame: ImageFrame) -> IntArray:
     """(n,) places in a polyline of the points that `observe` takes, in its order."""
     if not polyline.points:
         return np.empty(0, dtype=np.intp)
-    return _used((points_px(polyline, frame.size) - np.array(frame.centre_px)) * frame.scale)
+    return _usable_points((points_px(polyline, frame.size) - np.array(frame.centre_px)) * frame.scale)
 
 
-def _used(px: FloatArray) -> IntArray:
+def _usable_points(px: FloatArray) -> IntArray:
     finite = np.flatnonzero(np.isfinite(px).all(axis=1))
     if not len(finite):
         return finite
-    chosen = finite[spread_places(len(finite), MOST_POINTS)]
-    return chosen[_distinct(px[chosen].clip(-_FARTHEST_PX, _FARTHEST_PX))]
+    chosen = finite[evenly_spaced_indices(len(finite), MAX_POINTS)]
+    return chosen[_is_first_occurrence(px[chosen].clip(-_MAX_COORDINATE_PX, _MAX_COORDINATE_PX))]
 
 
-def _pack(elements: list[Element], points: list[FloatArray]) -> Observations:
+def _build_arrays(elements: list[Element], points: list[FloatArray]) -> Observations:
     element_of_point = np.repeat(np.arange(len(elements)), [len(p) for p in points])
     return Observations(
         tuple(elements),
         np.ascontiguousarray(np.concatenate(points).T),
         element_of_point,
-        _weights(element_of_point, len(elements)),
-        Parts.of(elements),
+        _point_weights(element_of_point, len(elements)),
+        Primitives.of(elements),
     )
 
 
-def _rank(element: Element) -> int:
+def _element_order(element: Element) -> int:
     if isinstance(element.geometry, Chain):
         return 3
     return 0 if element.is_straight else 2 if element.is_spot else 1
 
 
-def _weights(element_of_point: IntArray, elements: int) -> FloatArray:
+def _point_weights(element_of_point: IntArray, elements: int) -> FloatArray:
     counts = np.bincount(element_of_point, minlength=elements)
     return np.asarray(1.0 / np.sqrt(counts[element_of_point]))
 
 
-def spread_places(count: int, most: int) -> IntArray:
+def evenly_spaced_indices(count: int, most: int) -> IntArray:
     """Evenly spread places among so many, the first and the last among them; all if not many."""
     if count <= most:
         return np.arange(count)
     return np.unique(np.linspace(0, count - 1, most).round().astype(np.intp))
 
 
-def _distinct(px: FloatArray) -> NDArray[np.bool_]:
+def _is_first_occurrence(px: FloatArray) -> NDArray[np.bool_]:
     """(n,) whether each point is at another place than all earlier ones."""
     squares = ((px[:, None] - px[None]) ** 2).sum(axis=-1)
-    return np.asarray(~np.tril(squares < _SAME_PLACE_PX**2, -1).any(axis=1))
+    return np.asarray(~np.tril(squares < _SAME_POINT_PX**2, -1).any(axis=1))

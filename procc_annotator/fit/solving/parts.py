@@ -22,7 +22,7 @@ from procc_annotator.field.geometry import (
     Part,
     Spot,
     angles_of,
-    at_angles,
+    points_at_angles,
     ends_of,
     parts_of,
 )
@@ -33,11 +33,11 @@ IntArray = NDArray[np.intp]
 BoolArray = NDArray[np.bool_]
 
 # A chain that turns by less at a joint goes on smoothly: a point off it lies across one part.
-_SMOOTH = math.cos(math.radians(10))
+_SMOOTH_JOINT_COSINE = math.cos(math.radians(10))
 
 
 @dataclass(frozen=True, eq=False)
-class Parts:
+class Primitives:
     """What E elements are made of: L lines, C curves and S spots, numbered in this order.
 
     Attributes:
@@ -59,11 +59,11 @@ class Parts:
     of_element: tuple[IntArray, ...]
 
     @classmethod
-    def of(cls, elements: Sequence[Element]) -> Parts:
+    def of(cls, elements: Sequence[Element]) -> Primitives:
         """Take elements apart."""
         shapes = [parts_of(e.geometry) for e in elements]
         flat = [part for own in shapes for part in own]
-        kinds = np.array([_kind(part) for part in flat], dtype=np.intp)
+        kinds = np.array([_primitive_order(part) for part in flat], dtype=np.intp)
         order = np.argsort(kinds, kind="stable")
         number = np.empty_like(order)
         number[order] = np.arange(len(order))
@@ -71,16 +71,16 @@ class Parts:
         lines = [part for part in flat if isinstance(part, Line)]
         curves = [part for part in flat if isinstance(part, Arc | Circle)]
         half = [(g.end_rad - g.start_rad) / 2 if isinstance(g, Arc) else np.inf for g in curves]
-        ends = np.concatenate([_ends(e) for e in elements], axis=1)
+        ends = np.concatenate([_end_flags(e) for e in elements], axis=1)
         return cls(
-            _columns([*(g.start for g in lines), *(g.end for g in lines)]),
-            _columns(
+            _as_columns([*(g.start for g in lines), *(g.end for g in lines)]),
+            _as_columns(
                 [g.centre for g in curves]
-                + [_from_centre(g, 0.0) for g in curves]
-                + [_from_centre(g, math.pi / 2) for g in curves]
+                + [_vector_from_centre(g, 0.0) for g in curves]
+                + [_vector_from_centre(g, math.pi / 2) for g in curves]
             ),
             np.array(half, dtype=np.float64),
-            _columns([part.position for part in flat if isinstance(part, Spot)]),
+            _as_columns([part.position for part in flat if isinstance(part, Spot)]),
             ends[:, order],
             tuple(np.split(number, until[:-1])),
         )
@@ -96,13 +96,13 @@ class Parts:
         return int(self.curve_half.shape[-1])
 
     @cached_property
-    def all_end(self) -> bool:
+    def all_have_ends(self) -> bool:
         """Whether all parts end at their ends: without smooth chains they do."""
         return bool(self.ends.all())
 
 
 @dataclass(frozen=True, eq=False)
-class Candidates:
+class PrimitiveCandidates:
     """The parts that the feet of N points may lie on: K pairs of a point and a part.
 
     Attributes:
@@ -117,7 +117,7 @@ class Candidates:
     of_point: IntArray | None
 
     @classmethod
-    def of(cls, parts: Parts, element_of_point: IntArray) -> Candidates:
+    def of(cls, parts: Primitives, element_of_point: IntArray) -> PrimitiveCandidates:
         """All pairs; the elements that have one part each come in the order of these parts."""
         counts = np.array([len(own) for own in parts.of_element])
         if (counts == 1).all():
@@ -134,15 +134,15 @@ class Candidates:
         return cls(point[order], part[order], place[first[:, None] + within])
 
 
-def _kind(part: Part) -> int:
+def _primitive_order(part: Part) -> int:
     return 0 if isinstance(part, Line) else 2 if isinstance(part, Spot) else 1
 
 
-def _columns(vectors: Iterable[Sequence[float]]) -> FloatArray:
+def _as_columns(vectors: Iterable[Sequence[float]]) -> FloatArray:
     return np.array(list(vectors), dtype=np.float64).reshape(-1, 3).T.copy()
 
 
-def _from_centre(curve: Arc | Circle, further_rad: float) -> Sequence[float]:
+def _vector_from_centre(curve: Arc | Circle, further_rad: float) -> Sequence[float]:
     """From a curve's centre to the middle of its arc, or so much further round."""
     middle = sum(angles_of(curve)) / 2 if isinstance(curve, Arc) else 0.0
     along, across = math.cos(middle + further_rad), math.sin(middle + further_rad)
@@ -150,7 +150,7 @@ def _from_centre(curve: Arc | Circle, further_rad: float) -> Sequence[float]:
     return [curve.radius * (along * a + across * b) for a, b in both]
 
 
-def _ends(element: Element) -> BoolArray:
+def _end_flags(element: Element) -> BoolArray:
     """(2, parts) whether the parts of an element end at their first and their second end."""
     shape = element.geometry
     if not isinstance(shape, Chain):
@@ -160,19 +160,19 @@ def _ends(element: Element) -> BoolArray:
     followers = range(count if ends_of(shape) is None else count - 1)
     for one in followers:
         other = (one + 1) % count
-        if _goes_on(shape.parts[one], shape.parts[other]):
+        if _continues_smoothly(shape.parts[one], shape.parts[other]):
             found[1, one] = found[0, other] = False
     return found
 
 
-def _goes_on(one: Line | Arc, other: Line | Arc) -> bool:
-    return bool(_direction(one, 1) @ _direction(other, 0) > _SMOOTH)
+def _continues_smoothly(one: Line | Arc, other: Line | Arc) -> bool:
+    return bool(_end_direction(one, 1) @ _end_direction(other, 0) > _SMOOTH_JOINT_COSINE)
 
 
-def _direction(part: Line | Arc, end: int) -> FloatArray:
+def _end_direction(part: Line | Arc, end: int) -> FloatArray:
     """(3,) unit vector: where a part leads at its first or second end."""
     if isinstance(part, Line):
         span = np.subtract(part.end, part.start)
         return np.asarray(span / max(float(np.linalg.norm(span)), SAME_PLACE_M))
     angle = np.array([angles_of(part)[end] + math.pi / 2])
-    return np.asarray((at_angles(part, angle)[0] - part.centre) / part.radius)
+    return np.asarray((points_at_angles(part, angle)[0] - part.centre) / part.radius)

@@ -13,14 +13,14 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.fit.solving.feet import Feet, find_feet
+from procc_annotator.fit.solving.feet import ClosestPoints, find_closest_points
 from procc_annotator.fit.solving.jacobian import Lens, project
-from procc_annotator.fit.solving.models import CENTRE
+from procc_annotator.fit.solving.models import POSITION_SLICE
 from procc_annotator.fit.solving.observations import FloatArray, Observations
-from procc_annotator.fit.solving.stacked import Stacked
+from procc_annotator.fit.solving.stacked import BatchedObservations
 
 # What a point counts whose element is behind the camera, solver px; no direction is better.
-HIDDEN_PX = 1000.0
+HIDDEN_RESIDUAL_PX = 1000.0
 _TINY = 1e-12
 
 
@@ -43,7 +43,7 @@ class Residuals:
     along: FloatArray
 
 
-def components(
+def residual_components(
     values: FloatArray, whole: NDArray[np.bool_], counted: NDArray[np.bool_]
 ) -> FloatArray:
     """The single numbers that N residuals are made of, one or two each.
@@ -60,7 +60,7 @@ def components(
 
 def pinhole_residuals(
     vectors: FloatArray,
-    seen: Observations | Stacked,
+    seen: Observations | BatchedObservations,
     half_diagonal: float,
     free: int,
     *,
@@ -73,19 +73,19 @@ def pinhole_residuals(
         seen: N points, or those of several frames, each camera of one of them.
         half_diagonal: half the picture's diagonal, solver px.
         free: derivatives by the first so many parameters.
-        thorough: see `find_feet`.
+        thorough: see `find_closest_points`.
     """
     lens = Lens.of(vectors, half_diagonal)
-    bent = seen.shared(lens.bend[:, 0] != 0) if isinstance(seen, Stacked) else None
+    bent = seen.shared(lens.bend[:, 0] != 0) if isinstance(seen, BatchedObservations) else None
     undistorted = lens.undistorted(seen.points, bent)
-    feet = not_folded(find_feet(lens.linear, undistorted, seen, thorough=thorough), lens)
+    feet = with_folded_hidden(find_closest_points(lens.linear, undistorted, seen, thorough=thorough), lens)
     world = feet.world
     if feet.hidden.any():
         # Anything in front of the camera will do: its residual is replaced.
-        ahead = (lens.rotation[:, 2] + vectors[:, CENTRE])[:, :, None]
+        ahead = (lens.rotation[:, 2] + vectors[:, POSITION_SLICE])[:, :, None]
         world = np.where(feet.hidden[:, None], ahead, world)
     pixels, moved, derivatives = project(lens, world, feet.along, free)
-    return across_curve(seen, pixels, moved, derivatives, feet)
+    return project_out_tangent(seen, pixels, moved, derivatives, feet)
 
 
 def linear_map(vector: FloatArray, basis: FloatArray | None = None) -> FloatArray:
@@ -97,20 +97,20 @@ def linear_map(vector: FloatArray, basis: FloatArray | None = None) -> FloatArra
     """
     if basis is None:
         return np.asarray(Lens.of(vector[None], 1.0).linear[0])
-    return np.asarray(_flat(homography_of(vector[None], basis))[0])
+    return np.asarray(_ground_linear_maps(homographies_from_corrections(vector[None], basis))[0])
 
 
-def _flat(matrices: FloatArray) -> FloatArray:
+def _ground_linear_maps(matrices: FloatArray) -> FloatArray:
     """(B, 3, 3) ground -> pixels, as linear maps (B, 3, 4) for which height does not matter."""
     linear = np.zeros((len(matrices), 3, 4))
     linear[:, :, :2], linear[:, :, 3] = matrices[:, :, :2], matrices[:, :, 2]
     return linear
 
 
-def not_folded(feet: Feet, lens: Lens) -> Feet:
+def with_folded_hidden(feet: ClosestPoints, lens: Lens) -> ClosestPoints:
     """Feet of which those are hidden too that barrel distortion would fold back: no camera shows
     anything there."""
-    beyond = lens.beyond_fold(feet.world)
+    beyond = lens.is_beyond_fold(feet.world)
     return feet if beyond is None else replace(feet, hidden=feet.hidden | beyond)
 
 
@@ -118,20 +118,20 @@ def homography_residuals(vectors: FloatArray, seen: Observations, basis: FloatAr
     """Residuals of homographies near a known one.
 
     Args:
-        vectors: (B, 8) corrections, see `homography_of`.
+        vectors: (B, 8) corrections, see `homographies_from_corrections`.
         seen: N points on the ground.
         basis: (3, 3) ground -> solver px.
     """
-    linear = _flat(homography_of(vectors, basis))
+    linear = _ground_linear_maps(homographies_from_corrections(vectors, basis))
     points = np.broadcast_to(seen.points, (len(vectors), *seen.points.shape))
-    feet = find_feet(linear, points, seen)
+    feet = find_closest_points(linear, points, seen)
     corrected = linear[:, :, :3] @ feet.world + linear[:, :, 3:]
     depth = np.where(feet.hidden, 1.0, corrected[:, 2])[:, None]
     pixels = corrected[:, :2] / depth
     toward = linear[:, :, :3] @ feet.along
     moved = (toward[:, :2] - pixels * toward[:, 2:]) / depth
-    derivatives = _by_correction(basis, feet.world, pixels, depth[:, 0])
-    return across_curve(seen, pixels, moved, derivatives, feet)
+    derivatives = _correction_derivatives(basis, feet.world, pixels, depth[:, 0])
+    return project_out_tangent(seen, pixels, moved, derivatives, feet)
 
 
 def homography_derivatives(
@@ -147,15 +147,15 @@ def homography_derivatives(
     Returns:
         (B, 8, 2, N), and (B, N) depth in about metres.
     """
-    corrected = homography_of(vectors, basis) @ _ground(world)
+    corrected = homographies_from_corrections(vectors, basis) @ _homogeneous_ground(world)
     depth = np.where(np.abs(corrected[:, 2]) > _TINY, corrected[:, 2], _TINY)
-    return _by_correction(basis, world, corrected[:, :2] / depth[:, None], depth), depth
+    return _correction_derivatives(basis, world, corrected[:, :2] / depth[:, None], depth), depth
 
 
-def _by_correction(
+def _correction_derivatives(
     basis: FloatArray, world: FloatArray, pixels: FloatArray, depth: FloatArray
 ) -> FloatArray:
-    plain = _NORMALISED @ (basis @ _ground(world)) / depth[:, None]  # before the correction
+    plain = _NORMALISATION @ (basis @ _homogeneous_ground(world)) / depth[:, None]  # before the correction
     found = np.zeros((len(world), 9, 2, world.shape[2]))
     for column in range(3):
         found[:, column, 0] = found[:, 3 + column, 1] = plain[:, column] * _NORMAL_PX
@@ -165,10 +165,10 @@ def _by_correction(
 
 # The solver's pixels made of the size of 1.
 _NORMAL_PX = 500.0
-_NORMALISED = np.diag([1 / _NORMAL_PX, 1 / _NORMAL_PX, 1.0])
+_NORMALISATION = np.diag([1 / _NORMAL_PX, 1 / _NORMAL_PX, 1.0])
 
 
-def homography_of(vectors: FloatArray, basis: FloatArray) -> FloatArray:
+def homographies_from_corrections(vectors: FloatArray, basis: FloatArray) -> FloatArray:
     """(B, 8) corrections of a homography -> (B, 3, 3) ground -> solver px.
 
     The correction is 1 plus a matrix whose last entry is 0, in units of 500 px; so eight small
@@ -177,22 +177,22 @@ def homography_of(vectors: FloatArray, basis: FloatArray) -> FloatArray:
     correction = np.zeros((len(vectors), 9))
     correction[:, :8] = vectors
     turned = correction.reshape(-1, 3, 3) + np.eye(3)
-    return np.asarray(np.linalg.inv(_NORMALISED) @ turned @ (_NORMALISED @ basis))
+    return np.asarray(np.linalg.inv(_NORMALISATION) @ turned @ (_NORMALISATION @ basis))
 
 
-def _ground(world: FloatArray) -> FloatArray:
+def _homogeneous_ground(world: FloatArray) -> FloatArray:
     """(B, 3, N) world points -> (B, 3, N) homogeneous ground points."""
     homogeneous = world.copy()
     homogeneous[:, 2] = 1.0
     return homogeneous
 
 
-def across_curve(
-    seen: Observations | Stacked,
+def project_out_tangent(
+    seen: Observations | BatchedObservations,
     pixels: FloatArray,
     moved: FloatArray,
     derivatives: FloatArray,
-    feet: Feet,
+    feet: ClosestPoints,
 ) -> Residuals:
     """The differences to the feet, their part along the curve taken out except at true ends; those
     to spots as much as these are known."""
@@ -222,6 +222,6 @@ def across_curve(
         values = np.einsum("bijn,bjn->bin", soft, values)
         found = np.einsum("bijn,bpjn->bpin", soft, found)
     if some_hidden:
-        values[:, 0][hidden] = HIDDEN_PX
+        values[:, 0][hidden] = HIDDEN_RESIDUAL_PX
     distances = np.hypot(values[:, 0], values[:, 1])
     return Residuals(values, found, distances, other, moved)

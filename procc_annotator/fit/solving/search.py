@@ -11,26 +11,26 @@ from numpy.typing import NDArray
 from procc_annotator.field.model import Field
 from procc_annotator.fit.solving.final_fit import (
     OUTLIER_PX,
-    FoundCamera,
-    final_descent,
+    CameraSolution,
+    final_request,
     final_fit,
     final_fit_steps,
-    mistakes,
+    outlier_elements,
 )
 from procc_annotator.fit.solving.models import (
-    FREE,
+    FREE_PARAMETERS,
     KAPPA,
-    half_turned,
+    rotated_180,
     homography_from_pinhole,
 )
-from procc_annotator.fit.solving.noise import softened
+from procc_annotator.fit.solving.noise import whitened
 from procc_annotator.fit.solving.observations import (
     FloatArray,
     IntArray,
     Observations,
-    PictureFrame,
+    ImageFrame,
 )
-from procc_annotator.fit.solving.plausible import objection
+from procc_annotator.fit.solving.plausible import implausible_reason
 from procc_annotator.fit.solving.residual import (
     homography_residuals,
     linear_map,
@@ -39,73 +39,73 @@ from procc_annotator.fit.solving.residual import (
 from procc_annotator.fit.solving.solver import (
     ROBUST_LOSS,
     SEARCH_LOSS,
-    Descent,
-    Prior,
+    SolveRequest,
+    GaussianPrior,
     Problem,
     Solution,
-    Steps,
+    SolveSteps,
     solve,
-    solved,
-    walked,
+    solve_request,
+    run_steps,
 )
 from procc_annotator.fit.solving.starts import (
-    Starts,
-    all_starts,
+    InitialCameras,
+    initial_cameras,
     prior_near,
     search_prior,
     side_costs,
-    side_of,
+    camera_side,
     wide_prior,
 )
-from procc_annotator.fit.solving.surroundings import Surroundings, surroundings_of
+from procc_annotator.fit.solving.surroundings import CameraPlacementPrior, camera_placement_prior
 
 _SEARCH_POINTS = 3  # points of an element that the search looks at
-_ROUNDS = ((4, 14), (5, 4))  # iterations, and how many searches go on after them
+_SEARCH_ROUNDS = ((4, 14), (5, 4))  # iterations, and how many searches go on after them
 # Cameras nearer to each other than this share of the way to the usual one stand in one place.
-_ALIKE = 0.016
-_KEPT_BYTES = 2**21
-_HOPELESS = 3.0  # times the cost of a search that has ended
+_SAME_CAMERA_DISTANCE = 0.016
+_RETAINED_BYTES = 2**21
+_HOPELESS_RATIO = 3.0  # times the cost of a search that has ended
 # How far a homography may leave the pinhole camera it is found from, where no point says so.
 _CORRECTION_SD = 0.1
 
 
-def search(seen: Observations, field: Field, frame: PictureFrame, model: str) -> FoundCamera:
+def search_camera(seen: Observations, field: Field, frame: ImageFrame, model: str) -> CameraSolution:
     """Fit a pinhole model without a start."""
-    return walked(search_steps(seen, field, frame, model))
+    return run_steps(search_camera_steps(seen, field, frame, model))
 
 
-def search_steps(
-    seen: Observations, field: Field, frame: PictureFrame, model: str
-) -> Steps[FoundCamera]:
+def search_camera_steps(
+    seen: Observations, field: Field, frame: ImageFrame, model: str
+) -> SolveSteps[CameraSolution]:
     """`search`, step by step."""
-    scene = _Scene(seen, frame, surroundings_of(field))
-    vectors = yield from _survivors(scene, all_starts(seen, field))
+    scene = _SearchContext(seen, frame, camera_placement_prior(field))
+    vectors = yield from _best_starts(scene, initial_cameras(seen, field))
     if not scene.around.has_main_side:
         # Much may be the same from the other end; with all points what is not decides.
-        vectors = np.concatenate([vectors, half_turned(vectors)])
-    return (yield from _finish(scene, vectors, model))
+        vectors = np.concatenate([vectors, rotated_180(vectors)])
+    return (yield from _fit_best_start(scene, vectors, model))
 
 
-def refine(
-    seen: Observations, field: Field, frame: PictureFrame, model: str, start: FloatArray
-) -> FoundCamera:
+def refine_camera(
+    seen: Observations, field: Field, frame: ImageFrame, model: str, start: FloatArray
+) -> CameraSolution:
     """Fit a pinhole model from parameters (11,) that are nearly right; stale if they are not."""
-    scene = _Scene(seen, frame, surroundings_of(field))
+    scene = _SearchContext(seen, frame, camera_placement_prior(field))
     vectors = start[None].copy()
-    vectors[:, FREE[model] :] = 0.0
-    vector, left_out = believed(seen, field, frame, vectors[0], model)
+    vectors[:, FREE_PARAMETERS[model] :] = 0.0
+    vector, left_out = inlier_elements_near(seen, field, frame, vectors[0], model)
     vectors = vector[None]
-    residuals = partial(pinhole_residuals, half_diagonal=frame.half_diagonal, free=FREE[model])
-    prior = prior_near(vector, scene.around, FREE[model])
+    residuals = partial(pinhole_residuals, half_diagonal=frame.half_diagonal, free=FREE_PARAMETERS[model])
+    prior = prior_near(vector, scene.around, FREE_PARAMETERS[model])
     found = final_fit(seen, vectors, left_out, residuals, prior)
-    same_side = side_of(found.vector, scene.around) == side_of(vector, scene.around)
-    if found.is_stale or (same_side and found.is_consistent):
+    same_side = camera_side(found.vector, scene.around) == camera_side(vector, scene.around)
+    if found.has_stale_start or (same_side and found.is_consistent):
         return found
-    return walked(_finish(scene, vectors, model))
+    return run_steps(_fit_best_start(scene, vectors, model))
 
 
-def believed(
-    seen: Observations, field: Field, frame: PictureFrame, start: FloatArray, model: str
+def inlier_elements_near(
+    seen: Observations, field: Field, frame: ImageFrame, start: FloatArray, model: str
 ) -> tuple[FloatArray, NDArray[np.bool_]]:
     """Which elements to believe near a camera that was known before.
 
@@ -122,22 +122,22 @@ def believed(
     Returns:
         (11,) parameters to go on from, and (E,) the elements to leave out.
     """
-    around, free = surroundings_of(field), FREE[model]
+    around, free = camera_placement_prior(field), FREE_PARAMETERS[model]
     residuals = partial(pinhole_residuals, half_diagonal=frame.half_diagonal, free=free)
-    seen = softened(seen, linear_map(start))
-    left_out = mistakes(seen, residuals(start[None], seen).distances[0])
+    seen = whitened(seen, linear_map(start))
+    left_out = outlier_elements(seen, residuals(start[None], seen).distances[0])
     if not left_out.any():
         return start, left_out
     nobody = np.zeros_like(left_out)
     prior = prior_near(start, around, free)
-    heard = solved(final_descent(seen, start[None], nobody, residuals, prior, iterations=8))
+    heard = solve_request(final_request(seen, start[None], nobody, residuals, prior, iterations=8))
     all_agree = (heard.distances[0] <= OUTLIER_PX).all()
-    if all_agree and side_of(heard.vectors[0], around) == side_of(start, around):
+    if all_agree and camera_side(heard.vectors[0], around) == camera_side(start, around):
         return heard.vectors[0], nobody
     return start, left_out
 
 
-def refine_homography(seen: Observations, basis: FloatArray) -> FoundCamera:
+def refine_homography(seen: Observations, basis: FloatArray) -> CameraSolution:
     """Fit a homography to points on the ground.
 
     Args:
@@ -145,34 +145,34 @@ def refine_homography(seen: Observations, basis: FloatArray) -> FoundCamera:
         basis: (3, 3) ground -> solver px, nearly right.
     """
     residuals = partial(homography_residuals, basis=basis)
-    seen = softened(seen, linear_map(np.zeros(8), basis))
-    prior = Prior(np.zeros((1, 8)), np.full((1, 8), 1 / _CORRECTION_SD))
+    seen = whitened(seen, linear_map(np.zeros(8), basis))
+    prior = GaussianPrior(np.zeros((1, 8)), np.full((1, 8), 1 / _CORRECTION_SD))
     problem = Problem(partial(residuals, seen=seen), seen.weights, ROBUST_LOSS, prior)
     robust = solve(problem, np.zeros((1, 8)), iterations=20, tolerance=1e-3)
-    left_out = mistakes(seen, robust.distances[0])
+    left_out = outlier_elements(seen, robust.distances[0])
     return final_fit(seen, robust.vectors, left_out, residuals, prior, basis=basis)
 
 
-def search_homography(seen: Observations, field: Field, frame: PictureFrame) -> FoundCamera:
+def search_homography(seen: Observations, field: Field, frame: ImageFrame) -> CameraSolution:
     """Fit a homography without a start: from the pinhole camera that explains the ground best."""
-    found = search(seen, field, frame, "P")
+    found = search_camera(seen, field, frame, "P")
     return refine_homography(seen, homography_from_pinhole(found.vector))
 
 
 @dataclass(frozen=True, eq=False)
-class _Scene:
+class _SearchContext:
     """What a search looks at."""
 
     seen: Observations
-    frame: PictureFrame
-    around: Surroundings
+    frame: ImageFrame
+    around: CameraPlacementPrior
 
 
-def _survivors(scene: _Scene, starts: Starts) -> Steps[FloatArray]:
+def _best_starts(scene: _SearchContext, starts: InitialCameras) -> SolveSteps[FloatArray]:
     """(B, 11) the best of the starts after a few steps with few points."""
-    _keep_freed_memory()
+    _retain_freed_memory()
     few = scene.seen.thinned(_SEARCH_POINTS)
-    free = FREE["P"]
+    free = FREE_PARAMETERS["P"]
     residuals = partial(
         pinhole_residuals,
         seen=few,
@@ -182,36 +182,36 @@ def _survivors(scene: _Scene, starts: Starts) -> Steps[FloatArray]:
     )
     sides = starts.sides
     going: FloatArray | Solution = starts.vectors
-    for iterations, keep in _ROUNDS:
+    for iterations, keep in _SEARCH_ROUNDS:
         prior = search_prior(sides, scene.around, free)
         problem = Problem(residuals, few.weights, SEARCH_LOSS, prior)
-        found = yield Descent(problem, going, iterations)
+        found = yield SolveRequest(problem, going, iterations)
         costs = found.costs + side_costs(sides, scene.around)
-        best = _distinct_best(found.vectors, costs, keep, scene.around)
+        best = _best_distinct(found.vectors, costs, keep, scene.around)
         going, sides = found.chosen(best), sides[best]
     return found.vectors[best]
 
 
 @lru_cache(maxsize=1)
-def _keep_freed_memory() -> None:
+def _retain_freed_memory() -> None:
     """Have the memory of a step at hand in the next one.
 
     A search works on arrays of some 200 kB. The C library of Linux hands such ones back to the
     system and fetches them anew, page by page, a third of a step's time; unless a larger one was
     freed before, twice the size of which it keeps from then on (mallopt, M_MMAP_THRESHOLD).
     """
-    np.empty(_KEPT_BYTES, dtype=np.uint8)
+    np.empty(_RETAINED_BYTES, dtype=np.uint8)
 
 
-def _finish(scene: _Scene, vectors: FloatArray, model: str) -> Steps[FoundCamera]:
+def _fit_best_start(scene: _SearchContext, vectors: FloatArray, model: str) -> SolveSteps[CameraSolution]:
     """From (B, 11) parameters that may lead to the camera to the fit."""
     # The first is the best of the search.
-    seen, around = softened(scene.seen, linear_map(vectors[0])), scene.around
+    seen, around = whitened(scene.seen, linear_map(vectors[0])), scene.around
     # Aspect ratio and principal point only once it is known which elements to believe.
-    free = min(FREE[model], FREE["R"])
+    free = min(FREE_PARAMETERS[model], FREE_PARAMETERS["R"])
     residuals = partial(pinhole_residuals, half_diagonal=scene.frame.half_diagonal)
     # A search may have led round a corner: what is expected of a camera goes by where it is now.
-    sides = _sides_of(vectors, around)
+    sides = _camera_sides(vectors, around)
     problem = Problem(
         partial(residuals, seen=seen, free=free, thorough=False),
         seen.weights,
@@ -219,39 +219,39 @@ def _finish(scene: _Scene, vectors: FloatArray, model: str) -> Steps[FoundCamera
         wide_prior(sides, around, free),
         bounded=KAPPA,
     )
-    robust = yield Descent(problem, vectors, 20, 1e-3, _HOPELESS)
-    best = _best_plausible(robust, sides, around)
+    robust = yield SolveRequest(problem, vectors, 20, 1e-3, _HOPELESS_RATIO)
+    best = _best_plausible_row(robust, sides, around)
     chosen = robust.vectors[[best]]
-    prior = prior_near(chosen[0], around, FREE[model])
+    prior = prior_near(chosen[0], around, FREE_PARAMETERS[model])
     distances = robust.distances[best]
     if seen.curve_pairs > seen.line_pairs or seen.spreads is not None:
         # Those of curves were not thorough, and spots were softened by another camera.
-        seen = softened(seen, linear_map(chosen[0]))
+        seen = whitened(seen, linear_map(chosen[0]))
         distances = residuals(chosen, seen, free=free).distances[0]
-    left_out = mistakes(seen, distances)
-    residuals = partial(residuals, free=FREE[model])
+    left_out = outlier_elements(seen, distances)
+    residuals = partial(residuals, free=FREE_PARAMETERS[model])
     return (yield from final_fit_steps(seen, chosen, left_out, residuals, prior))
 
 
-def _sides_of(vectors: FloatArray, around: Surroundings) -> IntArray:
-    return np.array([side_of(vector, around) for vector in vectors], dtype=np.intp)
+def _camera_sides(vectors: FloatArray, around: CameraPlacementPrior) -> IntArray:
+    return np.array([camera_side(vector, around) for vector in vectors], dtype=np.intp)
 
 
-def _best_plausible(solution: Solution, sides: IntArray, around: Surroundings) -> int:
+def _best_plausible_row(solution: Solution, sides: IntArray, around: CameraPlacementPrior) -> int:
     costs = solution.costs + side_costs(sides, around)
     order = np.argsort(costs, kind="stable").tolist()
-    plausible = (i for i in order if not objection(solution.vectors[i], around))
+    plausible = (i for i in order if not implausible_reason(solution.vectors[i], around))
     return int(next(plausible, order[0]))
 
 
-def _distinct_best(
-    vectors: FloatArray, costs: FloatArray, most: int, around: Surroundings
+def _best_distinct(
+    vectors: FloatArray, costs: FloatArray, most: int, around: CameraPlacementPrior
 ) -> IntArray:
     """The cheapest of the searches, of those that came to the same place only one."""
     order = np.argsort(costs, kind="stable")
     left = vectors[order, :KAPPA]
     # Angles, place, and focal length less apart than this are the same camera.
-    least = np.array([*(0.02,) * 3, *(_ALIKE * around.reach,) * 3, 0.03])
+    least = np.array([*(0.02,) * 3, *(_SAME_CAMERA_DISTANCE * around.reach,) * 3, 0.03])
     chosen: list[int] = []
     while len(order) and len(chosen) < most:
         chosen.append(int(order[0]))

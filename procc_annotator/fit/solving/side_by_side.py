@@ -19,62 +19,62 @@ from numpy.typing import NDArray
 from procc_annotator.fit.solving.observations import FloatArray, IntArray, Observations
 from procc_annotator.fit.solving.residual import Residuals, pinhole_residuals
 from procc_annotator.fit.solving.solver import (
-    Descent,
-    Prior,
+    SolveRequest,
+    GaussianPrior,
     Problem,
     Solution,
-    Steps,
-    UnderWay,
-    solved,
-    sums_of,
+    SolveSteps,
+    SolverState,
+    solve_request,
+    normal_equations,
 )
-from procc_annotator.fit.solving.stacked import Stacked, can_be_stacked, columns_of
+from procc_annotator.fit.solving.stacked import BatchedObservations, is_batchable, point_columns
 
 # Arrays of more cameras than this are large enough for one frame alone.
-_MOST_STARTS = 32
+_MAX_BATCH_STARTS = 32
 # A stack is made anew where so many of its frames have ended.
-_ENDED_SHARE = 0.25
+_COMPACTION_SHARE = 0.25
 
 T = TypeVar("T")
 
 
-def walked_together(walks: Sequence[Steps[T]]) -> list[T]:
+def run_batched(walks: Sequence[SolveSteps[T]]) -> list[T]:
     """What steps come to that are taken side by side; see `solver.walked`."""
     found: dict[int, T] = {}
     answers: dict[int, Solution | None] = dict.fromkeys(range(len(walks)))
     while answers:
-        asked: dict[int, Descent] = {}
+        asked: dict[int, SolveRequest] = {}
         for row, answer in answers.items():
             try:
                 asked[row] = next(walks[row]) if answer is None else walks[row].send(answer)
             except StopIteration as end:
                 found[row] = end.value
-        answers = dict(zip(asked, _solved(list(asked.values())), strict=True))
+        answers = dict(zip(asked, _solve_requests(list(asked.values())), strict=True))
     return [found[row] for row in range(len(walks))]
 
 
-def _solved(asked: Sequence[Descent]) -> list[Solution]:
+def _solve_requests(asked: Sequence[SolveRequest]) -> list[Solution]:
     kinds: dict[object, list[int]] = {}
     for row, descent in enumerate(asked):
-        kinds.setdefault(_kind(descent) or row, []).append(row)
+        kinds.setdefault(_batch_key(descent) or row, []).append(row)
     found: dict[int, Solution] = {}
     for rows in kinds.values():
         if len(rows) == 1:
-            found[rows[0]] = solved(asked[rows[0]])
+            found[rows[0]] = solve_request(asked[rows[0]])
         else:
-            found.update(zip(rows, _solved_as_stack([asked[row] for row in rows]), strict=True))
+            found.update(zip(rows, _solve_batch([asked[row] for row in rows]), strict=True))
     return [found[row] for row in range(len(asked))]
 
 
-def _kind(asked: Descent) -> tuple[object, ...] | None:
+def _batch_key(asked: SolveRequest) -> tuple[object, ...] | None:
     """Equal for descents that can be made at once; None for what is to be made alone."""
     problem = asked.problem
     look = problem.residuals
-    alone = problem.held is not None or len(_vectors(asked.starts)) > _MOST_STARTS
+    alone = problem.held is not None or len(_start_vectors(asked.starts)) > _MAX_BATCH_STARTS
     if alone or not isinstance(look, partial) or look.func is not pinhole_residuals:
         return None
     options = {name: value for name, value in look.keywords.items() if name != "seen"}
-    if look.args or not can_be_stacked(look.keywords["seen"]):
+    if look.args or not is_batchable(look.keywords["seen"]):
         return None
     return (
         tuple(sorted(options.items())),
@@ -83,15 +83,15 @@ def _kind(asked: Descent) -> tuple[object, ...] | None:
     )
 
 
-def _vectors(starts: FloatArray | Solution) -> FloatArray:
+def _start_vectors(starts: FloatArray | Solution) -> FloatArray:
     return starts.vectors if isinstance(starts, Solution) else starts
 
 
-def _solved_as_stack(asked: Sequence[Descent]) -> list[Solution]:
+def _solve_batch(asked: Sequence[SolveRequest]) -> list[Solution]:
     """Minimise descents of one kind from all of their starts."""
-    counts = np.array([len(_vectors(one.starts)) for one in asked])
-    problem = _Several.of([one.problem for one in asked], counts)
-    under_way = UnderWay.begun(problem, _beginning(problem, asked))
+    counts = np.array([len(_start_vectors(one.starts)) for one in asked])
+    problem = _BatchProblem.of([one.problem for one in asked], counts)
+    under_way = SolverState.begun(problem, _initial_solution(problem, asked))
     found: dict[int, Solution] = {}
     steps, going = np.zeros(len(asked), dtype=np.intp), np.ones(len(asked), dtype=bool)
     stack = np.arange(len(asked))  # the frames in it
@@ -102,26 +102,26 @@ def _solved_as_stack(asked: Sequence[Descent]) -> list[Solution]:
         going[stack] = still
         if not still.any():
             break
-        if still.mean() <= 1 - _ENDED_SHARE:
+        if still.mean() <= 1 - _COMPACTION_SHARE:
             known = dict(zip(stack.tolist(), problem.apart(under_way.at), strict=True))
             found.update(known)
             rows, stack = still[problem.frame_of_row], stack[still]
-            problem = _Several.of([asked[one].problem for one in stack.tolist()], counts[stack])
+            problem = _BatchProblem.of([asked[one].problem for one in stack.tolist()], counts[stack])
             at = problem.side_by_side([known[one] for one in stack.tolist()])
             under_way = under_way.chosen(rows, at)
     found.update(zip(stack.tolist(), problem.apart(under_way.at), strict=True))
     return [replace(found[one], steps=int(steps[one])) for one in range(len(asked))]
 
 
-def _beginning(problem: _Several, asked: Sequence[Descent]) -> Solution:
+def _initial_solution(problem: _BatchProblem, asked: Sequence[SolveRequest]) -> Solution:
     known = [one.starts for one in asked if isinstance(one.starts, Solution)]
     if known:
         return problem.side_by_side(known)
-    return Solution.at(problem, np.concatenate([_vectors(one.starts) for one in asked]))
+    return Solution.at(problem, np.concatenate([_start_vectors(one.starts) for one in asked]))
 
 
 @dataclass(frozen=True, eq=False)
-class _Several(Problem):
+class _BatchProblem(Problem):
     """The problems of several frames, as one.
 
     Attributes:
@@ -139,11 +139,11 @@ class _Several(Problem):
     points: int = 0
 
     @classmethod
-    def of(cls, problems: Sequence[Problem], counts: IntArray) -> _Several:
+    def of(cls, problems: Sequence[Problem], counts: IntArray) -> _BatchProblem:
         """As one, with so many cameras (F,) of each."""
         looks: list[Any] = [problem.residuals for problem in problems]  # partials, see `_kind`
         seen: list[Observations] = [look.keywords["seen"] for look in looks]
-        stack = Stacked.of(seen, counts)
+        stack = BatchedObservations.of(seen, counts)
         until = np.cumsum(counts).tolist()
         pairs = list(zip(problems, counts.tolist(), strict=True))
         size = problems[0].free
@@ -151,7 +151,7 @@ class _Several(Problem):
             partial(looks[0], seen=stack),
             np.empty(0),
             problems[0].loss,
-            Prior(
+            GaussianPrior(
                 np.concatenate([np.broadcast_to(p.prior.mean, (n, size)) for p, n in pairs]),
                 np.concatenate([np.broadcast_to(p.prior.inverse_sd, (n, size)) for p, n in pairs]),
             ),
@@ -160,7 +160,7 @@ class _Several(Problem):
             problems[0].least,
             tuple(problems),
             tuple(slice(end - n, end) for end, n in zip(until, counts.tolist(), strict=True)),
-            tuple(columns_of(one, stack.line_pairs) for one in seen),
+            tuple(point_columns(one, stack.line_pairs) for one in seen),
             stack.frame_of_row,
             stack.curve_pairs,
         )
@@ -168,7 +168,7 @@ class _Several(Problem):
     def summed(self, found: Residuals) -> tuple[FloatArray, FloatArray, FloatArray]:
         cost, weight = self.loss.cost_and_weight(found.distances)
         parts = [
-            sums_of(
+            normal_equations(
                 found.values[rows].take(columns, axis=2),
                 found.derivatives[rows].take(columns, axis=3),
                 cost[rows].take(columns, axis=1),

@@ -9,20 +9,20 @@ from typing import Literal, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.fit.solving.models import LEAST_KAPPA
+from procc_annotator.fit.solving.models import MIN_KAPPA
 from procc_annotator.fit.solving.observations import FloatArray, IntArray
 from procc_annotator.fit.solving.residual import Residuals
 
 T = TypeVar("T")
 LossKind = Literal["cauchy", "geman_mcclure", "huber", "squared"]
 
-_FIRST_DAMPING = 1e-3
-_EASED, _RAISED = 0.15, 6.0
-_LEAST_DAMPING, _MOST_DAMPING = 1e-8, 1e8
+_INITIAL_DAMPING = 1e-3
+_DAMPING_DECREASE, _DAMPING_INCREASE = 0.15, 6.0
+_MIN_DAMPING, _MAX_DAMPING = 1e-8, 1e8
 
 
 @dataclass(frozen=True)
-class Loss:
+class RobustLoss:
     """What a distance costs: half its square at first, less and less beyond ``scale``."""
 
     kind: LossKind
@@ -45,13 +45,13 @@ class Loss:
 
 
 # What a search goes by, what tells mistakes apart, and what the result is the best one for.
-SEARCH_LOSS = Loss("cauchy", 10.0)
-ROBUST_LOSS = Loss("geman_mcclure", 8.0)
-FINAL_LOSS = Loss("huber", 2.0)
+SEARCH_LOSS = RobustLoss("cauchy", 10.0)
+ROBUST_LOSS = RobustLoss("geman_mcclure", 8.0)
+FINAL_LOSS = RobustLoss("huber", 2.0)
 
 
 @dataclass(frozen=True, eq=False)
-class Prior:
+class GaussianPrior:
     """Where parameters are expected: (B or 1, n) means, and inverse standard deviations."""
 
     mean: FloatArray
@@ -151,11 +151,11 @@ class Problem:
 
     residuals: Callable[[FloatArray], Residuals]
     weights: FloatArray
-    loss: Loss
-    prior: Prior
+    loss: RobustLoss
+    prior: GaussianPrior
     bounded: int | None = None
     held: NDArray[np.bool_] | None = None
-    least: float = LEAST_KAPPA
+    least: float = MIN_KAPPA
 
     @property
     def free(self) -> int:
@@ -169,7 +169,7 @@ class Problem:
             (B,) cost, (B, n, n) weighted J^T J, (B, n) gradient: of the points alone.
         """
         cost, weight = self.loss.cost_and_weight(found.distances)
-        return sums_of(found.values, found.derivatives, cost, weight, self.weights)
+        return normal_equations(found.values, found.derivatives, cost, weight, self.weights)
 
     def hopeful(
         self, costs: FloatArray, running: NDArray[np.bool_], hopeless: float
@@ -184,7 +184,7 @@ class Problem:
         return np.where(starts[:, self.bounded] < 0, self.least, 0.0)
 
 
-def sums_of(
+def normal_equations(
     values: FloatArray,
     derivatives: FloatArray,
     cost: FloatArray,
@@ -207,7 +207,7 @@ def sums_of(
 
 
 @dataclass(frozen=True, eq=False)
-class Descent:
+class SolveRequest:
     """What is to be minimised, from where, and how far.
 
     Attributes:
@@ -228,7 +228,7 @@ class Descent:
 
 # What works something out and needs descents on the way: yields what it asks for, is sent what came
 # of it. So that many can be taken side by side.
-Steps = Generator[Descent, Solution, T]
+SolveSteps = Generator[SolveRequest, Solution, T]
 
 
 def solve(
@@ -239,26 +239,26 @@ def solve(
     tolerance: float = 1e-4,
     hopeless: float = np.inf,
 ) -> Solution:
-    """Minimise from every start; see `Descent`."""
-    return solved(Descent(problem, starts, iterations, tolerance, hopeless))
+    """Minimise from every start; see `SolveRequest`."""
+    return solve_request(SolveRequest(problem, starts, iterations, tolerance, hopeless))
 
 
-def walked(steps: Steps[T]) -> T:
+def run_steps(steps: SolveSteps[T]) -> T:
     """What steps come to that ask for one descent after another."""
     try:
         asked = next(steps)
         while True:
-            asked = steps.send(solved(asked))
+            asked = steps.send(solve_request(asked))
     except StopIteration as end:
         found: T = end.value
         return found
 
 
-def solved(asked: Descent) -> Solution:
+def solve_request(asked: SolveRequest) -> Solution:
     """Minimise from every start."""
     starts = asked.starts
     at = starts if isinstance(starts, Solution) else Solution.at(asked.problem, starts)
-    under_way = UnderWay.begun(asked.problem, at)
+    under_way = SolverState.begun(asked.problem, at)
     made = 0
     for made in range(1, asked.iterations + 1):  # noqa: B007
         under_way.step(asked.problem, asked.tolerance, asked.hopeless)
@@ -268,7 +268,7 @@ def solved(asked: Descent) -> Solution:
 
 
 @dataclass(eq=False)
-class UnderWay:
+class SolverState:
     """Where B searches are.
 
     Attributes:
@@ -284,15 +284,15 @@ class UnderWay:
     running: NDArray[np.bool_]
 
     @classmethod
-    def begun(cls, problem: Problem, at: Solution) -> UnderWay:
+    def begun(cls, problem: Problem, at: Solution) -> SolverState:
         """At the beginning."""
         count = len(at.vectors)
-        damping, running = np.full(count, _FIRST_DAMPING), np.ones(count, dtype=bool)
+        damping, running = np.full(count, _INITIAL_DAMPING), np.ones(count, dtype=bool)
         return cls(at, problem.floor(at.vectors), damping, running)
 
-    def chosen(self, rows: NDArray[np.bool_], at: Solution) -> UnderWay:
+    def chosen(self, rows: NDArray[np.bool_], at: Solution) -> SolverState:
         """Some of them (B,), of which ``at`` is known."""
-        return UnderWay(at, self.floor[rows], self.damping[rows], self.running[rows])
+        return SolverState(at, self.floor[rows], self.damping[rows], self.running[rows])
 
     def step(self, problem: Problem, tolerance: float, hopeless: float) -> None:
         """One step of all searches; of those that ended none is taken."""
@@ -307,9 +307,9 @@ class UnderWay:
         better = self.running & (new.costs < at.costs)
         gain = np.where(better, at.costs - new.costs, 0.0)
         small = np.where(better, gain, hoped) <= tolerance * at.costs
-        damping = np.where(better, damping * _EASED, damping * _RAISED)
-        self.damping = np.minimum(np.maximum(damping, _LEAST_DAMPING), _MOST_DAMPING)
-        self.running = self.running & ~small & (self.damping < _MOST_DAMPING)
+        damping = np.where(better, damping * _DAMPING_DECREASE, damping * _DAMPING_INCREASE)
+        self.damping = np.minimum(np.maximum(damping, _MIN_DAMPING), _MAX_DAMPING)
+        self.running = self.running & ~small & (self.damping < _MAX_DAMPING)
         self.at = new if better.all() else at.replaced_where(better, new)
         if not self.running.all():
             self.running &= problem.hopeful(self.at.costs, self.running, hopeless)
@@ -322,7 +322,7 @@ def _damped_step(
     normal, gradient = at.normal.copy(), at.gradient
     diagonal = np.einsum("bii->bi", normal)  # a view
     diagonal += problem.prior.inverse_sd**2
-    pinned = _pinned(problem, at, floor)
+    pinned = _held_or_bounded(problem, at, floor)
     if pinned is not None:
         gradient = np.where(pinned, 0.0, gradient)
         normal[pinned] = 0.0
@@ -335,7 +335,7 @@ def _damped_step(
     return step, (step * gradient).sum(axis=1) / 2
 
 
-def _pinned(problem: Problem, at: Solution, floor: FloatArray) -> NDArray[np.bool_] | None:
+def _held_or_bounded(problem: Problem, at: Solution, floor: FloatArray) -> NDArray[np.bool_] | None:
     """(B, n) parameters that are held, or lie on their bound and would be pushed through it."""
     index = problem.bounded
     if index is None or index >= problem.free:

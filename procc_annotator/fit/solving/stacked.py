@@ -15,21 +15,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.fit.solving.observations import AnyArray, FloatArray, IntArray, Observations
-from procc_annotator.fit.solving.parts import Candidates, Parts
+from procc_annotator.fit.solving.parts import PrimitiveCandidates, Primitives
 
 # What stands in for parts that a frame has fewer of; nothing comes of it.
-_NO_LINE = np.array([[0.0, 1.0], [0.0, 0.0], [0.0, 0.0]])
-_NO_CURVE = np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 0.0]])
+_PADDING_LINE = np.array([[0.0, 1.0], [0.0, 0.0], [0.0, 0.0]])
+_PADDING_CURVE = np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 0.0]])
 
 
-def can_be_stacked(seen: Observations) -> bool:
+def is_batchable(seen: Observations) -> bool:
     """Whether all points lie on lines and curves that end at their ends, and count as they are."""
-    plain = seen.candidates.of_point is None and seen.parts.all_end and seen.soft is None
+    plain = seen.candidates.of_point is None and seen.parts.all_have_ends and seen.soft is None
     return plain and seen.curve_pairs == seen.points.shape[1]
 
 
 @dataclass(frozen=True, eq=False)
-class Stacked:
+class BatchedObservations:
     """What `Observations` tell of one frame, for B cameras of several frames: some cameras of the
     first one, then some of the next.
 
@@ -49,7 +49,7 @@ class Stacked:
     points: FloatArray
     line_pairs: int
     curve_pairs: int
-    parts: Parts
+    parts: Primitives
     line_first: FloatArray
     line_span: FloatArray
     curve_half: FloatArray
@@ -58,24 +58,24 @@ class Stacked:
     curve_place: IntArray
     first_row: IntArray
     frame_of_row: IntArray
-    candidates: ClassVar[Candidates] = Candidates(None, np.empty(0, dtype=np.intp), None)
+    candidates: ClassVar[PrimitiveCandidates] = PrimitiveCandidates(None, np.empty(0, dtype=np.intp), None)
     soft: ClassVar[None] = None
 
     @classmethod
-    def of(cls, frames: Sequence[Observations], counts: IntArray) -> Stacked:
+    def of(cls, frames: Sequence[Observations], counts: IntArray) -> BatchedObservations:
         """Stack the points of F frames for so many cameras (F,) of each."""
         most = max(one.parts.lines for one in frames), max(one.parts.curves for one in frames)
         on_lines = max(one.line_pairs for one in frames)
         on_curves = max(one.curve_pairs - one.line_pairs for one in frames)
         points = np.zeros((len(frames), 2, on_lines + on_curves))
-        ends = np.tile(_NO_LINE[:, :, None], (len(frames), 1, 1, most[0]))
-        circles = np.tile(_NO_CURVE[:, :, None], (len(frames), 1, 1, most[1]))
+        ends = np.tile(_PADDING_LINE[:, :, None], (len(frames), 1, 1, most[0]))
+        circles = np.tile(_PADDING_CURVE[:, :, None], (len(frames), 1, 1, most[1]))
         half = np.full((len(frames), most[1]), np.inf)
         line = np.zeros((len(frames), on_lines), dtype=np.intp)
         curve = np.zeros((len(frames), on_curves), dtype=np.intp)
         for row, one in enumerate(frames):
             parts = one.parts
-            points[row][:, columns_of(one, on_lines)] = one.points
+            points[row][:, point_columns(one, on_lines)] = one.points
             ends[row, :, :, : parts.lines] = parts.line_ends.reshape(3, 2, -1)
             circles[row, :, :, : parts.curves] = parts.curve_frames.reshape(3, 3, -1)
             half[row, : parts.curves] = parts.curve_half
@@ -88,7 +88,7 @@ class Stacked:
             points[frame_of_row],
             on_lines,
             points.shape[2],
-            Parts(
+            Primitives(
                 ends.reshape(len(frames), 3, -1)[frame_of_row],
                 circles.reshape(len(frames), 3, -1)[frame_of_row],
                 half[frame_of_row],
@@ -108,11 +108,11 @@ class Stacked:
 
     def of_lines(self, table: AnyArray) -> AnyArray:
         """See `Observations.of_lines`."""
-        return _handed(table, self.line_place)
+        return _select_rows(table, self.line_place)
 
     def of_curves(self, table: AnyArray) -> AnyArray:
         """See `Observations.of_curves`."""
-        return _handed(table, self.curve_place)
+        return _select_rows(table, self.curve_place)
 
     def shared(self, of_rows: NDArray[np.bool_]) -> NDArray[np.bool_]:
         """(B,) whether what is said of cameras (B,) holds of any of the same frame."""
@@ -120,12 +120,12 @@ class Stacked:
         return np.asarray(found)
 
 
-def columns_of(seen: Observations, on_lines: int) -> IntArray:
-    """(n,) where a frame's points are among those of `Stacked`, so many of which are on lines."""
+def point_columns(seen: Observations, on_lines: int) -> IntArray:
+    """(n,) where a frame's points are among those of `BatchedObservations`, so many of which are on lines."""
     columns = np.arange(seen.points.shape[1])
     columns[seen.line_pairs :] += on_lines - seen.line_pairs
     return columns
 
 
-def _handed(table: AnyArray, place: IntArray) -> AnyArray:
+def _select_rows(table: AnyArray, place: IntArray) -> AnyArray:
     return table.reshape(*table.shape[:-2], -1).take(place, axis=-1)

@@ -8,10 +8,10 @@ import numpy as np
 
 from procc_annotator.field.geometry import Arc, Circle, length_of, middle_of
 from procc_annotator.field.model import Field
-from procc_annotator.fit.solving.crossings import nearest_crossing
+from procc_annotator.fit.solving.crossings import nearest_control_point
 from procc_annotator.fit.solving.models import (
     ASPECT,
-    CENTRE,
+    POSITION_SLICE,
     KAPPA,
     LOG_FOCAL,
     PAN,
@@ -19,50 +19,50 @@ from procc_annotator.fit.solving.models import (
     PRINCIPAL_X,
     PRINCIPAL_Y,
     ROLL,
-    SECOND,
+    SECOND_KAPPA,
     TILT,
     X,
     Y,
     Z,
-    rotations,
+    rotation_matrices,
 )
 from procc_annotator.fit.solving.observations import FloatArray, IntArray, Observations
-from procc_annotator.fit.solving.solver import Prior
-from procc_annotator.fit.solving.surroundings import Surroundings, surroundings_of
+from procc_annotator.fit.solving.solver import GaussianPrior
+from procc_annotator.fit.solving.surroundings import CameraPlacementPrior, camera_placement_prior
 
 # Focal lengths (solver px) where the usual one is 2300.
-FOCALS = (1200.0, 2200.0, 3800.0)
+START_FOCALS_PX = (1200.0, 2200.0, 3800.0)
 SIDES = ("near", "far", "left", "right", "above")
-ABOVE = SIDES.index("above")
+ABOVE_SIDE = SIDES.index("above")
 # Shares: along the side from its middle, of half the field's length; away from the edge, above
 # the ground, both from -1 (the least where cameras stand) over 0 (the usual) to 1 (the most).
-_LONG_SIDE_PLACES = ((0.0, -0.7, -0.4), (0.0, 0.0, 0.2), (0.0, 0.7, 0.45))
-_END_PLACES = ((0.0, -1.0, -1.0), (0.0, -0.2, -0.4), (0.0, 0.6, 0.45))
+_LONG_SIDE_POSITIONS = ((0.0, -0.7, -0.4), (0.0, 0.0, 0.2), (0.0, 0.7, 0.45))
+_END_POSITIONS = ((0.0, -1.0, -1.0), (0.0, -0.2, -0.4), (0.0, 0.6, 0.45))
 # And less usual ones.
-_OTHER_FOCALS = (800.0, 2800.0, 7000.0)
-_OTHER_LONG_SIDE_PLACES = ((-0.53, -0.7, -0.6), (0.53, -0.7, -0.6), (0.0, 0.25, 1.0))
-_OTHER_END_PLACES = ((-0.34, -0.7, -0.7), (0.34, -0.7, -0.7), (0.0, 0.25, 1.0))
+_FURTHER_FOCALS_PX = (800.0, 2800.0, 7000.0)
+_FURTHER_LONG_SIDE_POSITIONS = ((-0.53, -0.7, -0.6), (0.53, -0.7, -0.6), (0.0, 0.25, 1.0))
+_FURTHER_END_POSITIONS = ((-0.34, -0.7, -0.7), (0.34, -0.7, -0.7), (0.0, 0.25, 1.0))
 # Cameras that look down may be turned any way.
-_TURNS_ABOVE, _TILT_ABOVE_RAD = 8, 0.15
+_PANS_ABOVE, _TILT_ABOVE_RAD = 8, 0.15
 # Of two explanations that are as good the main camera's: what another side costs, px^2.
 _OTHER_SIDE_COST = 3.0
 # Standard deviations of where cameras stand, as shares of the range in which they do; along a side
 # and for cameras that look down, of half the field's length or width.
-_WIDE_SD, _WIDE_ALONG, _SEARCH = 0.5, 0.38, 0.75
+_WIDE_PRIOR_SD, _WIDE_PRIOR_SD_ALONG, _SEARCH_PRIOR_FACTOR = 0.5, 0.38, 0.75
 # Of the way to the usual camera, at least: who says exactly where cameras stand says so of most.
-_LEAST_SD = 0.05
+_MIN_POSITION_SD = 0.05
 # The principal point (solver px): of a whole picture it is near the centre, of a picture that is
 # cut out of a larger one it may be anywhere.
 # What both coefficients of a strong lens are expected to be.
-_STRONG_SD = (0.25, 0.15)
-CENTRE_SD, FARTHEST_CENTRE, CUT_OUT_SD = 25.0, 100.0, 300.0
-_SHORT = 2 / 7  # of half the field's length
+_WIDE_ANGLE_SD = (0.25, 0.15)
+CENTRE_SD, MAX_CENTRE_OFFSET, CROPPED_CENTRE_SD = 25.0, 100.0, 300.0
+_SHORT_LENS_SHARE = 2 / 7  # of half the field's length
 
-_Places = tuple[tuple[float, float, float], ...]
+_RelativePositions = tuple[tuple[float, float, float], ...]
 
 
 @dataclass(frozen=True, eq=False)
-class Starts:
+class InitialCameras:
     """Cameras to start from.
 
     Attributes:
@@ -73,67 +73,67 @@ class Starts:
     vectors: FloatArray
     sides: IntArray
 
-    def chosen(self, which: IntArray) -> Starts:
+    def chosen(self, which: IntArray) -> InitialCameras:
         """Some of them, in the order asked for."""
-        return Starts(self.vectors[which], self.sides[which])
+        return InitialCameras(self.vectors[which], self.sides[which])
 
 
-def all_starts(seen: Observations, field: Field) -> Starts:
+def initial_cameras(seen: Observations, field: Field) -> InitialCameras:
     """Places on all sides, with several focal lengths, looking at what was annotated; above too,
     where cameras hang from a ceiling.
 
     The usual places look at a place known exactly, unless a label is wrong: a crossing of two lines
     or a spot. The others look at the middle of everything.
     """
-    around = surroundings_of(field)
-    middle = _middle_of(seen, around)
-    exact = nearest_crossing(seen) or middle
+    around = camera_placement_prior(field)
+    middle = _annotated_centroid(seen, around)
+    exact = nearest_control_point(seen) or middle
     found = [
-        _starts(around, (_LONG_SIDE_PLACES, _END_PLACES), FOCALS, exact),
-        _starts(around, (_OTHER_LONG_SIDE_PLACES, _OTHER_END_PLACES), _OTHER_FOCALS, middle),
+        _initial_cameras_at(around, (_LONG_SIDE_POSITIONS, _END_POSITIONS), START_FOCALS_PX, exact),
+        _initial_cameras_at(around, (_FURTHER_LONG_SIDE_POSITIONS, _FURTHER_END_POSITIONS), _FURTHER_FOCALS_PX, middle),
     ]
     if around.ceiling:
-        found.append(_starts_above(around, exact))
-    return Starts(
+        found.append(_initial_cameras_above(around, exact))
+    return InitialCameras(
         np.concatenate([one.vectors for one in found]), np.concatenate([one.sides for one in found])
     )
 
 
-def _starts(
-    around: Surroundings,
-    places: tuple[_Places, _Places],
+def _initial_cameras_at(
+    around: CameraPlacementPrior,
+    places: tuple[_RelativePositions, _RelativePositions],
     focals: tuple[float, ...],
     target: tuple[FloatArray, FloatArray],
-) -> Starts:
-    centres, sides = _places_around(around, *places)
+) -> InitialCameras:
+    centres, sides = _positions_around(around, *places)
     focal = np.tile(focals, len(centres)) * around.zoom
     vectors = np.zeros((len(focal), len(PARAMETERS)))
-    vectors[:, CENTRE] = np.repeat(centres, len(focals), axis=0)
+    vectors[:, POSITION_SLICE] = np.repeat(centres, len(focals), axis=0)
     vectors[:, LOG_FOCAL] = np.log(focal)
-    _aim(vectors, focal, *target)
-    return Starts(vectors, np.repeat(sides, len(focals)))
+    _aim_cameras(vectors, focal, *target)
+    return InitialCameras(vectors, np.repeat(sides, len(focals)))
 
 
-def _starts_above(around: Surroundings, target: tuple[FloatArray, FloatArray]) -> Starts:
+def _initial_cameras_above(around: CameraPlacementPrior, target: tuple[FloatArray, FloatArray]) -> InitialCameras:
     """Cameras under the ceiling, each where it shows the target (3,) at (2,) solver px."""
-    turns = np.arange(_TURNS_ABOVE) * 2 * np.pi / _TURNS_ABOVE
-    focal = np.tile(FOCALS, len(turns)) * around.ceiling_zoom
+    turns = np.arange(_PANS_ABOVE) * 2 * np.pi / _PANS_ABOVE
+    focal = np.tile(START_FOCALS_PX, len(turns)) * around.ceiling_zoom
     vectors = np.zeros((len(focal), len(PARAMETERS)))
-    vectors[:, PAN] = np.repeat(turns, len(FOCALS))
+    vectors[:, PAN] = np.repeat(turns, len(START_FOCALS_PX))
     vectors[:, TILT] = _TILT_ABOVE_RAD
     vectors[:, LOG_FOCAL] = np.log(focal)
     place, shown = target
     ray = np.column_stack([shown[0] / focal, shown[1] / focal, np.ones(len(focal))])
-    toward = np.einsum("bij,bi->bj", rotations(vectors), ray)
+    toward = np.einsum("bij,bi->bj", rotation_matrices(vectors), ray)
     drop = max(around.ceiling + float(place[2]), around.ceiling / 4)
     # A ray to the edge of a wide picture may not go down at all.
     toward *= drop / np.maximum(toward[:, 2:], 0.2)
-    vectors[:, CENTRE] = place - toward
+    vectors[:, POSITION_SLICE] = place - toward
     vectors[:, Z] = np.minimum(vectors[:, Z], -around.ceiling / 4)
-    return Starts(vectors, np.full(len(focal), ABOVE))
+    return InitialCameras(vectors, np.full(len(focal), ABOVE_SIDE))
 
 
-def aimed(position: FloatArray, seen: Observations, field: Field) -> FloatArray:
+def initial_cameras_at_position(position: FloatArray, seen: Observations, field: Field) -> FloatArray:
     """(B, 11) cameras at one place with several focal lengths, looking at what was annotated.
 
     Args:
@@ -141,17 +141,17 @@ def aimed(position: FloatArray, seen: Observations, field: Field) -> FloatArray:
         seen: the annotated points.
         field: the elements.
     """
-    around = surroundings_of(field)
-    focals = np.array(FOCALS) * around.zoom
+    around = camera_placement_prior(field)
+    focals = np.array(START_FOCALS_PX) * around.zoom
     vectors = np.zeros((len(focals), len(PARAMETERS)))
-    vectors[:, CENTRE] = position
+    vectors[:, POSITION_SLICE] = position
     vectors[:, LOG_FOCAL] = np.log(focals)
-    target, shown = nearest_crossing(seen) or _middle_of(seen, around)
-    _aim(vectors, focals, target, shown)
+    target, shown = nearest_control_point(seen) or _annotated_centroid(seen, around)
+    _aim_cameras(vectors, focals, target, shown)
     return vectors
 
 
-def side_of(vector: FloatArray, around: Surroundings) -> int:
+def camera_side(vector: FloatArray, around: CameraPlacementPrior) -> int:
     """Index in `SIDES` of the side a camera stands on: the one it is farthest outside of."""
     x, y = float(vector[X]), float(vector[Y])
     outside = (
@@ -161,80 +161,80 @@ def side_of(vector: FloatArray, around: Surroundings) -> int:
         x - around.half_length,
     )
     if around.ceiling and max(outside) < 0 and -vector[Z] > around.ceiling / 2:
-        return ABOVE
+        return ABOVE_SIDE
     return int(np.argmax(outside))
 
 
-def search_prior(sides: IntArray, around: Surroundings, free: int) -> Prior:
+def search_prior(sides: IntArray, around: CameraPlacementPrior, free: int) -> GaussianPrior:
     """Priors that keep a search among cameras as they usually stand."""
-    return _prior(sides, around, free, _SEARCH, np.array([1.5, 0.6, 0.1, 0.01, 10.0]))
+    return _build_prior(sides, around, free, _SEARCH_PRIOR_FACTOR, np.array([1.5, 0.6, 0.1, 0.01, 10.0]))
 
 
 def wide_prior(
-    sides: IntArray, around: Surroundings, free: int, *, centre_sd: float = CENTRE_SD
-) -> Prior:
+    sides: IntArray, around: CameraPlacementPrior, free: int, *, centre_sd: float = CENTRE_SD
+) -> GaussianPrior:
     """Priors that decide only what the points leave open; ``centre_sd``: of the principal point."""
-    return _prior(sides, around, free, 1.0, np.array([2.0, 0.8, 0.08, 0.02, centre_sd]))
+    return _build_prior(sides, around, free, 1.0, np.array([2.0, 0.8, 0.08, 0.02, centre_sd]))
 
 
-def prior_near(vector: FloatArray, around: Surroundings, free: int) -> Prior:
+def prior_near(vector: FloatArray, around: CameraPlacementPrior, free: int) -> GaussianPrior:
     """The wide prior of a camera that is near another one (11,): on its side of the field, and of a
     picture that is cut out of a larger one where that one's is."""
-    cut_out = np.abs(vector[PRINCIPAL_X : PRINCIPAL_Y + 1]).max() > FARTHEST_CENTRE
-    centre_sd = CUT_OUT_SD if cut_out else CENTRE_SD
-    return wide_prior(np.array([side_of(vector, around)]), around, free, centre_sd=centre_sd)
+    cut_out = np.abs(vector[PRINCIPAL_X : PRINCIPAL_Y + 1]).max() > MAX_CENTRE_OFFSET
+    centre_sd = CROPPED_CENTRE_SD if cut_out else CENTRE_SD
+    return wide_prior(np.array([camera_side(vector, around)]), around, free, centre_sd=centre_sd)
 
 
-def _prior(
-    sides: IntArray, around: Surroundings, free: int, spread: float, sd: FloatArray
-) -> Prior:
+def _build_prior(
+    sides: IntArray, around: CameraPlacementPrior, free: int, spread: float, sd: FloatArray
+) -> GaussianPrior:
     """``spread`` of where cameras stand; ``sd``: roll (degrees), log f, kappa, aspect, centre."""
     sides = np.asarray(sides)
-    mean, inverse = np.zeros((len(sides), SECOND + 1)), np.zeros((len(sides), SECOND + 1))
+    mean, inverse = np.zeros((len(sides), SECOND_KAPPA + 1)), np.zeros((len(sides), SECOND_KAPPA + 1))
     half_length, half_width = around.half_length, around.half_width
     at_end = (sides == 2) | (sides == 3)
     sign = np.where(sides % 3 == 0, 1.0, -1.0)  # near and right: positive
     away_sd, up_sd = (
-        max(_WIDE_SD * (most - least), _LEAST_SD * around.reach)
+        max(_WIDE_PRIOR_SD * (most - least), _MIN_POSITION_SD * around.reach)
         for least, _, most in (around.distance, around.height)
     )
-    along_sd = _WIDE_ALONG * half_length
+    along_sd = _WIDE_PRIOR_SD_ALONG * half_length
     mean[:, Y] = np.where(at_end, 0.0, sign * (half_width + around.distance[1]))
     mean[:, X] = np.where(at_end, sign * (half_length + around.distance[1]), 0.0)
     mean[:, Z] = -around.height[1]
-    mean[:, LOG_FOCAL] = np.log(around.usual_focal)
+    mean[:, LOG_FOCAL] = np.log(around.typical_focal)
     inverse[:, X] = 1 / np.where(at_end, away_sd, along_sd)
     inverse[:, Y] = 1 / np.where(at_end, along_sd, away_sd)
     inverse[:, Z] = 1 / up_sd
     inverse[:, ROLL] = 1 / np.deg2rad(sd[0])
-    above = sides == ABOVE
+    above = sides == ABOVE_SIDE
     if above.any():
-        mean[above, CENTRE] = 0.0, 0.0, -around.ceiling
-        mean[above, LOG_FOCAL] = np.log(around.usual_focal_above)
-        inverse[above, CENTRE] = 1 / np.array(
-            [half_length, half_width, _WIDE_ALONG * around.ceiling]
+        mean[above, POSITION_SLICE] = 0.0, 0.0, -around.ceiling
+        mean[above, LOG_FOCAL] = np.log(around.typical_focal_above)
+        inverse[above, POSITION_SLICE] = 1 / np.array(
+            [half_length, half_width, _WIDE_PRIOR_SD_ALONG * around.ceiling]
         )
         inverse[above, ROLL] = 0.0  # it looks down: which way is up is anybody's guess
-    inverse[:, CENTRE] /= spread
+    inverse[:, POSITION_SLICE] /= spread
     inverse[:, LOG_FOCAL], inverse[:, KAPPA] = 1 / sd[1], 1 / sd[2]
     inverse[:, ASPECT], inverse[:, PRINCIPAL_X : PRINCIPAL_Y + 1] = 1 / sd[3], 1 / sd[4]
-    if free > SECOND:
-        inverse[:, KAPPA], inverse[:, SECOND] = 1 / _STRONG_SD[0], 1 / _STRONG_SD[1]
-    return Prior(mean[:, :free], inverse[:, :free])
+    if free > SECOND_KAPPA:
+        inverse[:, KAPPA], inverse[:, SECOND_KAPPA] = 1 / _WIDE_ANGLE_SD[0], 1 / _WIDE_ANGLE_SD[1]
+    return GaussianPrior(mean[:, :free], inverse[:, :free])
 
 
-def side_costs(sides: IntArray, around: Surroundings) -> FloatArray:
+def side_costs(sides: IntArray, around: CameraPlacementPrior) -> FloatArray:
     """(B,) what a camera costs that is not on the main camera's side."""
     cost = _OTHER_SIDE_COST if around.has_main_side else 0.0
     return np.where(np.asarray(sides) == 0, 0.0, cost)
 
 
-def _places_around(
-    around: Surroundings, at_long_side: _Places, at_end: _Places
+def _positions_around(
+    around: CameraPlacementPrior, at_long_side: _RelativePositions, at_end: _RelativePositions
 ) -> tuple[FloatArray, IntArray]:
     """(K, 3) metres, and (K,) the sides they are on."""
     found, sides = [], []
-    for side, name in enumerate(SIDES[:ABOVE]):
+    for side, name in enumerate(SIDES[:ABOVE_SIDE]):
         sign = 1.0 if name in ("near", "right") else -1.0
         long = name in ("near", "far")
         for along, away, up in at_long_side if long else at_end:
@@ -248,7 +248,7 @@ def _places_around(
     return np.array(found), np.array(sides)
 
 
-def _middle_of(seen: Observations, around: Surroundings) -> tuple[FloatArray, FloatArray]:
+def _annotated_centroid(seen: Observations, around: CameraPlacementPrior) -> tuple[FloatArray, FloatArray]:
     """Mean of the annotated elements (3,), metres, and of their points (2,), solver px.
 
     A long element counts less on the field: less of it is seen.
@@ -259,15 +259,15 @@ def _middle_of(seen: Observations, around: Surroundings) -> tuple[FloatArray, Fl
         middles.append(middle_of(shape))
         lengths.append(2 * shape.radius if isinstance(shape, Arc | Circle) else length_of(shape))
     # A single goal post with the wrong label must not turn the camera to the other end.
-    weights = 1 / np.maximum(lengths, _SHORT * around.half_length)
+    weights = 1 / np.maximum(lengths, _SHORT_LENS_SHARE * around.half_length)
     inside = np.clip(seen.points, -600.0, 600.0)
-    shown = seen.mean_of_element(inside).mean(axis=1)
+    shown = seen.mean_per_element(inside).mean(axis=1)
     return np.asarray(weights @ np.array(middles) / weights.sum()), shown
 
 
-def _aim(vectors: FloatArray, focal: FloatArray, target: FloatArray, shown: FloatArray) -> None:
+def _aim_cameras(vectors: FloatArray, focal: FloatArray, target: FloatArray, shown: FloatArray) -> None:
     """Turn cameras so that the target (3,) appears at (2,) solver px."""
-    toward = target - vectors[:, CENTRE]
+    toward = target - vectors[:, POSITION_SLICE]
     toward /= np.linalg.norm(toward, axis=1)[:, None]
     vectors[:, PAN] = np.arctan2(toward[:, 0], -toward[:, 1]) - np.arctan2(shown[0], focal)
     vectors[:, TILT] = np.arccos(np.clip(toward[:, 2], -1.0, 1.0)) + np.arctan2(shown[1], focal)

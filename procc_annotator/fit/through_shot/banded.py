@@ -15,7 +15,7 @@ from procc_annotator.fit.solving.observations import FloatArray
 
 
 @dataclass(frozen=True, eq=False)
-class Normal:
+class BandedNormalEquations:
     """Normal equations.
 
     Attributes:
@@ -31,8 +31,8 @@ class Normal:
     beside: FloatArray
     border: FloatArray
     shared: FloatArray
-    own_pull: FloatArray
-    shared_pull: FloatArray
+    own_gradient: FloatArray
+    shared_gradient: FloatArray
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,10 +54,10 @@ class BandedSolution:
     follow: FloatArray
 
 
-def solve_normal(normal: Normal) -> BandedSolution:
+def solve_banded(normal: BandedNormalEquations) -> BandedSolution:
     """Solve normal equations, and tell how surely."""
-    count, own, sides = normal.own_pull.shape
-    right = np.concatenate([normal.own_pull, normal.border], axis=2)
+    count, own, sides = normal.own_gradient.shape
+    right = np.concatenate([normal.own_gradient, normal.border], axis=2)
     inverse = np.empty_like(normal.own)
     passed = np.empty((max(count - 1, 0), own, own))  # inverse of a block times its neighbour
     gone = np.empty_like(right)
@@ -75,7 +75,7 @@ def solve_normal(normal: Normal) -> BandedSolution:
         spread[k] += passed[k] @ spread[k + 1] @ passed[k].T
     follow = -found[:, :, sides:]
     reduced = normal.shared + np.einsum("kns,knt->st", normal.border, follow)
-    pull = normal.shared_pull - np.einsum("kns,knr->sr", normal.border, found[:, :, :sides])
+    pull = normal.shared_gradient - np.einsum("kns,knr->sr", normal.border, found[:, :, :sides])
     covariance = np.linalg.inv(reduced)
     step = covariance @ pull
     return BandedSolution(

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from procc_annotator.fit.on_paint.belief import Belief
-from procc_annotator.fit.through_shot.following import Followed
-from procc_annotator.fit.through_shot.stepping import Stepped
-from procc_annotator.fit.through_shot.turning import Turn
+from procc_annotator.fit.on_paint.belief import GaussianState
+from procc_annotator.fit.through_shot.following import TrackedRun
+from procc_annotator.fit.through_shot.stepping import FilterStep
+from procc_annotator.fit.through_shot.turning import InterFrameMotion
 
 
 @dataclass(frozen=True, eq=False)
@@ -23,12 +23,12 @@ class FrameChain:
     """
 
     numbers: tuple[int, ...]
-    steps: Sequence[Stepped]
-    turns: tuple[Turn | None, ...]
-    given: Mapping[int, Belief]
+    steps: Sequence[FilterStep]
+    turns: tuple[InterFrameMotion | None, ...]
+    given: Mapping[int, GaussianState]
 
 
-def chain_of(runs: Sequence[Followed], given: Mapping[int, Belief]) -> FrameChain:
+def build_chain(runs: Sequence[TrackedRun], given: Mapping[int, GaussianState]) -> FrameChain:
     """The chain of frames that were followed, in either direction, from frames they share or up to
     frames beside each other.
 
@@ -36,8 +36,8 @@ def chain_of(runs: Sequence[Followed], given: Mapping[int, Belief]) -> FrameChai
         runs: what was followed.
         given: number -> what is believed of its camera, of frames that were given one.
     """
-    steps: dict[int, Stepped] = {}
-    turns: dict[int, Turn | None] = {}
+    steps: dict[int, FilterStep] = {}
+    turns: dict[int, InterFrameMotion | None] = {}
     for run in runs:
         before: int | None = None
         for number, step in zip(run.numbers, run.steps, strict=True):

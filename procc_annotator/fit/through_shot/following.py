@@ -8,26 +8,26 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from procc_annotator.fit.on_paint.belief import Belief
-from procc_annotator.fit.on_paint.painted import Painted
-from procc_annotator.fit.on_paint.result import Worth
-from procc_annotator.fit.solving.observations import PictureFrame
-from procc_annotator.fit.through_shot.reading import Glimpse, ReadFrame, glimpses
-from procc_annotator.fit.through_shot.stand import TRIPOD, ShotStand
-from procc_annotator.fit.through_shot.stepping import Stepped, foretold, stepped
-from procc_annotator.fit.through_shot.turning import OWN, Turn, turn_between
+from procc_annotator.fit.on_paint.belief import GaussianState
+from procc_annotator.fit.on_paint.painted import MarkingPoints
+from procc_annotator.fit.on_paint.result import EdgeNoiseModel
+from procc_annotator.fit.solving.observations import ImageFrame
+from procc_annotator.fit.through_shot.reading import DecodedFrame, ReadFrame, decoded_frames
+from procc_annotator.fit.through_shot.stand import TRIPOD_NOISE, ProcessNoise
+from procc_annotator.fit.through_shot.stepping import FilterStep, predict_state, filter_step
+from procc_annotator.fit.through_shot.turning import MOTION_PARAMETERS, InterFrameMotion, estimate_inter_frame_motion
 
-_FIRST_WORTH = Worth(0.4, 5.0)
-_LOST_PX = 40.0  # solver px: who knows no better where lines are has lost them
-_SAME_CAMERA = 0.5  # coverage from which on a picture that looks different is no cut
+_INITIAL_NOISE = EdgeNoiseModel(0.4, 5.0)
+_LOST_SD_PX = 40.0  # solver px: who knows no better where lines are has lost them
+_SAME_SHOT_COVERAGE = 0.5  # coverage from which on a picture that looks different is no cut
 # So different looks a picture of which nothing can be followed if it comes from another camera: at
 # least, and against the frames before it.
-_OTHER_CAMERA, _TIMES_USUAL, _BEFORE = 0.015, 2.5, 12
-_BLIND = 8  # frames that a flash or a hand before the lens may last
+_CUT_DIFFERENCE, _CUT_RATIO, _CUT_HISTORY = 0.015, 2.5, 12
+_MAX_UNMEASURED_FRAMES = 8  # frames that a flash or a hand before the lens may last
 
 
 @dataclass(frozen=True, eq=False)
-class Followed:
+class TrackedRun:
     """Frames in the order they were followed.
 
     Attributes:
@@ -39,25 +39,25 @@ class Followed:
 
     asked: Sequence[int]
     numbers: tuple[int, ...]
-    steps: Sequence[Stepped]
+    steps: Sequence[FilterStep]
     cut: bool
 
-    def until(self, number: int) -> Followed:
+    def until(self, number: int) -> TrackedRun:
         """The first of them, up to a frame and with it."""
         count = self.numbers.index(number) + 1
-        return Followed(self.asked, self.numbers[:count], self.steps[:count], False)
+        return TrackedRun(self.asked, self.numbers[:count], self.steps[:count], False)
 
 
-def follow(
+def track_run(
     frame: ReadFrame,
     numbers: Sequence[int],
-    start: Belief,
-    painted: Painted,
-    picture_frame: PictureFrame,
-    on_step: Callable[[int, Stepped], None],
+    start: GaussianState,
+    painted: MarkingPoints,
+    picture_frame: ImageFrame,
+    on_step: Callable[[int, FilterStep], None],
     go_on: Callable[[], None],
-    stand: ShotStand = TRIPOD,
-) -> Followed:
+    stand: ProcessNoise = TRIPOD_NOISE,
+) -> TrackedRun:
     """Follow a camera from frame to frame.
 
     Args:
@@ -70,23 +70,23 @@ def follow(
         go_on: called between frames; what it raises ends it.
         stand: what the camera stands on.
     """
-    done, steps = list[int](), list[Stepped]()
-    last: deque[Stepped] = deque(maxlen=2)
-    before: Glimpse | None = None
-    unlike: deque[float] = deque(maxlen=_BEFORE)
+    done, steps = list[int](), list[FilterStep]()
+    last: deque[FilterStep] = deque(maxlen=2)
+    before: DecodedFrame | None = None
+    unlike: deque[float] = deque(maxlen=_CUT_HISTORY)
     cut, broken = False, 0  # for certain; frames since it seemed so, without paint
-    for now in glimpses(frame, numbers, to_follow=True):
+    for now in decoded_frames(frame, numbers, to_follow=True):
         go_on()
-        step = _next(last, before, now, start, painted, picture_frame, stand)
-        if now.begins and (step.marks is None or step.coverage < _SAME_CAMERA):
+        step = _next_step(last, before, now, start, painted, picture_frame, stand)
+        if now.begins and (step.marks is None or step.coverage < _SAME_SHOT_COVERAGE):
             cut = True
             break
         if step.marks is not None:
             broken = 0
-        elif broken or (step.turn is None and _breaks(now, unlike)):
+        elif broken or (step.turn is None and _is_unseen_cut(now, unlike)):
             broken += 1
         unlike.append(now.unlike)
-        if broken > _BLIND or (step.marks is None and step.sd_px > _LOST_PX and done):
+        if broken > _MAX_UNMEASURED_FRAMES or (step.marks is None and step.sd_px > _LOST_SD_PX and done):
             break
         done.append(now.number)
         steps.append(step)
@@ -94,38 +94,38 @@ def follow(
         on_step(now.number, step)
         before = now
     cut = cut or broken > 0
-    while len(done) > 1 and _guessed(steps[-1], cut):
+    while len(done) > 1 and _is_unconfirmed(steps[-1], cut):
         done.pop()
         steps.pop()
-    return Followed(numbers, tuple(done), steps, cut)
+    return TrackedRun(numbers, tuple(done), steps, cut)
 
 
-def _guessed(last: Stepped, cut: bool) -> bool:
+def _is_unconfirmed(last: FilterStep, cut: bool) -> bool:
     """Whether nothing confirms the last frame before a cut, or before it was lost."""
     return last.marks is None and (cut or last.turn is None)
 
 
-def _breaks(now: Glimpse, before: Sequence[float]) -> bool:
+def _is_unseen_cut(now: DecodedFrame, before: Sequence[float]) -> bool:
     """Whether a frame differs from the one before it as those before it did not."""
     usual = float(np.median(before)) if before else 0.0
-    return now.unlike > max(_OTHER_CAMERA, _TIMES_USUAL * usual)
+    return now.unlike > max(_CUT_DIFFERENCE, _CUT_RATIO * usual)
 
 
-def _next(
-    done: Sequence[Stepped],
-    before: Glimpse | None,
-    now: Glimpse,
-    start: Belief,
-    painted: Painted,
-    frame: PictureFrame,
-    stand: ShotStand,
-) -> Stepped:
+def _next_step(
+    done: Sequence[FilterStep],
+    before: DecodedFrame | None,
+    now: DecodedFrame,
+    start: GaussianState,
+    painted: MarkingPoints,
+    frame: ImageFrame,
+    stand: ProcessNoise,
+) -> FilterStep:
     if before is None:
-        return stepped(now.picture, start, None, painted, frame, _FIRST_WORTH)
+        return filter_step(now.picture, start, None, painted, frame, _INITIAL_NOISE)
     last = done[-1]
-    expected = np.zeros(len(OWN))
+    expected = np.zeros(len(MOTION_PARAMETERS))
     if len(done) > 1:
-        expected = last.belief.vector[OWN] - done[-2].belief.vector[OWN]
-    turn: Turn | None = turn_between(before.small, now.small, last.belief.vector, expected, frame)
-    believed = foretold(last.belief, turn, expected, stand)
-    return stepped(now.picture, believed, turn, painted, frame, last.worth)
+        expected = last.belief.vector[MOTION_PARAMETERS] - done[-2].belief.vector[MOTION_PARAMETERS]
+    turn: InterFrameMotion | None = estimate_inter_frame_motion(before.small, now.small, last.belief.vector, expected, frame)
+    believed = predict_state(last.belief, turn, expected, stand)
+    return filter_step(now.picture, believed, turn, painted, frame, last.worth)

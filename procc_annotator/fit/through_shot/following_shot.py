@@ -14,52 +14,52 @@ from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.model import Field
 from procc_annotator.fit.from_picture.proposal import SURE, KnownPosition, Proposal
 from procc_annotator.fit.from_picture.proposing import propose_camera
-from procc_annotator.fit.from_picture.seen_paint import see_paint
-from procc_annotator.fit.on_paint.belief import Belief
-from procc_annotator.fit.on_paint.beside import beside_words
-from procc_annotator.fit.on_paint.painted import Painted, painted_of
-from procc_annotator.fit.on_paint.result import fit_result
+from procc_annotator.fit.from_picture.seen_paint import line_pixels_for_field
+from procc_annotator.fit.on_paint.belief import GaussianState
+from procc_annotator.fit.on_paint.beside import displaced_elements_text
+from procc_annotator.fit.on_paint.painted import MarkingPoints, marking_points
+from procc_annotator.fit.on_paint.result import fit_from_covariance
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.models import X, Z
-from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
-from procc_annotator.fit.through_shot.chain import FrameChain, chain_of
-from procc_annotator.fit.through_shot.following import Followed, follow
-from procc_annotator.fit.through_shot.known_places import stands_at_one
+from procc_annotator.fit.solving.observations import FloatArray, ImageFrame
+from procc_annotator.fit.through_shot.chain import FrameChain, build_chain
+from procc_annotator.fit.through_shot.following import TrackedRun, track_run
+from procc_annotator.fit.through_shot.known_places import is_at_known_position
 from procc_annotator.fit.through_shot.missed_lines import unexplained_beside
-from procc_annotator.fit.through_shot.reading import ReadFrame, glimpses
-from procc_annotator.fit.through_shot.smoothing import Smoothed, smoothed
-from procc_annotator.fit.through_shot.stand import MOVING, TRIPOD, ShotStand
-from procc_annotator.fit.through_shot.starting import belief_at, pinhole_near
-from procc_annotator.fit.through_shot.stepping import Stepped, wireframe_apart
+from procc_annotator.fit.through_shot.reading import ReadFrame, decoded_frames
+from procc_annotator.fit.through_shot.smoothing import SmoothedChain, smooth_chain
+from procc_annotator.fit.through_shot.stand import MOVING_NOISE, TRIPOD_NOISE, ProcessNoise
+from procc_annotator.fit.through_shot.starting import state_from_camera, nearest_pinhole_vector
+from procc_annotator.fit.through_shot.stepping import FilterStep, projection_difference_px
 from procc_annotator.fit.through_shot.track import FrameState, Track, TrackedFrame
 
-Propose = Callable[[np.ndarray, Field, Sequence[KnownPosition]], Proposal]
+CameraProposer = Callable[[np.ndarray, Field, Sequence[KnownPosition]], Proposal]
 
 # Frames after the first of a shot, or after one that was lost, at which a camera is proposed.
-_TRIES = (*range(0, 200, 20), *range(200, 1000, 50), *range(1000, 20000, 250))
+_PROPOSAL_OFFSETS = (*range(0, 200, 20), *range(200, 1000, 50), *range(1000, 20000, 250))
 
 # What was followed from one anchor to the next may be so far off there, solver px, to be believed.
-_ARRIVED_PX = 6.0
+_ANCHOR_REACHED_PX = 6.0
 # For a missed line the whole picture is searched once a second: it takes as long as ten frames do.
 _LOOKED_FRAMES = 25
 # When a camera that moves is tried: elements lie so far beside the model, solver px, or less of
 # the frames asked for is explained, or less of the model is found on paint than in the best frames:
 # where a position is held that is not, lines are left behind one by one.
-_MOVES_PX, _HELD, _FOUND = 0.7, 0.96, 0.8
+_MOVING_DISPLACEMENT_PX, _MOVING_HELD_SHARE, _MOVING_FOUND_SHARE = 0.7, 0.96, 0.8
 # What it may leave of what a tripod does not find: a field that is not as its file says is a little
 # better explained by whatever is free, by the right camera nearly all of it.
-_LEFT = 0.5
+_SKIPPED_SHARE = 0.5
 
 
-def _never_stop() -> None:
+def _never_cancel() -> None:
     """Nobody wants it stopped."""
 
 
-def _tell_nobody(_: TrackedFrame) -> None:
+def _ignore_frame(_: TrackedFrame) -> None:
     """Nobody asks."""
 
 
-def _watch_nothing(_: int, __: Stepped) -> None:
+def _ignore_progress(_: int, __: FilterStep) -> None:
     """Nobody minds."""
 
 
@@ -67,20 +67,20 @@ def _is_recent(number: int, looked: tuple[int, float] | None) -> bool:
     return looked is not None and number - looked[0] < _LOOKED_FRAMES
 
 
-class _TooMuchMissing(Exception):
+class _TooManyMissing(Exception):
     """What is being followed cannot count any more."""
 
 
-def track(
+def track_shot(
     frame: ReadFrame,
     numbers: range,
     field: Field,
     *,
     anchors: Mapping[int, Camera] | None = None,
     known: Sequence[KnownPosition] = (),
-    propose: Propose | None = None,
-    on_frame: Callable[[TrackedFrame], None] = _tell_nobody,
-    go_on: Callable[[], None] = _never_stop,
+    propose: CameraProposer | None = None,
+    on_frame: Callable[[TrackedFrame], None] = _ignore_frame,
+    go_on: Callable[[], None] = _never_cancel,
 ) -> Track:
     """The camera of every frame that can be followed from a known one, or that is found.
 
@@ -90,7 +90,7 @@ def track(
     Args:
         frame: number -> (H, W, 4) BGRA; is called by another thread, one call at a time.
         numbers: the frames, consecutive.
-        field: the elements, taken for the middle of their paint, see `painted_of`.
+        field: the elements, taken for the middle of their paint, see `marking_points`.
         anchors: cameras that are known, px of the pictures; those outside ``numbers`` do not count.
         known: where cameras of other shots of the same source stand. One that is not given is
             looked for there only, and counts if its own shot then tells of that place.
@@ -106,18 +106,18 @@ def track(
         return Track((), ())
     size = frame(numbers[0]).shape
     given = {n: c for n, c in sorted((anchors or {}).items()) if n in numbers}
-    work = _Work(
+    work = _ShotTracker(
         frame,
         field,
-        painted_of(field),
-        PictureFrame((size[1], size[0])),
+        marking_points(field),
+        ImageFrame((size[1], size[0])),
         tuple(known),
-        propose or _proposed,
+        propose or _default_proposer,
         on_frame,
         go_on,
     )
     work.from_anchors(numbers, given)
-    for gap in _gaps(numbers, work.found):
+    for gap in _untracked_runs(numbers, work.found):
         work.fill(gap)
     begins = sorted({numbers[0], *work.begins})
     ends = [n - 1 for n in begins[1:]] + [numbers[-1]]
@@ -126,11 +126,11 @@ def track(
     )
 
 
-def _proposed(picture: np.ndarray, field: Field, known: Sequence[KnownPosition]) -> Proposal:
+def _default_proposer(picture: np.ndarray, field: Field, known: Sequence[KnownPosition]) -> Proposal:
     return propose_camera(picture, field, known=known, elsewhere=False)
 
 
-def _gaps(numbers: range, found: Mapping[int, TrackedFrame]) -> list[range]:
+def _untracked_runs(numbers: range, found: Mapping[int, TrackedFrame]) -> list[range]:
     """Runs of frames of which nothing is known yet."""
     missing = [n for n in numbers if n not in found]
     breaks = [i for i in range(1, len(missing)) if missing[i] != missing[i - 1] + 1]
@@ -139,15 +139,15 @@ def _gaps(numbers: range, found: Mapping[int, TrackedFrame]) -> list[range]:
 
 
 @dataclass(eq=False)
-class _Work:
+class _ShotTracker:
     """What is being followed, and what has been found."""
 
     frame: ReadFrame
     field: Field
-    painted: Painted
-    picture: PictureFrame
+    painted: MarkingPoints
+    picture: ImageFrame
     known: tuple[KnownPosition, ...]
-    propose: Propose
+    propose: CameraProposer
     on_frame: Callable[[TrackedFrame], None]
     go_on: Callable[[], None]
     found: dict[int, TrackedFrame] = dataclass_field(default_factory=dict)
@@ -155,9 +155,9 @@ class _Work:
 
     def from_anchors(self, numbers: range, anchors: Mapping[int, Camera]) -> None:
         """Follow what lies around and between anchors."""
-        vectors = {n: pinhole_near(c, self.field, self.picture) for n, c in anchors.items()}
+        vectors = {n: nearest_pinhole_vector(c, self.field, self.picture) for n, c in anchors.items()}
         given = {
-            n: belief_at(vector, self.field, self.painted, self.picture)
+            n: state_from_camera(vector, self.field, self.painted, self.picture)
             for n, vector in vectors.items()
         }
         places = list(given)
@@ -173,12 +173,12 @@ class _Work:
         runs.append(self._follow(range(places[-1], numbers[-1] + 1), given))
         self._keep(runs, given)
         for number, camera in anchors.items():
-            self.found[number] = _as_anchor(self.found[number], camera)
+            self.found[number] = _anchor_frame(self.found[number], camera)
             self.on_frame(self.found[number])
 
     def _between(
-        self, one: int, other: int, given: Mapping[int, Belief]
-    ) -> tuple[Followed, Followed | None]:
+        self, one: int, other: int, given: Mapping[int, GaussianState]
+    ) -> tuple[TrackedRun, TrackedRun | None]:
         """Follow what lies between two anchors from the first one, and from the second one what
         cannot be followed from there."""
         near = {n: given[n] for n in (one, other)}
@@ -186,8 +186,8 @@ class _Work:
         last = forwards.numbers[-1]
         if last == other:
             arrived = forwards.steps[-1].belief.vector
-            away = wireframe_apart(arrived, given[other].vector, self.painted, self.picture)
-            if away <= _ARRIVED_PX:
+            away = projection_difference_px(arrived, given[other].vector, self.painted, self.picture)
+            if away <= _ANCHOR_REACHED_PX:
                 return forwards, None
             last = (one + other) // 2
             forwards = forwards.until(last)
@@ -196,10 +196,10 @@ class _Work:
     def _follow(
         self,
         numbers: Sequence[int],
-        given: Mapping[int, Belief],
-        stand: ShotStand = TRIPOD,
-        watch: Callable[[int, Stepped], None] = _watch_nothing,
-    ) -> Followed:
+        given: Mapping[int, GaussianState],
+        stand: ProcessNoise = TRIPOD_NOISE,
+        watch: Callable[[int, FilterStep], None] = _ignore_progress,
+    ) -> TrackedRun:
         """Follow frames from the first of them, whose camera was given.
 
         Args:
@@ -207,13 +207,13 @@ class _Work:
         """
         begin, places = numbers[0], np.array(list(given))
 
-        def told(number: int, step: Stepped) -> None:
+        def told(number: int, step: FilterStep) -> None:
             watch(number, step)
             if number not in given:
                 distance = int(np.abs(places - number).min())
                 self.on_frame(self._tracked(number, step, distance))
 
-        followed = follow(
+        followed = track_run(
             self.frame,
             numbers,
             given[begin],
@@ -228,24 +228,24 @@ class _Work:
             self.begins.add(followed.numbers[-1] + (1 if ahead else 0))
         return followed
 
-    def _keep(self, runs: Sequence[Followed], given: Mapping[int, Belief]) -> None:
+    def _keep(self, runs: Sequence[TrackedRun], given: Mapping[int, GaussianState]) -> None:
         """Smooth together what was followed, and keep it."""
-        found = smoothed(chain_of(runs, given), self.field, self.picture)
+        found = smooth_chain(build_chain(runs, given), self.field, self.picture)
         asked = len({number for run in runs for number in run.asked})
-        if _may_move(found, asked):
+        if _camera_may_move(found, asked):
             # Once more from what all frames told of its place: lines that it lost on the way stay.
-            start = _beliefs(found.chain, given)
+            start = _states_of_frames(found.chain, given)
             again = [self._follow(run.asked, start) for run in runs]
-            second = smoothed(chain_of(again, given), self.field, self.picture)
+            second = smooth_chain(build_chain(again, given), self.field, self.picture)
             found = max(found, second, key=lambda one: one.explained)
-        if _may_move(found, asked):
-            moving = self._moving(runs, given, start, _LEFT * _missing(found, asked) * asked)
-            if moving is not None and _missing(moving, asked) < _LEFT * _missing(found, asked):
+        if _camera_may_move(found, asked):
+            moving = self._moving(runs, given, start, _SKIPPED_SHARE * _missing_share(found, asked) * asked)
+            if moving is not None and _missing_share(moving, asked) < _SKIPPED_SHARE * _missing_share(found, asked):
                 found = moving
         chain = found.chain
-        if self._left(chain, given):  # all together they are worse where the camera is known
-            chain = chain_of(runs, given)
-        left = self._left(chain, given)
+        if self._skipped_frames(chain, given):  # all together they are worse where the camera is known
+            chain = build_chain(runs, given)
+        left = self._skipped_frames(chain, given)
         places = np.array(list(given))
         looked = dict[int, tuple[int, float]]()
         for number, step in zip(chain.numbers, chain.steps, strict=True):
@@ -253,13 +253,13 @@ class _Work:
             own = replace(step, belief=given[number]) if number in left else step
             one = self._tracked(number, own, distance)
             if not one.reason and (off := self._unexplained(number, own, looked)):
-                one = replace(one, reason=beside_words(off, self.painted, self.picture))
+                one = replace(one, reason=displaced_elements_text(off, self.painted, self.picture))
             self.found[number] = one
         # What looked like a cut and could be followed across is none: a banner that slid in.
         self.begins -= set(chain.numbers[1:])
 
     def _unexplained(
-        self, number: int, step: Stepped, looked: dict[int, tuple[int, float]]
+        self, number: int, step: FilterStep, looked: dict[int, tuple[int, float]]
     ) -> dict[int, float]:
         """Return the elements that a frame's camera misses and whose line lies elsewhere: solver
         px by which. The whole picture is looked at once in `_LOOKED_FRAMES` only.
@@ -271,12 +271,12 @@ class _Work:
         now = [own for own in missed.tolist() if not _is_recent(number, looked.get(own))]
         if now:
             self.go_on()
-            seen = see_paint(self.frame(number), self.field)
+            seen = line_pixels_for_field(self.frame(number), self.field)
             found = unexplained_beside(seen, step.belief.vector, missed, self.painted, self.picture)
             looked |= {own: (number, found.get(own, 0.0)) for own in missed.tolist()}
         return {own: looked[own][1] for own in missed.tolist() if looked[own][1]}
 
-    def _left(self, chain: FrameChain, given: Mapping[int, Belief]) -> set[int]:
+    def _skipped_frames(self, chain: FrameChain, given: Mapping[int, GaussianState]) -> set[int]:
         """Frames whose known camera shows an element on its paint, and that of the chain does
         not."""
         left = set()
@@ -284,79 +284,79 @@ class _Work:
             if number in given:
                 known = step.beside(given[number].vector, self.picture)
                 beside = step.beside(step.belief.vector, self.picture)
-                if any(px > _ARRIVED_PX and own not in known for own, px in beside.items()):
+                if any(px > _ANCHOR_REACHED_PX and own not in known for own, px in beside.items()):
                     left.add(number)
         return left
 
     def _moving(
         self,
-        runs: Sequence[Followed],
-        given: Mapping[int, Belief],
-        start: Mapping[int, Belief],
+        runs: Sequence[TrackedRun],
+        given: Mapping[int, GaussianState],
+        start: Mapping[int, GaussianState],
         most_missing: float,
-    ) -> Smoothed | None:
+    ) -> SmoothedChain | None:
         """The same runs with a camera that moves; None as soon as more of the model is missing than
         may be, in frames' worth: solved all together, frames find no more than when followed."""
         found = dict[int, float]()
 
-        def watch(number: int, step: Stepped) -> None:
+        def watch(number: int, step: FilterStep) -> None:
             found[number] = max(found.get(number, 0.0), step.coverage)
             if len(found) - sum(found.values()) > most_missing:
-                raise _TooMuchMissing
+                raise _TooManyMissing
 
         try:
-            again = [self._follow(run.asked, start, MOVING, watch) for run in runs]
-        except _TooMuchMissing:
+            again = [self._follow(run.asked, start, MOVING_NOISE, watch) for run in runs]
+        except _TooManyMissing:
             return None
-        return smoothed(chain_of(again, given), self.field, self.picture, MOVING)
+        return smooth_chain(build_chain(again, given), self.field, self.picture, MOVING_NOISE)
 
-    def _tracked(self, number: int, step: Stepped, distance: int) -> TrackedFrame:
-        return tracked(number, step, distance, self.painted, self.picture)
+    def _tracked(self, number: int, step: FilterStep, distance: int) -> TrackedFrame:
+        return tracked_frame(number, step, distance, self.painted, self.picture)
 
     def fill(self, gap: range) -> None:
         """Find cameras in a run of frames of which nothing is known, and follow them."""
         begin = gap[0]
         while begin <= gap[-1]:
-            at, found = self._found_from(begin, gap[-1])
+            at, found = self._find_start(begin, gap[-1])
             if found is None:
                 return
             start = {at: found}
             back = self._follow(range(at, begin - 1, -1), start)
             onwards = self._follow(range(at, gap[-1] + 1), start)
             # All its paint is measured once more by following: it must not count twice.
-            given = {at: belief_at(found.vector, self.field, self.painted, self.picture)}
+            given = {at: state_from_camera(found.vector, self.field, self.painted, self.picture)}
             self._keep([back, onwards], given)
             if self.known:
-                self._refuse_elsewhere(at, {*back.numbers, *onwards.numbers})
+                self._reject_other_positions(at, {*back.numbers, *onwards.numbers})
             for number in range(begin, at):
                 if number not in self.found:
                     self._lose(number, "no camera was found yet")
             begin = onwards.numbers[-1] + 1
 
-    def _found_from(self, begin: int, end: int) -> tuple[int, Belief | None]:
+    def _find_start(self, begin: int, end: int) -> tuple[int, GaussianState | None]:
         """The first frame for which a camera is proposed and sure, and what is believed of it."""
         since, reason = begin, ""
         known = self._position_near(begin) or self.known
-        for now in glimpses(self.frame, range(begin, end + 1)):
+        for now in decoded_frames(self.frame, range(begin, end + 1)):
             self.go_on()
             if now.begins:
                 since, known = now.number, self.known
                 self.begins.add(now.number)
-            if now.number - since in _TRIES:
+            if now.number - since in _PROPOSAL_OFFSETS:
                 proposal = self.propose(now.picture, self.field, known)
                 reason = proposal.reason
                 if proposal.state == SURE and proposal.fit.vector is not None:
-                    return now.number, self._belief_of(proposal.fit.vector, proposal.fit)
+                    return now.number, self._state_from_proposal(proposal.fit.vector, proposal.fit)
             if now.number not in self.found:
                 self._lose(now.number, reason)
         return end, None
 
-    def _belief_of(self, vector: FloatArray, fit: FitResult) -> Belief:
+    def _state_from_proposal(self, vector: FloatArray, fit: FitResult) -> GaussianState:
         """What is believed of a proposed camera (11,): what the paint of its picture told, if its
         fit says how much that is."""
         if fit.covariance is None:
-            return belief_at(vector, self.field, self.painted, self.picture)
-        return Belief(vector, np.asarray(np.linalg.inv(fit.covariance)))
+            return state_from_camera(vector, self.field, self.painted, self.picture)
+        return GaussianState(vector, np.asarray(np.linalg.inv(fit.covariance)))
 
     def _position_near(self, number: int) -> tuple[KnownPosition, ...]:
         """Where the camera of the frame before stood, if it is of the same shot."""
@@ -369,11 +369,11 @@ class _Work:
         place = slice(X, Z + 1)
         return (KnownPosition(fit.vector[place], fit.covariance[place, place]),)
 
-    def _refuse_elsewhere(self, at: int, numbers: Iterable[int]) -> None:
+    def _reject_other_positions(self, at: int, numbers: Iterable[int]) -> None:
         """Give back cameras of a run of frames that do not stand where any is known to."""
         run = sorted(numbers)
         coverages = [self.found[number].coverage for number in run]
-        if not stands_at_one(self.found[at].fit, coverages, self.known):
+        if not is_at_known_position(self.found[at].fit, coverages, self.known):
             for number in run:
                 self._lose(number, "its camera does not stand where those of other shots do")
 
@@ -382,41 +382,41 @@ class _Work:
         self.on_frame(self.found[number])
 
 
-def _beliefs(chain: FrameChain, numbers: Iterable[int]) -> dict[int, Belief]:
+def _states_of_frames(chain: FrameChain, numbers: Iterable[int]) -> dict[int, GaussianState]:
     """What is believed of the cameras of those frames that a chain has got to."""
     places = {number: place for place, number in enumerate(chain.numbers)}
     return {number: chain.steps[places[number]].belief for number in numbers if number in places}
 
 
-def _may_move(still: Smoothed, asked: int) -> bool:
+def _camera_may_move(still: SmoothedChain, asked: int) -> bool:
     """Whether one position leaves so much open that a camera that moves has to be tried."""
     found = still.coverages
     return (
-        still.beside_px > _MOVES_PX
-        or still.explained < _HELD * asked
-        or float(found.mean()) < _FOUND * float(np.percentile(found, 95))
+        still.beside_px > _MOVING_DISPLACEMENT_PX
+        or still.explained < _MOVING_HELD_SHARE * asked
+        or float(found.mean()) < _MOVING_FOUND_SHARE * float(np.percentile(found, 95))
     )
 
 
-def _missing(found: Smoothed, asked: int) -> float:
+def _missing_share(found: SmoothedChain, asked: int) -> float:
     """The share of the visible model that was not found on paint, of all frames asked for; all of
     it in those that were not followed."""
     return 1 - float(found.coverages.sum()) / asked
 
 
-def tracked(
-    number: int, step: Stepped, distance: int, painted: Painted, frame: PictureFrame
+def tracked_frame(
+    number: int, step: FilterStep, distance: int, painted: MarkingPoints, frame: ImageFrame
 ) -> TrackedFrame:
     """A frame as it is handed back."""
     belief = step.belief
-    fit = fit_result(belief.vector, belief.covariance, frame, step.worth.error_px)
+    fit = fit_from_covariance(belief.vector, belief.covariance, frame, step.worth.error_px)
     residual = None if step.residual_px is None else step.residual_px / frame.scale
     state: FrameState = "bridged" if step.marks is None else "followed"
-    reason = step.reason or beside_words(step.beside(belief.vector, frame), painted, frame)
+    reason = step.reason or displaced_elements_text(step.beside(belief.vector, frame), painted, frame)
     return TrackedFrame(number, state, reason, fit, step.coverage, residual, distance)
 
 
-def _as_anchor(found: TrackedFrame, camera: Camera) -> TrackedFrame:
+def _anchor_frame(found: TrackedFrame, camera: Camera) -> TrackedFrame:
     """A frame whose camera was given keeps it to the digit."""
     fit: FitResult | None = found.fit
     if fit is not None and isinstance(camera, PinholeCamera):

@@ -9,12 +9,12 @@ from __future__ import annotations
 import numpy as np
 
 from procc_annotator.camera.backproject import ground_from_px
-from procc_annotator.fit.from_picture.seen_paint import LIKE_RAD, SeenPaint
-from procc_annotator.fit.on_paint.expected import Expected, expect
-from procc_annotator.fit.on_paint.looking import SPACING_PX
-from procc_annotator.fit.on_paint.painted import Painted
+from procc_annotator.fit.from_picture.seen_paint import SAME_DIRECTION_RAD, ImageLinePixels
+from procc_annotator.fit.on_paint.expected import ExpectedLinePoints, expected_line_points
+from procc_annotator.fit.on_paint.looking import POINT_SPACING_PX
+from procc_annotator.fit.on_paint.painted import MarkingPoints
 from procc_annotator.fit.solving.models import camera_from_vector
-from procc_annotator.fit.solving.observations import FloatArray, IntArray, PictureFrame
+from procc_annotator.fit.solving.observations import FloatArray, IntArray, ImageFrame
 
 _FARTHEST_PX = 100.0  # solver px: a tenth of the picture's width
 _EXPLAINED_PX = 8.0  # solver px: line pixels so near to an element of like direction are its own
@@ -25,7 +25,7 @@ _SLOPES, _BAND_PX = np.linspace(-0.3, 0.3, 31), 4.0
 
 
 def unexplained_beside(
-    seen: SeenPaint, vector: FloatArray, missed: IntArray, painted: Painted, frame: PictureFrame
+    seen: ImageLinePixels, vector: FloatArray, missed: IntArray, painted: MarkingPoints, frame: ImageFrame
 ) -> dict[int, float]:
     """Return the missed elements beside which the field shows a line that no element explains.
 
@@ -39,7 +39,7 @@ def unexplained_beside(
     Returns:
         Number of the element -> distance of that line, solver px.
     """
-    expected = expect(vector, painted, frame, SPACING_PX)
+    expected = expected_line_points(vector, painted, frame, POINT_SPACING_PX)
     points, along = seen.points[:, seen.on_ground], seen.along[seen.on_ground]
     # Boards stand outside the field.
     ground = ground_from_px(
@@ -60,16 +60,16 @@ def unexplained_beside(
             axis=0
         )
         beside = free & like[np.arange(len(along)), rows[nearest]] & (np.abs(across) < _FARTHEST_PX)
-        length, px = _longest(nearest[beside] * SPACING_PX, across[beside])
+        length, px = _longest(nearest[beside] * POINT_SPACING_PX, across[beside])
         if length >= _LEAST_SHARE * expected.length_px[rows].sum():
             found[number] = px
     return found
 
 
-def _are_like(angles: FloatArray, expected: Expected) -> np.ndarray:
+def _are_like(angles: FloatArray, expected: ExpectedLinePoints) -> np.ndarray:
     """Whether directions (rad) are those of the places (n,), nearly."""
     turn = angles - np.arctan2(expected.normal[1], expected.normal[0])  # 90 degrees if alike
-    return np.asarray(np.abs(np.mod(turn, np.pi) - np.pi / 2) < LIKE_RAD)
+    return np.asarray(np.abs(np.mod(turn, np.pi) - np.pi / 2) < SAME_DIRECTION_RAD)
 
 
 def _longest(along: FloatArray, across: FloatArray) -> tuple[float, float]:
@@ -77,14 +77,14 @@ def _longest(along: FloatArray, across: FloatArray) -> tuple[float, float]:
     best = 0.0, 0.0
     if not len(along):
         return best
-    cells = np.round(along / SPACING_PX).astype(np.intp)
+    cells = np.round(along / POINT_SPACING_PX).astype(np.intp)
     for slope in _SLOPES:
         level = across - slope * (along - along.mean())
         for shift in (0.0, 0.5):
             band = np.floor(level / _BAND_PX + shift)
             filled = np.unique(np.column_stack([band, cells]), axis=0)[:, 0]
             bands, counts = np.unique(filled, return_counts=True)
-            length = float(counts.max()) * SPACING_PX
+            length = float(counts.max()) * POINT_SPACING_PX
             if length > best[0]:
                 own = band == bands[counts.argmax()]
                 best = length, float(np.abs(np.median(across[own])))

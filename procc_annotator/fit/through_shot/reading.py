@@ -10,21 +10,21 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from procc_annotator.fit.through_shot.turning import NOTHING_SEEN, SmallPicture, small_of
+from procc_annotator.fit.through_shot.turning import EMPTY_MOTION_IMAGE, MotionImage, motion_image
 from procc_annotator.image.pixels import PixelArray
-from procc_annotator.image.scenes import SceneLook, cuts_among, look_difference, look_of
+from procc_annotator.image.scenes import FrameSignature, cut_indices, signature_distance, frame_signature
 
 ReadFrame = Callable[[int], PixelArray]
 
-_DECODED_AHEAD = 3
+_READ_AHEAD_FRAMES = 3
 # Pictures read forwards, to be handed out backwards: at first so many, then as many as fit, for a
 # video is decoded from the key frame before them each time.
-_BACK_FIRST, _BACK_BYTES, _BACK_LEAST, _BACK_MOST = 24, 256 << 20, 12, 96
-_AROUND = 6  # frames to either side that a cut stands out of, see `image.scenes`
+_BACKWARD_FIRST_FRAMES, _BACKWARD_MAX_BYTES, _BACKWARD_MIN_FRAMES, _BACKWARD_MAX_FRAMES = 24, 256 << 20, 12, 96
+_CUT_WINDOW = 6  # frames to either side that a cut stands out of, see `image.scenes`
 
 
 @dataclass(frozen=True, eq=False)
-class Glimpse:
+class DecodedFrame:
     """A frame as it is handed out.
 
     Attributes:
@@ -37,26 +37,26 @@ class Glimpse:
 
     number: int
     picture: PixelArray
-    small: SmallPicture
+    small: MotionImage
     begins: bool = False
     unlike: float = 0.0
 
 
 @dataclass(eq=False)
-class _Held:
+class _PendingFrame:
     """A frame that waits until it is known whether it begins a shot."""
 
     number: int
     picture: PixelArray
-    small: SmallPicture
-    look: SceneLook
+    small: MotionImage
+    look: FrameSignature
     step: float
     lasting: float
 
 
-def glimpses(
+def decoded_frames(
     frame: ReadFrame, numbers: Sequence[int], *, to_follow: bool = False
-) -> Iterator[Glimpse]:
+) -> Iterator[DecodedFrame]:
     """Frames in the order of their numbers, ascending or descending, decoded by a thread.
 
     Args:
@@ -64,37 +64,37 @@ def glimpses(
         numbers: of consecutive frames.
         to_follow: whether a camera is to be followed through them.
     """
-    held: deque[_Held] = deque()
-    done: deque[tuple[float, float]] = deque(maxlen=_AROUND)
-    looks: deque[SceneLook] = deque(maxlen=4)
-    for number, picture, small, look in _decoded(frame, numbers, to_follow):
-        step = look_difference(looks[-1], look) if looks else 0.0
+    held: deque[_PendingFrame] = deque()
+    done: deque[tuple[float, float]] = deque(maxlen=_CUT_WINDOW)
+    looks: deque[FrameSignature] = deque(maxlen=4)
+    for number, picture, small, look in _read_ahead(frame, numbers, to_follow):
+        step = signature_distance(looks[-1], look) if looks else 0.0
         past = list(looks)[-3:-1]
         looks.append(look)
-        lasting = min((look_difference(old, look) for old in past), default=1.0)
+        lasting = min((signature_distance(old, look) for old in past), default=1.0)
         if len(looks) == 4 and len(held) >= 2:  # small also where a flash begins
-            held[-2].lasting = min(held[-2].lasting, look_difference(looks[0], look))
-        held.append(_Held(number, picture, small, look, step, lasting))
-        if len(held) > _AROUND:
-            yield _handed_out(held, done)
+            held[-2].lasting = min(held[-2].lasting, signature_distance(looks[0], look))
+        held.append(_PendingFrame(number, picture, small, look, step, lasting))
+        if len(held) > _CUT_WINDOW:
+            yield _emit_frame(held, done)
     while held:
-        yield _handed_out(held, done)
+        yield _emit_frame(held, done)
 
 
-def _handed_out(held: deque[_Held], done: deque[tuple[float, float]]) -> Glimpse:
+def _emit_frame(held: deque[_PendingFrame], done: deque[tuple[float, float]]) -> DecodedFrame:
     steps = np.array([*(s for s, _ in done), *(h.step for h in held)])
     lasting = np.array([*(v for _, v in done), *(h.lasting for h in held)])
-    begins = bool(done) and len(done) in cuts_among(steps, lasting)
+    begins = bool(done) and len(done) in cut_indices(steps, lasting)
     first = held.popleft()
     done.append((first.step, first.lasting))
-    return Glimpse(first.number, first.picture, first.small, begins, first.step)
+    return DecodedFrame(first.number, first.picture, first.small, begins, first.step)
 
 
-def _decoded(
+def _read_ahead(
     frame: ReadFrame, numbers: Sequence[int], to_follow: bool
-) -> Iterator[tuple[int, PixelArray, SmallPicture, SceneLook]]:
+) -> Iterator[tuple[int, PixelArray, MotionImage, FrameSignature]]:
     """What a thread has read ahead, in the order asked for."""
-    ready: queue.Queue[object] = queue.Queue(maxsize=_DECODED_AHEAD)
+    ready: queue.Queue[object] = queue.Queue(maxsize=_READ_AHEAD_FRAMES)
     stopped = threading.Event()
 
     def hand(item: object) -> bool:
@@ -108,9 +108,9 @@ def _decoded(
 
     def read() -> None:
         try:
-            for number, picture in _in_order(frame, numbers, stopped):
-                look = look_of(picture[:, :, :3])
-                small = small_of(picture) if to_follow else NOTHING_SEEN
+            for number, picture in _images_in_order(frame, numbers, stopped):
+                look = frame_signature(picture[:, :, :3])
+                small = motion_image(picture) if to_follow else EMPTY_MOTION_IMAGE
                 if not hand((number, picture, small, look)):
                     return
         except BaseException as failure:  # noqa: BLE001  # raised again by who waits for frames
@@ -130,7 +130,7 @@ def _decoded(
         thread.join()
 
 
-def _in_order(
+def _images_in_order(
     frame: ReadFrame, numbers: Sequence[int], stopped: threading.Event
 ) -> Iterator[tuple[int, PixelArray]]:
     """Pictures in the order of their numbers, read forwards: videos cannot be read backwards."""
@@ -140,7 +140,7 @@ def _in_order(
                 return
             yield number, frame(number)
         return
-    begin, count = 0, _BACK_FIRST
+    begin, count = 0, _BACKWARD_FIRST_FRAMES
     while begin < len(numbers):
         read = []
         for number in reversed(numbers[begin : begin + count]):
@@ -148,6 +148,6 @@ def _in_order(
                 return
             read.append((number, frame(number)))
         begin += count
-        count = min(max(_BACK_BYTES // read[0][1].nbytes, _BACK_LEAST), _BACK_MOST)
+        count = min(max(_BACKWARD_MAX_BYTES // read[0][1].nbytes, _BACKWARD_MIN_FRAMES), _BACKWARD_MAX_FRAMES)
         while read:
             yield read.pop()

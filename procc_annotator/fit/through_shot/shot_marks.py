@@ -7,15 +7,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from procc_annotator.fit.on_paint.marks import Floats, Integers
+from procc_annotator.fit.on_paint.marks import FloatingArray, IntegerArray
 from procc_annotator.fit.solving.observations import FloatArray, IntArray
-from procc_annotator.fit.through_shot.stepping import Stepped
+from procc_annotator.fit.through_shot.stepping import FilterStep
 
-_AT_ONCE = 128  # frames
+_BATCH_FRAMES = 128  # frames
 
 
 @dataclass(frozen=True, eq=False)
-class MarksOfSome:
+class EdgePointBatch:
     """The marks of b frames, m of each.
 
     Attributes:
@@ -26,14 +26,14 @@ class MarksOfSome:
         element: (b, m) which element each is on.
     """
 
-    world: Floats
-    across: Floats
-    normal: Floats
-    trust: Floats
-    element: Integers
+    world: FloatingArray
+    across: FloatingArray
+    normal: FloatingArray
+    trust: FloatingArray
+    element: IntegerArray
 
 
-class ShotMarks:
+class ShotEdgePoints:
     """What smoothing needs of K frames.
 
     Attributes:
@@ -46,26 +46,26 @@ class ShotMarks:
     coverages: FloatArray
     elements: IntArray
 
-    def __init__(self, steps: Sequence[Stepped]) -> None:
+    def __init__(self, steps: Sequence[FilterStep]) -> None:
         self.vectors = np.array([step.belief.vector for step in steps])
         self.coverages = np.array([step.coverage for step in steps])
         of_frames = (step.marks.element.tolist() for step in steps if step.marks is not None)
         self.elements = np.array(sorted(set().union(*of_frames)), dtype=np.intp)
         self._parts = [
             (slice(first, past), _marks_of(steps[first:past]))
-            for first in range(0, len(steps), _AT_ONCE)
-            for past in [min(first + _AT_ONCE, len(steps))]
+            for first in range(0, len(steps), _BATCH_FRAMES)
+            for past in [min(first + _BATCH_FRAMES, len(steps))]
         ]
 
-    def parts(self) -> Iterator[tuple[slice, MarksOfSome]]:
+    def parts(self) -> Iterator[tuple[slice, EdgePointBatch]]:
         """All frames, some at a time."""
         yield from self._parts
 
 
-def _marks_of(steps: Sequence[Stepped]) -> MarksOfSome:
+def _marks_of(steps: Sequence[FilterStep]) -> EdgePointBatch:
     frames = len(steps)
     most = max([1, *(len(step.marks) for step in steps if step.marks is not None)])
-    some = MarksOfSome(
+    some = EdgePointBatch(
         np.zeros((frames, 3, most), np.float32),
         np.zeros((frames, most), np.float32),
         np.zeros((frames, 2, most), np.float32),
@@ -79,5 +79,5 @@ def _marks_of(steps: Sequence[Stepped]) -> MarksOfSome:
         some.world[row, :, :own], some.across[row, :own] = marks.world, marks.across
         some.normal[row, :, :own], some.element[row, :own] = marks.normal, marks.element
         # Of the marks that were found some were kept, which stand for all of them.
-        some.trust[row, :own] = step.standing_for / step.worth.information_px**2
+        some.trust[row, :own] = step.represented_weight / step.worth.independent_error_px**2
     return some

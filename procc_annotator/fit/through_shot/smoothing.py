@@ -12,28 +12,28 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from procc_annotator.field.model import Field
-from procc_annotator.fit.on_paint.belief import COUNTS, Belief, usual, weights_of
+from procc_annotator.fit.on_paint.belief import MIN_WEIGHT, GaussianState, default_state, geman_mcclure_weights
 from procc_annotator.fit.on_paint.marks import PARAMETERS_FREE
 from procc_annotator.fit.solving.jacobian import Lens, project
-from procc_annotator.fit.solving.models import KAPPA, LEAST_KAPPA, X, Z
-from procc_annotator.fit.solving.observations import FloatArray, PictureFrame
-from procc_annotator.fit.through_shot.banded import BandedSolution, Normal, solve_normal
+from procc_annotator.fit.solving.models import KAPPA, MIN_KAPPA, X, Z
+from procc_annotator.fit.solving.observations import FloatArray, ImageFrame
+from procc_annotator.fit.through_shot.banded import BandedSolution, BandedNormalEquations, solve_banded
 from procc_annotator.fit.through_shot.chain import FrameChain
-from procc_annotator.fit.through_shot.shot_marks import MarksOfSome, ShotMarks
-from procc_annotator.fit.through_shot.stand import TRIPOD, ShotStand
-from procc_annotator.fit.through_shot.ties import Ties, ties_of
+from procc_annotator.fit.through_shot.shot_marks import EdgePointBatch, ShotEdgePoints
+from procc_annotator.fit.through_shot.stand import TRIPOD_NOISE, ProcessNoise
+from procc_annotator.fit.through_shot.ties import MotionConstraints, motion_constraints
 
 # Marks count by these scales, solver px, from round to round: at first each frame's camera is off
 # by what the frames' positions differ by.
 _SCALES_PX = (16.0, 8.0, 4.0, 2.0, 1.5, 1.5, 1.5, 1.5)
-_SETTLED = 1e-3  # standard deviations of the shared parameters
-_ELEMENTS_AT_ONCE = 8
-_LEAST_BESIDE_PX = 0.05  # that an element lies beside the model by, solver px
-_MOST_KAPPA = 0.6
+_CONVERGED = 1e-3  # standard deviations of the shared parameters
+_BATCH_ELEMENTS = 8
+_MIN_OFFSET_SD_PX = 0.05  # that an element lies beside the model by, solver px
+_MAX_KAPPA = 0.6
 
 
 @dataclass(frozen=True, eq=False)
-class Smoothed:
+class SmoothedChain:
     """A chain, all of it solved together.
 
     Attributes:
@@ -49,33 +49,33 @@ class Smoothed:
     coverages: FloatArray
 
 
-def smoothed(
-    chain: FrameChain, field: Field, frame: PictureFrame, stand: ShotStand = TRIPOD
-) -> Smoothed:
+def smooth_chain(
+    chain: FrameChain, field: Field, frame: ImageFrame, stand: ProcessNoise = TRIPOD_NOISE
+) -> SmoothedChain:
     """The same frames, each with the camera that is best for all of them together."""
-    marks, ties = ShotMarks(chain.steps), ties_of(chain.turns, stand)
+    marks, ties = ShotEdgePoints(chain.steps), motion_constraints(chain.turns, stand)
     vectors, weights = marks.vectors, np.maximum(marks.coverages, 1e-3)
     vectors[:, stand.shared] = np.average(vectors[:, stand.shared], axis=0, weights=weights)
-    known = _Known(chain.given, usual(vectors[len(vectors) // 2], field))
+    known = _StatePriors(chain.given, default_state(vectors[len(vectors) // 2], field))
     for scale in _SCALES_PX:
-        normal = _normal(marks, ties, known, vectors, frame, stand, scale)
-        found = solve_normal(normal)
+        normal = _build_normal_equations(marks, ties, known, vectors, frame, stand, scale)
+        found = solve_banded(normal)
         step = found.shared[:, 0]
         vectors[:, stand.own] += found.own[:, :, 0]
         vectors[:, stand.shared] += step
-        np.clip(vectors[:, KAPPA], LEAST_KAPPA, _MOST_KAPPA, out=vectors[:, KAPPA])
+        np.clip(vectors[:, KAPPA], MIN_KAPPA, _MAX_KAPPA, out=vectors[:, KAPPA])
         sd = np.sqrt(np.diag(found.shared_covariance))
-        if scale == _SCALES_PX[-1] and (np.abs(step) < _SETTLED * sd).all():
+        if scale == _SCALES_PX[-1] and (np.abs(step) < _CONVERGED * sd).all():
             break
-    size, beside = _beside(marks, vectors, normal, frame, stand)
+    size, beside = _element_offset_effect(marks, vectors, normal, frame, stand)
     covariances = beside
-    covariances *= size**2 + _LEAST_BESIDE_PX**2
+    covariances *= size**2 + _MIN_OFFSET_SD_PX**2
     _add_noise(covariances, found, stand)
-    held, residuals = _held(marks, vectors, frame)
+    held, residuals = _consistent_shares(marks, vectors, frame)
     steps = [
         replace(
             step,
-            belief=Belief(vector, np.asarray(np.linalg.inv(covariance))),
+            belief=GaussianState(vector, np.asarray(np.linalg.inv(covariance))),
             coverage=step.coverage * share,
             residual_px=residual,
         )
@@ -84,11 +84,11 @@ def smoothed(
         )
     ]
     coverages = marks.coverages * np.array(held)
-    return Smoothed(replace(chain, steps=steps), size, float(sum(held)), coverages)
+    return SmoothedChain(replace(chain, steps=steps), size, float(sum(held)), coverages)
 
 
 @dataclass(frozen=True, eq=False)
-class _Known:
+class _StatePriors:
     """What is known of cameras beside what their pictures tell.
 
     Attributes:
@@ -96,8 +96,8 @@ class _Known:
         usual: of any camera: weak, and taken for the first frame only, for the others are like it.
     """
 
-    given: Mapping[int, Belief]
-    usual: Belief
+    given: Mapping[int, GaussianState]
+    usual: GaussianState
 
     def add_to(
         self, information: FloatArray, pull: FloatArray, rows: slice, vectors: FloatArray
@@ -112,35 +112,35 @@ class _Known:
             pull[k - rows.start] += told.information @ off
 
 
-def _normal(
-    marks: ShotMarks,
-    ties: Ties,
-    known: _Known,
+def _build_normal_equations(
+    marks: ShotEdgePoints,
+    ties: MotionConstraints,
+    known: _StatePriors,
     vectors: FloatArray,
-    frame: PictureFrame,
-    stand: ShotStand,
+    frame: ImageFrame,
+    stand: ProcessNoise,
     scale_px: float,
-) -> Normal:
+) -> BandedNormalEquations:
     """The normal equations at K cameras (K, 11)."""
     own, shared, count = stand.own, stand.shared, len(vectors)
-    found = _no_equations(count, len(own), len(shared))
+    found = _empty_normal_equations(count, len(own), len(shared))
     for rows, some in marks.parts():
-        information, pull = _of_marks(some, vectors[rows], frame, scale_px)
+        information, pull = _edge_point_information(some, vectors[rows], frame, scale_px)
         known.add_to(information, pull, rows, vectors)
         stiff = ties.add_to(information, pull, rows, vectors)
         found.own[rows] = information[:, own[:, None], own]
         found.border[rows] = information[:, own[:, None], shared]
-        found.own_pull[rows, :, 0] = pull[:, own]
+        found.own_gradient[rows, :, 0] = pull[:, own]
         found.beside[rows.start : rows.start + len(stiff)] = -stiff[:, own[:, None], own]
         # What all frames share does not change between them.
         found.shared[:] += information[:, shared[:, None], shared].sum(axis=0)
         found.shared[:] -= 2 * stiff[:, shared[:, None], shared].sum(axis=0)
-        found.shared_pull[:, 0] += pull[:, shared].sum(axis=0)
+        found.shared_gradient[:, 0] += pull[:, shared].sum(axis=0)
     return found
 
 
-def _no_equations(count: int, own: int, shared: int) -> Normal:
-    return Normal(
+def _empty_normal_equations(count: int, own: int, shared: int) -> BandedNormalEquations:
+    return BandedNormalEquations(
         np.zeros((count, own, own)),
         np.zeros((max(count - 1, 0), own, own)),
         np.zeros((count, own, shared)),
@@ -150,8 +150,8 @@ def _no_equations(count: int, own: int, shared: int) -> Normal:
     )
 
 
-def _seen(
-    some: MarksOfSome, vectors: FloatArray, frame: PictureFrame, scale_px: float
+def _edge_point_rows(
+    some: EdgePointBatch, vectors: FloatArray, frame: ImageFrame, scale_px: float
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Of the marks of b frames: (b, 8, m) derivatives of where they appear, across; (b, m) solver
     px they are off; (b, m) what they count."""
@@ -164,20 +164,20 @@ def _seen(
     px, _, by = project(lens, world, np.zeros_like(world), PARAMETERS_FREE)
     off = some.across - (px * some.normal).sum(axis=1)
     across = (by * some.normal[:, None]).sum(axis=2)
-    return across, off, some.trust * weights_of(off, scale_px)
+    return across, off, some.trust * geman_mcclure_weights(off, scale_px)
 
 
-def _of_marks(
-    some: MarksOfSome, vectors: FloatArray, frame: PictureFrame, scale_px: float
+def _edge_point_information(
+    some: EdgePointBatch, vectors: FloatArray, frame: ImageFrame, scale_px: float
 ) -> tuple[FloatArray, FloatArray]:
     """(b, 8, 8) information of the marks, and (b, 8) how they pull."""
-    across, off, trust = _seen(some, vectors, frame, scale_px)
+    across, off, trust = _edge_point_rows(some, vectors, frame, scale_px)
     weighted = across * trust[:, None]
     return weighted @ across.transpose(0, 2, 1), (weighted @ off[:, :, None])[:, :, 0]
 
 
-def _beside(
-    marks: ShotMarks, vectors: FloatArray, normal: Normal, frame: PictureFrame, stand: ShotStand
+def _element_offset_effect(
+    marks: ShotEdgePoints, vectors: FloatArray, normal: BandedNormalEquations, frame: ImageFrame, stand: ProcessNoise
 ) -> tuple[float, FloatArray]:
     """What it does to the cameras that elements lie beside the model, each all along the chain by
     as much as elements of single frames do: more frames do not average that out.
@@ -189,21 +189,21 @@ def _beside(
     own, shared, count = stand.own, stand.shared, len(vectors)
     spread = np.zeros((count, PARAMETERS_FREE, PARAMETERS_FREE))
     squares = counted = 0.0
-    for begin in range(0, len(marks.elements), _ELEMENTS_AT_ONCE):
-        elements = marks.elements[begin : begin + _ELEMENTS_AT_ONCE]
-        own_pull = np.zeros((count, len(own), len(elements)))
-        shared_pull = np.zeros((len(shared), len(elements)))
+    for begin in range(0, len(marks.elements), _BATCH_ELEMENTS):
+        elements = marks.elements[begin : begin + _BATCH_ELEMENTS]
+        own_gradient = np.zeros((count, len(own), len(elements)))
+        shared_gradient = np.zeros((len(shared), len(elements)))
         for rows, some in marks.parts():
-            across, off, trust = _seen(some, vectors[rows], frame, _SCALES_PX[-1])
+            across, off, trust = _edge_point_rows(some, vectors[rows], frame, _SCALES_PX[-1])
             of = (some.element[:, :, None] == elements) & (trust > 0)[:, :, None]
             pulls = (across * trust[:, None]) @ of
-            own_pull[rows] = pulls[:, own]
-            shared_pull += pulls[:, shared].sum(axis=0)
+            own_gradient[rows] = pulls[:, own]
+            shared_gradient += pulls[:, shared].sum(axis=0)
             total = (trust[:, :, None] * of).sum(axis=1)
             mean = ((trust * off)[:, None, :] @ of)[:, 0] / np.maximum(total, 1e-12)
             squares += float((total * mean**2 - (total > 0)).sum())  # less what noise alone does
             counted += float(total.sum())
-        moved = solve_normal(replace(normal, own_pull=own_pull, shared_pull=shared_pull))
+        moved = solve_banded(replace(normal, own_gradient=own_gradient, shared_gradient=shared_gradient))
         by = np.empty((PARAMETERS_FREE, len(elements)))
         by[shared] = moved.shared
         for one, into in zip(moved.own, spread, strict=True):
@@ -212,23 +212,23 @@ def _beside(
     return float(np.sqrt(max(squares / max(counted, 1.0), 0.0))), spread
 
 
-def _held(
-    marks: ShotMarks, vectors: FloatArray, frame: PictureFrame
+def _consistent_shares(
+    marks: ShotEdgePoints, vectors: FloatArray, frame: ImageFrame
 ) -> tuple[list[float], list[float | None]]:
     """Of each frame, the share of its marks that lie where its camera says, and their median
     distance, solver px; 0 and None of those without any."""
     shares: list[float] = []
     residuals: list[float | None] = []
     for rows, some in marks.parts():
-        _, off, _ = _seen(some, vectors[rows], frame, _SCALES_PX[-1])
+        _, off, _ = _edge_point_rows(some, vectors[rows], frame, _SCALES_PX[-1])
         for own, away, seen in zip(off, np.abs(off), some.trust > 0, strict=True):
-            held = seen & (weights_of(own) > COUNTS)
+            held = seen & (geman_mcclure_weights(own) > MIN_WEIGHT)
             shares.append(float(held.sum() / max(seen.sum(), 1)))
             residuals.append(float(np.median(away[held])) if held.any() else None)
     return shares, residuals
 
 
-def _add_noise(full: FloatArray, found: BandedSolution, stand: ShotStand) -> None:
+def _add_noise(full: FloatArray, found: BandedSolution, stand: ProcessNoise) -> None:
     """Add to the covariances (K, 8, 8) of each frame's parameters what the marks' noise does."""
     own, shared = stand.own, stand.shared
     followed = found.follow @ found.shared_covariance

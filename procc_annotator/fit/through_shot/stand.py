@@ -11,7 +11,7 @@ from procc_annotator.fit.solving.observations import FloatArray, IntArray
 
 
 @dataclass(frozen=True, eq=False)
-class ShotStand:
+class ProcessNoise:
     """What may change from frame to frame, and how much.
 
     Attributes:
@@ -30,22 +30,22 @@ class ShotStand:
 
 
 # Radial coefficients: of a lens at rest, from frame to frame, and of one that zooms e times.
-_KAPPA, _KAPPA_ZOOMING = 0.0003, 0.02
-_PLACE = (X, X + 1, Z)
+_KAPPA_SD, _KAPPA_SD_PER_ZOOM = 0.0003, 0.02
+_POSITION_PARAMETERS = (X, X + 1, Z)
 # Tripods give a little, and no field is quite what it should be.
-TRIPOD = ShotStand(
-    np.array([PAN, TILT, ROLL, LOG_FOCAL, KAPPA]), np.array(_PLACE), 0.015, np.zeros(4)
+TRIPOD_NOISE = ProcessNoise(
+    np.array([PAN, TILT, ROLL, LOG_FOCAL, KAPPA]), np.array(_POSITION_PARAMETERS), 0.015, np.zeros(4)
 )
 # Rails, cranes and cameras on ropes: some metres a second, 60 m from what they film.
-MOVING = ShotStand(
-    np.array([PAN, TILT, ROLL, *_PLACE, LOG_FOCAL, KAPPA]),
+MOVING_NOISE = ProcessNoise(
+    np.array([PAN, TILT, ROLL, *_POSITION_PARAMETERS, LOG_FOCAL, KAPPA]),
     np.array([], dtype=np.intp),
     0.15,
     np.array([0.004, 0.004, 0.0005, 0.004]),
 )
 
 
-def lens_change(log_focal: FloatArray | float) -> FloatArray:
+def kappa_change_sd(log_focal: FloatArray | float) -> FloatArray:
     """Standard deviation of the radial coefficient's change while the logarithm of the focal length
     changes by so much: lenses distort otherwise when they zoom."""
-    return np.asarray(np.sqrt(_KAPPA**2 + _KAPPA_ZOOMING**2 * np.abs(log_focal)))
+    return np.asarray(np.sqrt(_KAPPA_SD**2 + _KAPPA_SD_PER_ZOOM**2 * np.abs(log_focal)))

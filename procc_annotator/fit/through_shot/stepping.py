@@ -12,51 +12,51 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from procc_annotator.fit.on_paint.belief import COUNTS, Belief, Solved, solve_believed, weights_of
+from procc_annotator.fit.on_paint.belief import MIN_WEIGHT, GaussianState, StateUpdate, update_state, geman_mcclure_weights
 from procc_annotator.fit.on_paint.beside import (
-    FoundAround,
-    elements_beside,
+    NearbyEdgePoints,
+    displaced_elements,
     elements_missed,
-    look_beside,
-    marks_off_px,
+    search_nearby,
+    edge_point_residuals,
 )
-from procc_annotator.fit.on_paint.expected import Expected, expect, projected_px
+from procc_annotator.fit.on_paint.expected import ExpectedLinePoints, expected_line_points, project_points
 from procc_annotator.fit.on_paint.looking import (
-    SPACING_PX,
-    PaintLook,
-    look,
-    look_at,
-    shares_on_paint,
+    POINT_SPACING_PX,
+    LineMeasurement,
+    measure_lines,
+    measure_at,
+    found_shares,
 )
-from procc_annotator.fit.on_paint.marks import PARAMETERS_FREE, Marks
-from procc_annotator.fit.on_paint.painted import Painted
-from procc_annotator.fit.on_paint.result import Worth, worth_of
-from procc_annotator.fit.solving.covariance import projected_covariance, worst_sd
+from procc_annotator.fit.on_paint.marks import PARAMETERS_FREE, EdgePoints
+from procc_annotator.fit.on_paint.painted import MarkingPoints
+from procc_annotator.fit.on_paint.result import EdgeNoiseModel, estimate_edge_noise
+from procc_annotator.fit.solving.covariance import projected_covariance, max_direction_sd
 from procc_annotator.fit.solving.jacobian import Lens
 from procc_annotator.fit.solving.models import KAPPA, LOG_FOCAL, ROLL, X, Z
-from procc_annotator.fit.solving.observations import FloatArray, IntArray, PictureFrame
-from procc_annotator.fit.through_shot.stand import TRIPOD, ShotStand, lens_change
-from procc_annotator.fit.through_shot.turning import OWN, Turn
+from procc_annotator.fit.solving.observations import FloatArray, IntArray, ImageFrame
+from procc_annotator.fit.through_shot.stand import TRIPOD_NOISE, ProcessNoise, kappa_change_sd
+from procc_annotator.fit.through_shot.turning import MOTION_PARAMETERS, InterFrameMotion
 from procc_annotator.image.pixels import PixelArray
-from procc_annotator.language import said
+from procc_annotator.language import translatable
 
-_ROLL_RAD = 2e-5  # what a frame may add to what is believed, standard deviation: tripods lean
+_ROLL_DRIFT_RAD = 2e-5  # what a frame may add to what is believed, standard deviation: tripods lean
 # Of a step that nothing foretells: pan, tilt, roll, logarithm of the focal length.
-_UNKNOWN_STEP = np.array([np.deg2rad(0.25), np.deg2rad(0.15), np.deg2rad(0.03), 0.01])
-_SLOWING = 0.7
-_LEAST_REACH_PX, _MOST_REACH_PX = 5.0, 20.0
-_REACH_IN_SD = 3.0
-_SURE_REACH_PX = 8.0  # beyond it what was found is looked at once more, from nearer
-_FEWEST = 15  # marks that may have a say
-_LEAST_COVERAGE, _LEAST_COVERAGE_FAR = 0.3, 0.5
-_MOST_IN_SD, _MOST_BESIDE_PX = 4.0, 4.0  # how far paint may move the camera against the belief
-_APART_SPACING_PX = 20.0
-_THIN = 3  # of marks that were averaged with their neighbours every third tells it all
-_KEPT = 64
+_UNKNOWN_MOTION_SD = np.array([np.deg2rad(0.25), np.deg2rad(0.15), np.deg2rad(0.03), 0.01])
+_VELOCITY_DECAY = 0.7
+_MIN_SEARCH_RADIUS_PX, _MAX_SEARCH_RADIUS_PX = 5.0, 20.0
+_SEARCH_RADIUS_SD = 3.0
+_CONFIDENT_RADIUS_PX = 8.0  # beyond it what was found is looked at once more, from nearer
+_MIN_EDGE_POINTS = 15  # marks that may have a say
+_MIN_COVERAGE, _MIN_COVERAGE_FAR = 0.3, 0.5
+_MAX_MAHALANOBIS, _MAX_DISPLACED_PX = 4.0, 4.0  # how far paint may move the camera against the belief
+_COMPARISON_SPACING_PX = 20.0
+_FIRST_PASS_SUBSAMPLING = 3  # of marks that were averaged with their neighbours every third tells it all
+_STORED_EDGE_POINTS = 64
 
 
 @dataclass(frozen=True, eq=False)
-class Stepped:
+class FilterStep:
     """Where a frame's camera is.
 
     Attributes:
@@ -71,38 +71,38 @@ class Stepped:
         around: where the elements of which little was found were seen, farther out.
     """
 
-    belief: Belief
-    marks: Marks | None
-    worth: Worth
-    turn: Turn | None
+    belief: GaussianState
+    marks: EdgePoints | None
+    worth: EdgeNoiseModel
+    turn: InterFrameMotion | None
     coverage: float
     residual_px: float | None
     sd_px: float
     reason: str = ""
-    standing_for: float = 1.0
-    around: FoundAround | None = None
+    represented_weight: float = 1.0
+    around: NearbyEdgePoints | None = None
 
-    def beside(self, vector: FloatArray, frame: PictureFrame) -> dict[int, float]:
+    def beside(self, vector: FloatArray, frame: ImageFrame) -> dict[int, float]:
         """Elements that a camera (11,) shows beside their paint in this frame, see
-        `elements_beside`."""
+        `displaced_elements`."""
         if self.marks is None:
             return {}
-        return elements_beside(vector, self.marks, self._length_px(self.marks), self.around, frame)
+        return displaced_elements(vector, self.marks, self._length_px(self.marks), self.around, frame)
 
-    def missed(self, painted: Painted, frame: PictureFrame) -> IntArray:
+    def missed(self, painted: MarkingPoints, frame: ImageFrame) -> IntArray:
         """Elements that its camera misses in this frame, see `elements_missed`."""
         if self.marks is None:
             return np.zeros(0, dtype=np.intp)
         length = self._length_px(self.marks)
         return elements_missed(self.belief.vector, self.marks, length, painted, frame)
 
-    def _length_px(self, marks: Marks) -> FloatArray:
-        return np.full(len(marks), self.standing_for * _THIN * SPACING_PX)
+    def _length_px(self, marks: EdgePoints) -> FloatArray:
+        return np.full(len(marks), self.represented_weight * _FIRST_PASS_SUBSAMPLING * POINT_SPACING_PX)
 
 
-def foretold(
-    belief: Belief, turn: Turn | None, last: FloatArray, stand: ShotStand = TRIPOD
-) -> Belief:
+def predict_state(
+    belief: GaussianState, turn: InterFrameMotion | None, last: FloatArray, stand: ProcessNoise = TRIPOD_NOISE
+) -> GaussianState:
     """What is believed of a camera one frame on.
 
     Args:
@@ -115,36 +115,36 @@ def foretold(
     vector = belief.vector.copy()
     step = np.zeros((PARAMETERS_FREE, PARAMETERS_FREE))
     if turn is None:
-        vector[OWN] += _SLOWING * last
-        step[OWN, OWN] = _UNKNOWN_STEP**2
+        vector[MOTION_PARAMETERS] += _VELOCITY_DECAY * last
+        step[MOTION_PARAMETERS, MOTION_PARAMETERS] = _UNKNOWN_MOTION_SD**2
     else:
-        vector[OWN] += turn.step
-        step[np.ix_(OWN, OWN)] = turn.covariance + np.diag(stand.apparent**2)
+        vector[MOTION_PARAMETERS] += turn.step
+        step[np.ix_(MOTION_PARAMETERS, MOTION_PARAMETERS)] = turn.covariance + np.diag(stand.apparent**2)
     step[range(X, Z + 1), range(X, Z + 1)] += stand.position_m**2
-    step[KAPPA, KAPPA] += lens_change(vector[LOG_FOCAL] - belief.vector[LOG_FOCAL]) ** 2
-    step[ROLL, ROLL] += _ROLL_RAD**2
-    return Belief(vector, np.asarray(np.linalg.inv(covariance + step)))
+    step[KAPPA, KAPPA] += kappa_change_sd(vector[LOG_FOCAL] - belief.vector[LOG_FOCAL]) ** 2
+    step[ROLL, ROLL] += _ROLL_DRIFT_RAD**2
+    return GaussianState(vector, np.asarray(np.linalg.inv(covariance + step)))
 
 
-def wireframe_sd(belief: Belief, seen: FloatArray, frame: PictureFrame) -> float:
+def projection_sd_px(belief: GaussianState, seen: FloatArray, frame: ImageFrame) -> float:
     """How surely places (3, n) metres in sight are known in the picture: that of nine in ten."""
     if not seen.shape[1]:
         return np.inf
     few = seen[:, :: max(1, seen.shape[1] // 60)]
     found = projected_covariance(belief.vector, None, frame.half_diagonal, belief.covariance, few.T)
-    sd = worst_sd(found)
+    sd = max_direction_sd(found)
     sd = sd[np.isfinite(sd)]
-    return _nine_in_ten(sd)
+    return _percentile_90(sd)
 
 
-def stepped(
+def filter_step(
     picture: PixelArray,
-    believed: Belief,
-    turn: Turn | None,
-    painted: Painted,
-    frame: PictureFrame,
-    worth: Worth,
-) -> Stepped:
+    believed: GaussianState,
+    turn: InterFrameMotion | None,
+    painted: MarkingPoints,
+    frame: ImageFrame,
+    worth: EdgeNoiseModel,
+) -> FilterStep:
     """A frame's camera from what is believed of it and the paint near where that shows some.
 
     Args:
@@ -155,101 +155,101 @@ def stepped(
         frame: the picture.
         worth: of a mark in the frame before.
     """
-    expected = expect(believed.vector, painted, frame, SPACING_PX)
-    sd_px = wireframe_sd(believed, painted.world[:, expected.rows], frame)
-    reach = float(np.clip(_REACH_IN_SD * sd_px + 2.0, _LEAST_REACH_PX, _MOST_REACH_PX))
-    seen = look_at(picture, expected, painted, frame, reach)
-    none = Stepped(believed, None, worth, turn, 0.0, None, sd_px)
-    if len(seen.marks) < _FEWEST:
-        return replace(none, reason=said("too little paint in sight"))
-    solved, marks = _solved(seen, believed, believed.vector, frame, worth, reach)
-    if reach > _SURE_REACH_PX:
-        seen = look(picture, solved.vector, painted, frame, _LEAST_REACH_PX)
-        if len(seen.marks) < _FEWEST:
-            return replace(none, reason=said("too little paint in sight"))
-        solved, marks = _solved(seen, believed, solved.vector, frame, worth, _LEAST_REACH_PX)
-    off = marks_off_px(solved.vector, seen.marks, frame)
-    weights = weights_of(off)
-    coverage, _ = shares_on_paint(seen, weights, painted)
-    least = _LEAST_COVERAGE_FAR if reach > _SURE_REACH_PX else _LEAST_COVERAGE
+    expected = expected_line_points(believed.vector, painted, frame, POINT_SPACING_PX)
+    sd_px = projection_sd_px(believed, painted.world[:, expected.rows], frame)
+    reach = float(np.clip(_SEARCH_RADIUS_SD * sd_px + 2.0, _MIN_SEARCH_RADIUS_PX, _MAX_SEARCH_RADIUS_PX))
+    seen = measure_at(picture, expected, painted, frame, reach)
+    none = FilterStep(believed, None, worth, turn, 0.0, None, sd_px)
+    if len(seen.marks) < _MIN_EDGE_POINTS:
+        return replace(none, reason=translatable("too little paint in sight"))
+    solved, marks = _solve_update(seen, believed, believed.vector, frame, worth, reach)
+    if reach > _CONFIDENT_RADIUS_PX:
+        seen = measure_lines(picture, solved.vector, painted, frame, _MIN_SEARCH_RADIUS_PX)
+        if len(seen.marks) < _MIN_EDGE_POINTS:
+            return replace(none, reason=translatable("too little paint in sight"))
+        solved, marks = _solve_update(seen, believed, solved.vector, frame, worth, _MIN_SEARCH_RADIUS_PX)
+    off = edge_point_residuals(solved.vector, seen.marks, frame)
+    weights = geman_mcclure_weights(off)
+    coverage, _ = found_shares(seen, weights, painted)
+    least = _MIN_COVERAGE_FAR if reach > _CONFIDENT_RADIUS_PX else _MIN_COVERAGE
     none = replace(none, coverage=coverage)
-    if (solved.weights > COUNTS).sum() < _FEWEST / _THIN or coverage < least:
-        return replace(none, reason=said("too little of what should be in sight was found"))
-    moved = _apart(expected, solved.vector, painted, frame)
-    if moved > _MOST_IN_SD * sd_px + _MOST_BESIDE_PX:
-        return replace(none, reason=said("the paint that was found would move the camera too far"))
-    residual = float(np.median(np.abs(off[weights > COUNTS])))
-    around = look_beside(picture, solved.vector, painted, frame, seen, weights)
+    if (solved.weights > MIN_WEIGHT).sum() < _MIN_EDGE_POINTS / _FIRST_PASS_SUBSAMPLING or coverage < least:
+        return replace(none, reason=translatable("too little of what should be in sight was found"))
+    moved = _projection_difference(expected, solved.vector, painted, frame)
+    if moved > _MAX_MAHALANOBIS * sd_px + _MAX_DISPLACED_PX:
+        return replace(none, reason=translatable("the paint that was found would move the camera too far"))
+    residual = float(np.median(np.abs(off[weights > MIN_WEIGHT])))
+    around = search_nearby(picture, solved.vector, painted, frame, seen, weights)
     none = replace(none, residual_px=residual, around=around)
-    return _surer(none, solved, marks, painted.world[:, seen.expected.rows], frame)
+    return _updated_step(none, solved, marks, painted.world[:, seen.expected.rows], frame)
 
 
-def _surer(
-    before: Stepped, solved: Solved, marks: Marks, seen: FloatArray, frame: PictureFrame
-) -> Stepped:
+def _updated_step(
+    before: FilterStep, solved: StateUpdate, marks: EdgePoints, seen: FloatArray, frame: ImageFrame
+) -> FilterStep:
     """A frame after its paint has had a say; ``seen``: (3, n) metres, what is in sight."""
-    worth = worth_of(solved, marks)
-    information = solved.information / worth.information_px**2 + before.belief.information
-    belief = Belief(solved.vector, information)
-    counted = solved.weights > COUNTS
-    kept = _kept(counted)
+    worth = estimate_edge_noise(solved, marks)
+    information = solved.information / worth.independent_error_px**2 + before.belief.information
+    belief = GaussianState(solved.vector, information)
+    counted = solved.weights > MIN_WEIGHT
+    kept = _stored_rows(counted)
     return replace(
         before,
         belief=belief,
         marks=marks.chosen(kept).small(),
         worth=worth,
-        sd_px=wireframe_sd(belief, seen, frame),
-        standing_for=float(counted.sum()) / len(kept),
+        sd_px=projection_sd_px(belief, seen, frame),
+        represented_weight=float(counted.sum()) / len(kept),
     )
 
 
-def _solved(
-    seen: PaintLook,
-    believed: Belief,
+def _solve_update(
+    seen: LineMeasurement,
+    believed: GaussianState,
     start: FloatArray,
-    frame: PictureFrame,
-    worth: Worth,
+    frame: ImageFrame,
+    worth: EdgeNoiseModel,
     reach_px: float,
-) -> tuple[Solved, Marks]:
+) -> tuple[StateUpdate, EdgePoints]:
     """The camera for every third of the marks, and those."""
-    marks = seen.marks.chosen(np.arange(0, len(seen.marks), _THIN))
-    solved = solve_believed(
+    marks = seen.marks.chosen(np.arange(0, len(seen.marks), _FIRST_PASS_SUBSAMPLING))
+    solved = update_state(
         marks,
         believed,
         start,
         frame.half_diagonal,
-        error_px=worth.information_px,
+        error_px=worth.independent_error_px,
         scale_px=reach_px / 2,
     )
     return solved, marks
 
 
-def wireframe_apart(
-    one: FloatArray, other: FloatArray, painted: Painted, frame: PictureFrame
+def projection_difference_px(
+    one: FloatArray, other: FloatArray, painted: MarkingPoints, frame: ImageFrame
 ) -> float:
     """Solver px by which nine in ten places in sight of a camera (11,) are less off, across, in
     another one's picture."""
-    return _apart(expect(one, painted, frame, _APART_SPACING_PX), other, painted, frame)
+    return _projection_difference(expected_line_points(one, painted, frame, _COMPARISON_SPACING_PX), other, painted, frame)
 
 
-def _apart(expected: Expected, other: FloatArray, painted: Painted, frame: PictureFrame) -> float:
+def _projection_difference(expected: ExpectedLinePoints, other: FloatArray, painted: MarkingPoints, frame: ImageFrame) -> float:
     if not len(expected.rows):
         return np.inf
-    there, _ = projected_px(
+    there, _ = project_points(
         Lens.of(other[None], frame.half_diagonal), painted.world[:, expected.rows]
     )
     across = ((there - expected.px) * expected.normal).sum(axis=0)
-    return _nine_in_ten(np.abs(across))
+    return _percentile_90(np.abs(across))
 
 
-def _nine_in_ten(values: FloatArray) -> float:
+def _percentile_90(values: FloatArray) -> float:
     """What nine in ten of them are below; infinite without any."""
     return float(np.sort(values)[int(0.9 * (len(values) - 1))]) if len(values) else np.inf
 
 
-def _kept(counted: np.ndarray) -> np.ndarray:
+def _stored_rows(counted: np.ndarray) -> np.ndarray:
     """Rows of the marks that are kept, evenly chosen."""
     rows = np.flatnonzero(counted)
-    if len(rows) <= _KEPT:
+    if len(rows) <= _STORED_EDGE_POINTS:
         return rows
-    return np.asarray(rows[np.linspace(0, len(rows) - 1, _KEPT).round().astype(np.intp)])
+    return np.asarray(rows[np.linspace(0, len(rows) - 1, _STORED_EDGE_POINTS).round().astype(np.intp)])

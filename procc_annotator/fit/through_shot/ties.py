@@ -10,16 +10,16 @@ import numpy as np
 from procc_annotator.fit.on_paint.marks import PARAMETERS_FREE
 from procc_annotator.fit.solving.models import KAPPA, LOG_FOCAL, X, Z
 from procc_annotator.fit.solving.observations import FloatArray
-from procc_annotator.fit.through_shot.stand import ShotStand, lens_change
-from procc_annotator.fit.through_shot.turning import OWN, Turn
+from procc_annotator.fit.through_shot.stand import ProcessNoise, kappa_change_sd
+from procc_annotator.fit.through_shot.turning import MOTION_PARAMETERS, InterFrameMotion
 
 # Of a step that nothing foretells, standard deviations: pan, tilt, roll, logarithm of the focal
 # length.
-_UNKNOWN = Turn(np.zeros(4), np.diag(np.array([0.02, 0.01, 0.002, 0.05]) ** 2))
+_UNKNOWN_MOTION = InterFrameMotion(np.zeros(4), np.diag(np.array([0.02, 0.01, 0.002, 0.05]) ** 2))
 
 
 @dataclass(frozen=True, eq=False)
-class Ties:
+class MotionConstraints:
     """Between each of K frames and the next one.
 
     Attributes:
@@ -30,7 +30,7 @@ class Ties:
 
     step: FloatArray
     stiffness: FloatArray
-    stand: ShotStand
+    stand: ProcessNoise
 
     def add_to(
         self, information: FloatArray, pull: FloatArray, rows: slice, vectors: FloatArray
@@ -51,7 +51,7 @@ class Ties:
         off = (
             vectors[first:last, :PARAMETERS_FREE] - vectors[first + 1 : last + 1, :PARAMETERS_FREE]
         )
-        off[:, OWN] += self.step[first:last]
+        off[:, MOTION_PARAMETERS] += self.step[first:last]
         pulled = (stiff @ off[:, :, None])[:, :, 0]
         ahead = stiff[rows.start - first :]
         information[: len(ahead)] += ahead
@@ -66,20 +66,20 @@ class Ties:
         count = pairs.stop - pairs.start
         stiff = np.zeros((count, PARAMETERS_FREE, PARAMETERS_FREE))
         stiff[:, range(X, Z + 1), range(X, Z + 1)] = self.stand.position_m**-2
-        stiff[:, OWN[:, None], OWN] = self.stiffness[pairs]
+        stiff[:, MOTION_PARAMETERS[:, None], MOTION_PARAMETERS] = self.stiffness[pairs]
         zoomed = np.diff(vectors[pairs.start : pairs.stop + 1, LOG_FOCAL])
-        stiff[:, KAPPA, KAPPA] = lens_change(zoomed) ** -2.0
+        stiff[:, KAPPA, KAPPA] = kappa_change_sd(zoomed) ** -2.0
         return stiff
 
 
-def ties_of(turns: Sequence[Turn | None], stand: ShotStand) -> Ties:
+def motion_constraints(turns: Sequence[InterFrameMotion | None], stand: ProcessNoise) -> MotionConstraints:
     """The ties of frames between which the picture turned so; None where nothing tells."""
-    told = [turn or _UNKNOWN for turn in turns]
+    told = [turn or _UNKNOWN_MOTION for turn in turns]
     apparent = np.diag(stand.apparent**2)
-    return Ties(
-        np.array([turn.step for turn in told]).reshape(-1, len(OWN)),
+    return MotionConstraints(
+        np.array([turn.step for turn in told]).reshape(-1, len(MOTION_PARAMETERS)),
         np.array([np.linalg.inv(turn.covariance + apparent) for turn in told]).reshape(
-            -1, len(OWN), len(OWN)
+            -1, len(MOTION_PARAMETERS), len(MOTION_PARAMETERS)
         ),
         stand,
     )

@@ -10,43 +10,43 @@ from numpy.typing import NDArray
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
-from procc_annotator.fit.one_model import result_of
+from procc_annotator.fit.one_model import fit_result_from
 from procc_annotator.fit.result import FitResult
-from procc_annotator.fit.solving.element_offsets import element_offsets
-from procc_annotator.fit.solving.final_fit import FoundCamera
+from procc_annotator.fit.solving.element_offsets import estimate_element_offsets
+from procc_annotator.fit.solving.final_fit import CameraSolution
 from procc_annotator.fit.solving.models import (
-    FISHEYE,
-    FREE,
+    FISHEYE_FLAG,
+    FREE_PARAMETERS,
     KAPPA,
     LOG_FOCAL,
     ROLL,
     X,
     Z,
-    bounded_in,
-    is_strong,
+    lower_bounded_parameter,
+    is_wide_angle,
 )
-from procc_annotator.fit.solving.noise import softened
-from procc_annotator.fit.solving.observations import FloatArray, Observations, PictureFrame, observe
+from procc_annotator.fit.solving.noise import whitened
+from procc_annotator.fit.solving.observations import FloatArray, Observations, ImageFrame, build_observations
 from procc_annotator.fit.solving.residual import linear_map, pinhole_residuals
 from procc_annotator.fit.solving.solver import (
     FINAL_LOSS,
     ROBUST_LOSS,
     SEARCH_LOSS,
-    Loss,
-    Prior,
+    RobustLoss,
+    GaussianPrior,
     Problem,
     solve,
 )
-from procc_annotator.fit.solving.starts import aimed, prior_near
-from procc_annotator.fit.solving.surroundings import surroundings_of
-from procc_annotator.fit.together.outer import Profile, open_parameters, profile_of
+from procc_annotator.fit.solving.starts import initial_cameras_at_position, prior_near
+from procc_annotator.fit.solving.surroundings import camera_placement_prior
+from procc_annotator.fit.together.outer import ReducedFrame, unbounded_parameters, reduce_frame
 
-POSITION = np.arange(X, Z + 1)
-_HELD_M = 1e-3  # what the position may be off in a fit that is not to move it
+POSITION_PARAMETERS = np.arange(X, Z + 1)
+_FIXED_POSITION_SD_M = 1e-3  # what the position may be off in a fit that is not to move it
 
 
 @dataclass(frozen=True, eq=False)
-class Usual:
+class LensAndRollPrior:
     """What the lens and the level of a camera are known to be beside its position: means and
     standard deviations of roll (rad) and kappa."""
 
@@ -55,7 +55,7 @@ class Usual:
 
 
 @dataclass(frozen=True, eq=False)
-class Sighting:
+class FrameObservations:
     """One frame to be fitted together with others.
 
     Attributes:
@@ -68,17 +68,17 @@ class Sighting:
 
     seen: Observations
     left_out: NDArray[np.bool_]
-    frame: PictureFrame
+    frame: ImageFrame
     model: str
     vector: FloatArray
 
     @cached_property
     def kept(self) -> Observations:
         """The points, with weight 0 for those that have no say."""
-        return self.seen.leaving_out(self.left_out)
+        return self.seen.with_excluded(self.left_out)
 
 
-def sighting_of(annotation: FrameAnnotation, fit: FitResult, field: Field) -> Sighting:
+def frame_observations(annotation: FrameAnnotation, fit: FitResult, field: Field) -> FrameObservations:
     """A frame as its own fit sees it.
 
     Args:
@@ -86,17 +86,17 @@ def sighting_of(annotation: FrameAnnotation, fit: FitResult, field: Field) -> Si
         fit: has a pinhole camera.
         field: the elements.
     """
-    frame = PictureFrame(fit.size)
-    seen = observe(annotation, field, frame)
+    frame = ImageFrame(fit.size)
+    seen = build_observations(annotation, field, frame)
     if seen is None or fit.vector is None:
         raise ValueError("a failed fit has no camera")
     out = set(fit.left_out)
     left_out = np.array([element.name in out for element in seen.elements])
-    seen = softened(seen, linear_map(fit.vector))
-    return Sighting(seen, left_out, frame, fit.model, fit.vector)
+    seen = whitened(seen, linear_map(fit.vector))
+    return FrameObservations(seen, left_out, frame, fit.model, fit.vector)
 
 
-def prior_at(vector: FloatArray, field: Field, free: int, usual: Usual | None = None) -> Prior:
+def prior_at_position(vector: FloatArray, field: Field, free: int, usual: LensAndRollPrior | None = None) -> GaussianPrior:
     """Weak priors on everything but the position, which is held.
 
     Args:
@@ -105,25 +105,25 @@ def prior_at(vector: FloatArray, field: Field, free: int, usual: Usual | None = 
         free: number of the model's parameters.
         usual: what is known of the camera besides.
     """
-    around = surroundings_of(field)
+    around = camera_placement_prior(field)
     prior = prior_near(vector, around, free)
     mean, inverse = prior.mean.copy(), prior.inverse_sd.copy()
-    mean[:, POSITION], inverse[:, POSITION] = vector[POSITION], 1 / _HELD_M
+    mean[:, POSITION_PARAMETERS], inverse[:, POSITION_PARAMETERS] = vector[POSITION_PARAMETERS], 1 / _FIXED_POSITION_SD_M
     if usual is not None:
         mean[:, ROLL], inverse[:, ROLL] = usual.roll[0], 1 / usual.roll[1]
-        if free > KAPPA and not is_strong(vector):
+        if free > KAPPA and not is_wide_angle(vector):
             mean[:, KAPPA], inverse[:, KAPPA] = usual.kappa[0], 1 / usual.kappa[1]
-    return Prior(mean, inverse)
+    return GaussianPrior(mean, inverse)
 
 
-def fit_at(
-    sighting: Sighting,
+def fit_at_position(
+    sighting: FrameObservations,
     position: FloatArray,
     field: Field,
     *,
-    usual: Usual | None = None,
+    usual: LensAndRollPrior | None = None,
     tolerance: float = 1e-5,
-) -> FoundCamera:
+) -> CameraSolution:
     """The camera of a frame at a known position, from one that is nearly right.
 
     Args:
@@ -134,14 +134,14 @@ def fit_at(
         tolerance: see `solve`.
     """
     start = sighting.vector.copy()
-    start[POSITION] = position
-    prior = prior_at(start, field, FREE[sighting.model], usual)
-    return _fit(sighting, start[None], position, prior, FINAL_LOSS, tolerance)
+    start[POSITION_PARAMETERS] = position
+    prior = prior_at_position(start, field, FREE_PARAMETERS[sighting.model], usual)
+    return _fit_at_position(sighting, start[None], position, prior, FINAL_LOSS, tolerance)
 
 
-def search_at(
-    sighting: Sighting, position: FloatArray, field: Field, usual: Usual | None = None
-) -> FoundCamera:
+def search_at_position(
+    sighting: FrameObservations, position: FloatArray, field: Field, usual: LensAndRollPrior | None = None
+) -> CameraSolution:
     """The camera of a frame at a known position, without a start.
 
     Args:
@@ -150,28 +150,28 @@ def search_at(
         field: the elements.
         usual: what is known of the camera besides.
     """
-    starts = aimed(position, sighting.seen, field)
-    prior = prior_at(starts[0], field, FREE["P"], usual)
-    first = _fit(replace(sighting, model="P"), starts, position, prior, SEARCH_LOSS, 1e-4)
-    prior = prior_at(starts[0], field, FREE[sighting.model], usual)
+    starts = initial_cameras_at_position(position, sighting.seen, field)
+    prior = prior_at_position(starts[0], field, FREE_PARAMETERS["P"], usual)
+    first = _fit_at_position(replace(sighting, model="P"), starts, position, prior, SEARCH_LOSS, 1e-4)
+    prior = prior_at_position(starts[0], field, FREE_PARAMETERS[sighting.model], usual)
     begin = first.vector[None].copy()
     # Whose other pictures show barrel distortion: only from below 0 is a fit led there.
     begin[:, KAPPA] = 0.0 if usual is None else min(usual.kappa[0], 0.0)
-    robust = _fit(sighting, begin, position, prior, ROBUST_LOSS, 1e-4)
-    return _fit(sighting, robust.vector[None], position, prior, FINAL_LOSS, 1e-5)
+    robust = _fit_at_position(sighting, begin, position, prior, ROBUST_LOSS, 1e-4)
+    return _fit_at_position(sighting, robust.vector[None], position, prior, FINAL_LOSS, 1e-5)
 
 
-def _fit(
-    sighting: Sighting,
+def _fit_at_position(
+    sighting: FrameObservations,
     starts: FloatArray,
     position: FloatArray,
-    prior: Prior,
-    loss: Loss,
+    prior: GaussianPrior,
+    loss: RobustLoss,
     tolerance: float,
-) -> FoundCamera:
-    free = FREE[sighting.model]
+) -> CameraSolution:
+    free = FREE_PARAMETERS[sighting.model]
     vectors = starts.copy()
-    vectors[:, free:FISHEYE] = 0.0
+    vectors[:, free:FISHEYE_FLAG] = 0.0
     problem = Problem(
         partial(
             pinhole_residuals,
@@ -182,61 +182,61 @@ def _fit(
         sighting.kept.weights,
         loss,
         prior,
-        bounded=bounded_in(vectors),
+        bounded=lower_bounded_parameter(vectors),
     )
     found = solve(problem, vectors, iterations=20, tolerance=tolerance)
     best = int(np.argmin(found.costs))
     only = found.chosen(np.array([best]))
     vector = found.vectors[best].copy()
-    vector[POSITION] = position  # the same to the last digit in all frames
-    return FoundCamera(vector, only, prior, sighting.seen, sighting.left_out)
+    vector[POSITION_PARAMETERS] = position  # the same to the last digit in all frames
+    return CameraSolution(vector, only, prior, sighting.seen, sighting.left_out)
 
 
-def profile_at(sighting: Sighting, position: FloatArray, field: Field) -> Profile:
+def profile_at_position(sighting: FrameObservations, position: FloatArray, field: Field) -> ReducedFrame:
     """What a frame says of a position, once its camera is the best one for it."""
-    found = fit_at(sighting, position, field)
-    free, vector = FREE[sighting.model], found.vector
+    found = fit_at_position(sighting, position, field)
+    free, vector = FREE_PARAMETERS[sighting.model], found.vector
     residuals = pinhole_residuals(vector[None], sighting.seen, sighting.frame.half_diagonal, free)
-    own = own_parameters(vector, free)
-    order = np.concatenate([POSITION, own])
+    own = frame_parameters(vector, free)
+    order = np.concatenate([POSITION_PARAMETERS, own])
     ordered = replace(residuals, derivatives=residuals.derivatives[:, order])
-    return profile_of(vector, ordered, sighting.kept.weights, found.prior, own)
+    return reduce_frame(vector, ordered, sighting.kept.weights, found.prior, own)
 
 
-def own_parameters(vector: FloatArray, free: int) -> NDArray[np.intp]:
+def frame_parameters(vector: FloatArray, free: int) -> NDArray[np.intp]:
     """Free parameters beside the position; a radial coefficient on its bound is none."""
-    return np.setdiff1d(open_parameters(vector, free), POSITION)
+    return np.setdiff1d(unbounded_parameters(vector, free), POSITION_PARAMETERS)
 
 
-def known_result(
-    found: FoundCamera, sighting: Sighting, field: Field, covariance: FloatArray
+def fit_result_at_position(
+    found: CameraSolution, sighting: FrameObservations, field: Field, covariance: FloatArray
 ) -> FitResult:
     """The result of a fit at a known position, which is itself uncertain.
 
     Args:
-        found: from `fit_at` or `search_at`.
+        found: from `fit_at_position` or `search_at_position`.
         sighting: the frame.
         field: the elements.
         covariance: (3, 3) of the position, metres squared.
     """
-    result = result_of(found, field, sighting.frame, sighting.model, False)
+    result = fit_result_from(found, field, sighting.frame, sighting.model, False)
     if result.camera is None or result.error_px is None or result.deviations is None:
         return result
-    free = FREE[sighting.model]
-    own = np.setdiff1d(np.arange(free), POSITION)
+    free = FREE_PARAMETERS[sighting.model]
+    own = np.setdiff1d(np.arange(free), POSITION_PARAMETERS)
     error_px = result.error_px * sighting.frame.scale
     information = found.solution.normal[0] / error_px**2 + np.diag(found.prior.inverse_sd[0] ** 2)
     alone = np.linalg.inv(information[np.ix_(own, own)])
     # How the camera's own parameters follow the position.
-    follow = -alone @ information[np.ix_(own, POSITION)]
+    follow = -alone @ information[np.ix_(own, POSITION_PARAMETERS)]
     full = np.zeros((free, free))
-    full[np.ix_(POSITION, POSITION)] = covariance
-    full[np.ix_(own, POSITION)] = follow @ covariance
-    full[np.ix_(POSITION, own)] = full[np.ix_(own, POSITION)].T
+    full[np.ix_(POSITION_PARAMETERS, POSITION_PARAMETERS)] = covariance
+    full[np.ix_(own, POSITION_PARAMETERS)] = follow @ covariance
+    full[np.ix_(POSITION_PARAMETERS, own)] = full[np.ix_(own, POSITION_PARAMETERS)].T
     full[np.ix_(own, own)] = alone + follow @ covariance @ follow.T
     of_clicks, at_place = full, np.zeros((free, free))
     at_place[np.ix_(own, own)] = alone
-    full = of_clicks + element_offsets(found, sighting.frame, error_px).covariance(at_place)
+    full = of_clicks + estimate_element_offsets(found, sighting.frame, error_px).covariance(at_place)
     sd = np.sqrt(np.diag(full)).tolist()
     focal = float(np.exp(found.vector[LOG_FOCAL])) / sighting.frame.scale
     deviations = replace(

@@ -14,19 +14,19 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.fit.solving.models import KAPPA, LEAST_KAPPA, is_strong
-from procc_annotator.fit.solving.noise import error_from
+from procc_annotator.fit.solving.models import KAPPA, MIN_KAPPA, is_wide_angle
+from procc_annotator.fit.solving.noise import estimate_click_sd
 from procc_annotator.fit.solving.observations import FloatArray
-from procc_annotator.fit.solving.residual import Residuals, components
-from procc_annotator.fit.solving.solver import FINAL_LOSS, Prior
+from procc_annotator.fit.solving.residual import Residuals, residual_components
+from procc_annotator.fit.solving.solver import FINAL_LOSS, GaussianPrior
 
 _ITERATIONS = 12
-_HALVINGS = 5
-_STEP_IN_SD = 0.02  # a step smaller than this many standard deviations ends the search
+_STEP_HALVINGS = 5
+_CONVERGED_STEP_SD = 0.02  # a step smaller than this many standard deviations ends the search
 
 
 @dataclass(frozen=True, eq=False)
-class Profile:
+class ReducedFrame:
     """A frame with the camera that is best for the shared parameters.
 
     Attributes:
@@ -47,7 +47,7 @@ class Profile:
 
 
 @dataclass(frozen=True, eq=False)
-class SharedPrior:
+class SharedParameterPrior:
     """Where shared parameters are expected, and between which limits they must stay: all (s,)."""
 
     mean: FloatArray
@@ -57,7 +57,7 @@ class SharedPrior:
 
 
 @dataclass(frozen=True, eq=False)
-class Shared:
+class SharedSolution:
     """Shared parameters of F frames.
 
     Attributes:
@@ -70,16 +70,16 @@ class Shared:
     values: FloatArray
     covariance: FloatArray
     error_px: float
-    profiles: tuple[Profile, ...]
+    profiles: tuple[ReducedFrame, ...]
 
 
-def profile_of(
+def reduce_frame(
     vector: FloatArray,
     residuals: Residuals,
     weights: FloatArray,
-    prior: Prior,
+    prior: GaussianPrior,
     own: NDArray[np.intp],
-) -> Profile:
+) -> ReducedFrame:
     """A frame with its best camera, its own parameters taken out.
 
     Args:
@@ -93,24 +93,24 @@ def profile_of(
     inverse = prior.inverse_sd[0, own]
     off = (vector[own] - prior.mean[0, own]) * inverse
     shared = residuals.derivatives.shape[1] - len(own)
-    gradient, normal = own_taken_out(
+    gradient, normal = schur_complement(
         residuals, robust * weights, off * inverse, np.diag(inverse**2), shared
     )
     cost = float(costs @ weights) + float(off @ off) / 2
-    own_components = components(residuals.values[0], residuals.whole[0], weights > 0)
-    return Profile(vector, cost, gradient, normal, own_components, len(own))
+    own_components = residual_components(residuals.values[0], residuals.whole[0], weights > 0)
+    return ReducedFrame(vector, cost, gradient, normal, own_components, len(own))
 
 
-def open_parameters(vector: FloatArray, free: int) -> NDArray[np.intp]:
+def unbounded_parameters(vector: FloatArray, free: int) -> NDArray[np.intp]:
     """Free parameters of a camera; a radial coefficient on its bound is none."""
-    bound = free > KAPPA and not is_strong(vector) and vector[KAPPA] in (0.0, LEAST_KAPPA)
+    bound = free > KAPPA and not is_wide_angle(vector) and vector[KAPPA] in (0.0, MIN_KAPPA)
     return np.array([i for i in range(free) if not (bound and i == KAPPA)], dtype=np.intp)
 
 
-Profiler = Callable[[FloatArray, Sequence[FloatArray]], list[Profile]]
+FrameReducer = Callable[[FloatArray, Sequence[FloatArray]], list[ReducedFrame]]
 
 
-def own_taken_out(
+def schur_complement(
     residuals: Residuals,
     weights: FloatArray,
     own_gradient: FloatArray,
@@ -143,9 +143,9 @@ def own_taken_out(
     )
 
 
-def find_shared(
-    profiler: Profiler, start: FloatArray, vectors: Sequence[FloatArray], prior: SharedPrior
-) -> Shared:
+def solve_shared(
+    profiler: FrameReducer, start: FloatArray, vectors: Sequence[FloatArray], prior: SharedParameterPrior
+) -> SharedSolution:
     """Minimise the cost of all frames over the parameters they share.
 
     Args:
@@ -156,36 +156,36 @@ def find_shared(
     """
     values = np.clip(start, prior.lowest, prior.highest)
     profiles = profiler(values, vectors)
-    cost = _cost(values, profiles, prior)
+    cost = _total_cost(values, profiles, prior)
     for _ in range(_ITERATIONS):
-        step, sd = _step(values, profiles, prior)
+        step, sd = _gauss_newton_step(values, profiles, prior)
         length = float(np.abs(step / sd).max())
-        for _ in range(_HALVINGS):
+        for _ in range(_STEP_HALVINGS):
             tried = np.clip(values + step, prior.lowest, prior.highest)
             found = profiler(tried, [p.vector for p in profiles])
-            new = _cost(tried, found, prior)
+            new = _total_cost(tried, found, prior)
             if new < cost:
                 break
             step = step / 2
         else:
             break
         values, profiles, cost = tried, found, new
-        if length < _STEP_IN_SD:
+        if length < _CONVERGED_STEP_SD:
             break
-    error_px = _error(profiles, len(values))
-    return Shared(values, _covariance(profiles, prior, error_px), error_px, tuple(profiles))
+    error_px = _pooled_click_sd(profiles, len(values))
+    return SharedSolution(values, _shared_covariance(profiles, prior, error_px), error_px, tuple(profiles))
 
 
-def _cost(values: FloatArray, profiles: Sequence[Profile], prior: SharedPrior) -> float:
+def _total_cost(values: FloatArray, profiles: Sequence[ReducedFrame], prior: SharedParameterPrior) -> float:
     off = (values - prior.mean) * prior.inverse_sd
     return sum(p.cost for p in profiles) + float(off @ off) / 2
 
 
-def _step(
-    values: FloatArray, profiles: Sequence[Profile], prior: SharedPrior
+def _gauss_newton_step(
+    values: FloatArray, profiles: Sequence[ReducedFrame], prior: SharedParameterPrior
 ) -> tuple[FloatArray, FloatArray]:
     """The Gauss-Newton step, and the standard deviations it is measured by."""
-    normal = _normal(profiles) + np.diag(prior.inverse_sd**2)
+    normal = _summed_normal_matrix(profiles) + np.diag(prior.inverse_sd**2)
     gradient = np.sum([p.gradient for p in profiles], axis=0)
     gradient = gradient + (values - prior.mean) * prior.inverse_sd**2
     # What lies on its limit and is pushed through it stays there.
@@ -197,17 +197,17 @@ def _step(
     return step, 1 / np.sqrt(np.diag(normal))
 
 
-def _normal(profiles: Sequence[Profile]) -> FloatArray:
+def _summed_normal_matrix(profiles: Sequence[ReducedFrame]) -> FloatArray:
     return np.asarray(np.sum([p.normal for p in profiles], axis=0))
 
 
-def _error(profiles: Sequence[Profile], shared: int) -> float:
+def _pooled_click_sd(profiles: Sequence[ReducedFrame], shared: int) -> float:
     """As for single frames, but with the residuals of all of them."""
     every = np.concatenate([p.components for p in profiles])
-    return error_from(every, sum(p.own for p in profiles) + shared)
+    return estimate_click_sd(every, sum(p.own for p in profiles) + shared)
 
 
-def _covariance(profiles: Sequence[Profile], prior: SharedPrior, error_px: float) -> FloatArray:
+def _shared_covariance(profiles: Sequence[ReducedFrame], prior: SharedParameterPrior, error_px: float) -> FloatArray:
     """(s, s), from the errors of the points or from how the frames pull, whichever is larger.
 
     Points of one frame err together where the model is not the whole truth. How differently the
@@ -215,7 +215,7 @@ def _covariance(profiles: Sequence[Profile], prior: SharedPrior, error_px: float
     clusters; e.g. Cameron and Miller, A Practitioner's Guide to Cluster-Robust Inference, 2015).
     """
     belief = np.diag(prior.inverse_sd**2)
-    normal = _normal(profiles)
+    normal = _summed_normal_matrix(profiles)
     plain = np.linalg.inv(normal / error_px**2 + belief)
     pulls = np.array([p.gradient for p in profiles])
     pulls = pulls - pulls.mean(axis=0)  # on a limit all of them pull through it

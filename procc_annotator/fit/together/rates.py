@@ -7,15 +7,15 @@ from dataclasses import dataclass
 import numpy as np
 
 from procc_annotator.field.model import Field
-from procc_annotator.fit.solving.feet import Feet, find_feet
+from procc_annotator.fit.solving.feet import ClosestPoints, find_closest_points
 from procc_annotator.fit.solving.jacobian import Lens, project
-from procc_annotator.fit.solving.models import CENTRE
+from procc_annotator.fit.solving.models import POSITION_SLICE
 from procc_annotator.fit.solving.observations import FloatArray, Observations
-from procc_annotator.fit.solving.residual import Residuals, across_curve, not_folded
+from procc_annotator.fit.solving.residual import Residuals, project_out_tangent, with_folded_hidden
 
 
 @dataclass(frozen=True, eq=False)
-class Rates:
+class GeometryDerivatives:
     """How the geometry of some elements moves with D dimensions, metres a metre.
 
     Attributes:
@@ -29,7 +29,7 @@ class Rates:
     spots: FloatArray
 
     @classmethod
-    def of(cls, seen: Observations, around: list[tuple[Field, Field, float]]) -> Rates:
+    def of(cls, seen: Observations, around: list[tuple[Field, Field, float]]) -> GeometryDerivatives:
         pairs = [(seen.on(less).parts, seen.on(more).parts, d) for less, more, d in around]
         return cls(
             np.array([(b.line_ends - a.line_ends) / d for a, b, d in pairs]),
@@ -37,7 +37,7 @@ class Rates:
             np.array([(b.spots - a.spots) / d for a, b, d in pairs]),
         )
 
-    def of_points(self, seen: Observations, feet: Feet) -> FloatArray:
+    def of_points(self, seen: Observations, feet: ClosestPoints) -> FloatArray:
         """How the feet of one camera move, each staying at its place on its element: (D, 3, N)."""
         world = feet.world[0]
         pair = np.arange(world.shape[1]) if feet.pair is None else feet.pair[0]
@@ -66,8 +66,8 @@ class Rates:
         return moved
 
 
-def dimension_residuals(
-    vector: FloatArray, seen: Observations, half_diagonal: float, free: int, rates: Rates
+def residuals_by_dimensions(
+    vector: FloatArray, seen: Observations, half_diagonal: float, free: int, rates: GeometryDerivatives
 ) -> Residuals:
     """Residuals of one camera, with derivatives by D dimensions of the field, then by its own.
 
@@ -79,11 +79,11 @@ def dimension_residuals(
         rates: how the elements move with the dimensions.
     """
     lens = Lens.of(vector[None], half_diagonal)
-    feet = not_folded(find_feet(lens.linear, lens.undistorted(seen.points), seen), lens)
-    ahead = (lens.rotation[:, 2] + vector[CENTRE])[:, :, None]
+    feet = with_folded_hidden(find_closest_points(lens.linear, lens.undistorted(seen.points), seen), lens)
+    ahead = (lens.rotation[:, 2] + vector[POSITION_SLICE])[:, :, None]
     world = np.where(feet.hidden[:, None], ahead, feet.world)
     pixels, along, by_camera = project(lens, world, feet.along, free)
     moved = rates.of_points(seen, feet)
     by_dimension = [project(lens, world, step[None], free)[1] for step in moved]
     derivatives = np.concatenate([np.stack(by_dimension, axis=1), by_camera], axis=1)
-    return across_curve(seen, pixels, along, derivatives, feet)
+    return project_out_tangent(seen, pixels, along, derivatives, feet)

@@ -16,18 +16,18 @@ import numpy as np
 
 from procc_annotator.fit.solving.models import X, Z
 from procc_annotator.fit.solving.observations import FloatArray, IntArray
-from procc_annotator.fit.solving.starts import SIDES, side_of
-from procc_annotator.fit.solving.surroundings import Surroundings
-from procc_annotator.fit.together.positions import LEAST_FRAMES, agree_with
+from procc_annotator.fit.solving.starts import SIDES, camera_side
+from procc_annotator.fit.solving.surroundings import CameraPlacementPrior
+from procc_annotator.fit.together.positions import MIN_FRAMES, is_compatible_position
 
-_HALF_TURN = np.array([-1.0, -1.0, 1.0])
-_OPPOSITE = (("near", "far"), ("left", "right"))
+_ROTATION_180 = np.array([-1.0, -1.0, 1.0])
+_OPPOSITE_SIDES = (("near", "far"), ("left", "right"))
 # Cameras on one side are worth a look where so many frames tell that hardly any stands there.
-_ENOUGH, _FEW = 10, 0.1
+_MIN_FRAMES_ON_SIDE, _MAX_MINORITY_SHARE = 10, 0.1
 
 
 @dataclass(frozen=True)
-class OtherSide:
+class OppositeSideFrames:
     """Frames whose camera stands on the other side from the rest, by their indices.
 
     Attributes:
@@ -36,12 +36,12 @@ class OtherSide:
     """
 
     turned: Mapping[int, int] = field(default_factory=dict)
-    rare: frozenset[int] = frozenset()
+    minority: frozenset[int] = frozenset()
 
 
-def on_other_side(
-    positions: FloatArray, covariances: FloatArray, around: Surroundings
-) -> OtherSide:
+def find_opposite_side_frames(
+    positions: FloatArray, covariances: FloatArray, around: CameraPlacementPrior
+) -> OppositeSideFrames:
     """Tell the frames on the other side of a field that half a turn takes to itself.
 
     Args:
@@ -49,30 +49,30 @@ def on_other_side(
         covariances: (F, 3, 3) metres squared.
         around: the field's surroundings.
     """
-    sides = np.array([_side(position, around) for position in positions], dtype=np.intp)
+    sides = np.array([_side_of_position(position, around) for position in positions], dtype=np.intp)
     turned: dict[int, int] = {}
-    rare: set[int] = set()
-    for few, most in _pairs(sides):
+    minority: set[int] = set()
+    for few, most in _minority_pairs(sides):
         covariance = covariances[most]
         for i in few.tolist():
-            there = positions[i] * _HALF_TURN
+            there = positions[i] * _ROTATION_180
             # Half a turn leaves a covariance along the axes as it is, but for its sign with z.
-            spread = covariances[i] * np.outer(_HALF_TURN, _HALF_TURN)
-            agree = agree_with(there, spread, positions[most], covariance, around.reach)
-            if agree.sum() >= LEAST_FRAMES:
+            spread = covariances[i] * np.outer(_ROTATION_180, _ROTATION_180)
+            agree = is_compatible_position(there, spread, positions[most], covariance, around.reach)
+            if agree.sum() >= MIN_FRAMES:
                 turned[i] = int(agree.sum())
         known = [i for i in few.tolist() if i not in turned]
-        if len(few) + len(most) >= _ENOUGH and len(few) <= _FEW * (len(few) + len(most)):
-            own = [agree_with(positions[i], covariances[i], positions[known], covariances[known],
+        if len(few) + len(most) >= _MIN_FRAMES_ON_SIDE and len(few) <= _MAX_MINORITY_SHARE * (len(few) + len(most)):
+            own = [is_compatible_position(positions[i], covariances[i], positions[known], covariances[known],
                               around.reach).sum() for i in known]  # fmt: skip
-            rare.update(i for i, count in zip(known, own, strict=True) if count < LEAST_FRAMES)
-    return OtherSide(turned, frozenset(rare))
+            minority.update(i for i, count in zip(known, own, strict=True) if count < MIN_FRAMES)
+    return OppositeSideFrames(turned, frozenset(minority))
 
 
-def _pairs(sides: IntArray) -> list[tuple[IntArray, IntArray]]:
+def _minority_pairs(sides: IntArray) -> list[tuple[IntArray, IntArray]]:
     """Of opposite sides the frames on the one where few stand, and those on the other."""
     found = []
-    for names in _OPPOSITE:
+    for names in _OPPOSITE_SIDES:
         pair = [np.flatnonzero(sides == SIDES.index(name)) for name in names]
         # Of two sides with as many frames the labels are made for the first.
         most, few = sorted(pair, key=len, reverse=True)
@@ -81,7 +81,7 @@ def _pairs(sides: IntArray) -> list[tuple[IntArray, IntArray]]:
     return found
 
 
-def _side(position: FloatArray, around: Surroundings) -> int:
+def _side_of_position(position: FloatArray, around: CameraPlacementPrior) -> int:
     vector = np.zeros(Z + 1)
     vector[X:] = position
-    return side_of(vector, around)
+    return camera_side(vector, around)

@@ -10,46 +10,46 @@ import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import UsageError
-from procc_annotator.field.dimensions import Dimension, broken_relation
-from procc_annotator.field.load import resized
+from procc_annotator.field.dimensions import Dimension, violated_relation
+from procc_annotator.field.load import with_dimensions
 from procc_annotator.field.model import Field
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.result import FitResult
-from procc_annotator.fit.solving.models import FREE, bounded_in
+from procc_annotator.fit.solving.models import FREE_PARAMETERS, lower_bounded_parameter
 from procc_annotator.fit.solving.observations import FloatArray
 from procc_annotator.fit.solving.residual import (
     pinhole_residuals,
 )
 from procc_annotator.fit.solving.solver import FINAL_LOSS, Problem, solve
 from procc_annotator.fit.solving.starts import prior_near
-from procc_annotator.fit.solving.surroundings import surroundings_of
-from procc_annotator.fit.together.known import Sighting, sighting_of
+from procc_annotator.fit.solving.surroundings import camera_placement_prior
+from procc_annotator.fit.together.known import FrameObservations, frame_observations
 from procc_annotator.fit.together.outer import (
-    Profile,
-    Shared,
-    SharedPrior,
-    find_shared,
-    open_parameters,
-    profile_of,
+    ReducedFrame,
+    SharedSolution,
+    SharedParameterPrior,
+    solve_shared,
+    unbounded_parameters,
+    reduce_frame,
 )
-from procc_annotator.fit.together.rates import Rates, dimension_residuals
+from procc_annotator.fit.together.rates import GeometryDerivatives, residuals_by_dimensions
 
-DEFAULT_NAMES = ("length", "width")
-_STEP_M = 0.02  # for derivatives of the field's geometry, which is nearly linear in its dimensions
+DEFAULT_DIMENSIONS = ("length", "width")
+_DIFFERENCE_STEP_M = 0.02  # for derivatives of the field's geometry, which is nearly linear in its dimensions
 # What is expected before any frame is looked at: anywhere in the range of the rules.
-_PRIOR_SHARE = 0.5  # of the range, standard deviation
+_PRIOR_RANGE_SHARE = 0.5  # of the range, standard deviation
 # A dimension is not determined that is known less surely than to this share of the field's length,
 # or of the range of the rules, which alone would tell it to half of that.
-_MOST_SD, _MOST_OF_RANGE = 0.005, 0.25
-_BESIDE_LIMIT_M = 1e-3
+_MAX_SD_SHARE, _MAX_SD_OF_RANGE = 0.005, 0.25
+_AT_LIMIT_TOLERANCE_M = 1e-3
 # What the frames leave out depends on the field they were fitted on: decided anew until it stays.
-_MOST_ROUNDS = 8
-_SETTLED_M = 0.005
+_MAX_ROUNDS = 8
+_CONVERGED_M = 0.005
 # Of the elements, left out on the best field: in frames of one stadium hardly any are.
-_MOST_LEFT_OUT = 0.04
+_MAX_OUTLIER_SHARE = 0.04
 # A frame says something of a dimension if it alone, at an error of 1 px, would know it to this
 # share of the field's length.
-_SAYS_SOMETHING = 0.1
+_MIN_INFORMATION_SHARE = 0.1
 
 
 @dataclass(frozen=True)
@@ -66,24 +66,24 @@ class FittedDimension:
     dimension: Dimension
     sd_m: float
     frames: int
-    most_sd_m: float
+    max_sd_m: float
 
     @property
     def is_determined(self) -> bool:
         """Whether the frames say enough to use the value."""
-        return self.sd_m <= self.most_sd_m
+        return self.sd_m <= self.max_sd_m
 
     @property
-    def at_limit(self) -> bool:
+    def is_at_limit(self) -> bool:
         """Whether it would leave the range of the rules."""
         d = self.dimension
-        return min(d.value - d.minimum, d.maximum - d.value) < _BESIDE_LIMIT_M
+        return min(d.value - d.minimum, d.maximum - d.value) < _AT_LIMIT_TOLERANCE_M
 
     @property
     def remark(self) -> str:
         """What keeps the value from being used as it is; empty if nothing does."""
         title = self.dimension.title.lower()
-        if self.at_limit:
+        if self.is_at_limit:
             return f"{title} is at the limit of the rules: is it this field?"
         if not self.is_determined:
             return f"{title} is not determined (sd {self.sd_m:.2f} m): {self._why_not}"
@@ -115,7 +115,7 @@ class StadiumFit:
     frames: int
     elements: int = 0
     left_out: int = 0
-    against_rules: str = ""
+    relation_violation: str = ""
 
     @property
     def values(self) -> dict[str, float]:
@@ -129,7 +129,7 @@ class StadiumFit:
     @property
     def doubt(self) -> str:
         """Why the frames may not be of one stadium; empty if nothing says so."""
-        if self.left_out <= _MOST_LEFT_OUT * self.elements:
+        if self.left_out <= _MAX_OUTLIER_SHARE * self.elements:
             return ""
         return (
             f"{self.left_out} of {self.elements} elements do not lie on the best field: are these"
@@ -140,10 +140,10 @@ class StadiumFit:
     def remarks(self) -> tuple[str, ...]:
         """What keeps it from being used as it is, one line each."""
         said = (d.remark for d in self.dimensions)
-        return tuple(filter(None, [*said, self.against_rules, self.doubt]))
+        return tuple(filter(None, [*said, self.relation_violation, self.doubt]))
 
 
-def open_dimensions(field: Field, names: Sequence[str] | None = None) -> tuple[str, ...]:
+def fittable_dimensions(field: Field, names: Sequence[str] | None = None) -> tuple[str, ...]:
     """Names of dimensions that can be fitted.
 
     Args:
@@ -156,7 +156,7 @@ def open_dimensions(field: Field, names: Sequence[str] | None = None) -> tuple[s
     """
     free = [d.name for d in field.dimensions if d.is_open]
     if names is None:
-        names = [name for name in DEFAULT_NAMES if name in free] or free
+        names = [name for name in DEFAULT_DIMENSIONS if name in free] or free
         if not names:
             raise UsageError(f"the rules fix all dimensions of the field {field.name!r}")
     for name in names:
@@ -186,41 +186,41 @@ def fit_dimensions(
         annotations: frame -> normalised points.
         alone: frame -> its own fit (P, R or R+), on the field as it is.
         field: the elements; the dimensions start from its values.
-        names: of dimensions, see `open_dimensions`.
+        names: of dimensions, see `fittable_dimensions`.
         on_step: called every few milliseconds; may raise to stop.
 
     Raises:
         UsageError: no frame has a pinhole camera, or a dimension that cannot be fitted.
         FieldError: the field's description cannot be read again.
     """
-    names = open_dimensions(field, names)
-    fits = {name: fit for name, fit in alone.items() if _tells(fit)}
+    names = fittable_dimensions(field, names)
+    fits = {name: fit for name, fit in alone.items() if _is_informative_fit(fit)}
     if not fits:
         raise UsageError("no frame has a camera that the field's dimensions could be told from")
-    for _ in range(_MOST_ROUNDS):
-        sightings = [sighting_of(annotations[name], fit, field) for name, fit in fits.items()]
-        shared = _search(sightings, field, names, on_step)
-        fields = _Fields(field, names)
+    for _ in range(_MAX_ROUNDS):
+        sightings = [frame_observations(annotations[name], fit, field) for name, fit in fits.items()]
+        shared = _solve_dimensions(sightings, field, names, on_step)
+        fields = _FieldVariants(field, names)
         moved = float(np.abs(shared.values - fields.start).max())
         field = fields.at(shared.values)
         again = {
-            name: _fitted_again(annotations[name], fit, field, on_step)
+            name: _refit_on_field(annotations[name], fit, field, on_step)
             for name, fit in alone.items()
         }
-        again = {name: fit for name, fit in again.items() if _tells(fit)} or fits
+        again = {name: fit for name, fit in again.items() if _is_informative_fit(fit)} or fits
         same = {n: f.left_out for n, f in again.items()} == {n: f.left_out for n, f in fits.items()}
         fits = again
-        if same and moved < _SETTLED_M:
+        if same and moved < _CONVERGED_M:
             break
-    return _found(shared, fits.values(), field, names)
+    return _build_stadium_fit(shared, fits.values(), field, names)
 
 
-def _tells(fit: FitResult) -> bool:
+def _is_informative_fit(fit: FitResult) -> bool:
     """Whether a frame has a camera that dimensions can be told from."""
-    return fit.camera is not None and fit.model in FREE
+    return fit.camera is not None and fit.model in FREE_PARAMETERS
 
 
-def _fitted_again(
+def _refit_on_field(
     annotation: FrameAnnotation,
     alone: FitResult,
     field: Field,
@@ -232,7 +232,7 @@ def _fitted_again(
     return fit_camera(annotation, field, model=alone.model, size=alone.size)
 
 
-class _Fields:
+class _FieldVariants:
     """The field, and how its geometry moves with its dimensions, for whatever is tried."""
 
     def __init__(self, field: Field, names: tuple[str, ...]) -> None:
@@ -248,55 +248,55 @@ class _Fields:
     def at(self, values: FloatArray) -> Field:
         """The field with these dimensions."""
         chosen = dict(zip(self._names, values.tolist(), strict=True))
-        return resized(self._field, self._fixed | chosen, related=False)
+        return with_dimensions(self._field, self._fixed | chosen, related=False)
 
     def around(self, values: FloatArray) -> list[tuple[Field, Field, float]]:
         """For each dimension: a slightly smaller and a larger field, and metres between them."""
         found = []
         for row in range(len(values)):
             less, more = values.copy(), values.copy()
-            less[row] = max(values[row] - _STEP_M, self.lowest[row])
-            more[row] = min(values[row] + _STEP_M, self.highest[row])
+            less[row] = max(values[row] - _DIFFERENCE_STEP_M, self.lowest[row])
+            more[row] = min(values[row] + _DIFFERENCE_STEP_M, self.highest[row])
             found.append((self.at(less), self.at(more), float(more[row] - less[row])))
         return found
 
 
-def _search(
-    sightings: Sequence[Sighting],
+def _solve_dimensions(
+    sightings: Sequence[FrameObservations],
     field: Field,
     names: tuple[str, ...],
     on_step: Callable[[], None],
-) -> Shared:
-    fields = _Fields(field, names)
-    expected = 1 / (_PRIOR_SHARE * (fields.highest - fields.lowest))
-    prior = SharedPrior(fields.nominal, expected, fields.lowest, fields.highest)
+) -> SharedSolution:
+    fields = _FieldVariants(field, names)
+    expected = 1 / (_PRIOR_RANGE_SHARE * (fields.highest - fields.lowest))
+    prior = SharedParameterPrior(fields.nominal, expected, fields.lowest, fields.highest)
 
-    def profiler(values: FloatArray, vectors: Sequence[FloatArray]) -> list[Profile]:
+    def profiler(values: FloatArray, vectors: Sequence[FloatArray]) -> list[ReducedFrame]:
         tried, around = fields.at(values), fields.around(values)
         found = []
         for sighting, vector in zip(sightings, vectors, strict=True):
             on_step()
             seen = sighting.seen.on(tried)
             there = replace(sighting, seen=seen, vector=vector)
-            found.append(_profile(there, tried, Rates.of(seen, around)))
+            found.append(_reduce_frame_by_dimensions(there, tried, GeometryDerivatives.of(seen, around)))
         return found
 
-    return find_shared(profiler, fields.start, [s.vector for s in sightings], prior)
+    return solve_shared(profiler, fields.start, [s.vector for s in sightings], prior)
 
 
-def _telling(shared: Shared, length_m: float) -> list[int]:
+def _informative_frame_counts(shared: SharedSolution, length_m: float) -> list[int]:
     """How many frames say something of each dimension."""
-    least = 1 / (_SAYS_SOMETHING * length_m) ** 2
+    least = 1 / (_MIN_INFORMATION_SHARE * length_m) ** 2
     return [
         sum(bool(p.normal[row, row] > least) for p in shared.profiles)
         for row in range(len(shared.values))
     ]
 
 
-def _profile(sighting: Sighting, field: Field, rates: Rates) -> Profile:
+def _reduce_frame_by_dimensions(sighting: FrameObservations, field: Field, rates: GeometryDerivatives) -> ReducedFrame:
     """A frame with the camera that is best on a field of these dimensions."""
-    free, half = FREE[sighting.model], sighting.frame.half_diagonal
-    around = surroundings_of(field)
+    free, half = FREE_PARAMETERS[sighting.model], sighting.frame.half_diagonal
+    around = camera_placement_prior(field)
     kept = sighting.kept
     prior = prior_near(sighting.vector, around, free)
     problem = Problem(
@@ -304,29 +304,29 @@ def _profile(sighting: Sighting, field: Field, rates: Rates) -> Profile:
         kept.weights,
         FINAL_LOSS,
         prior,
-        bounded=bounded_in(sighting.vector),
+        bounded=lower_bounded_parameter(sighting.vector),
     )
     vector = solve(problem, sighting.vector[None], iterations=20, tolerance=1e-5).vectors[0]
-    residuals = dimension_residuals(vector, kept, half, free, rates)
-    own = open_parameters(vector, free)
+    residuals = residuals_by_dimensions(vector, kept, half, free, rates)
+    own = unbounded_parameters(vector, free)
     count = len(rates.line_ends)
     order = np.concatenate([np.arange(count), count + own])
     ordered = replace(residuals, derivatives=residuals.derivatives[:, order])
-    return profile_of(vector, ordered, kept.weights, prior, own)
+    return reduce_frame(vector, ordered, kept.weights, prior, own)
 
 
-def _found(
-    shared: Shared, fits: Collection[FitResult], field: Field, names: tuple[str, ...]
+def _build_stadium_fit(
+    shared: SharedSolution, fits: Collection[FitResult], field: Field, names: tuple[str, ...]
 ) -> StadiumFit:
     sd = np.sqrt(np.diag(shared.covariance))
-    length_m = 2 * surroundings_of(field).half_length
-    telling = _telling(shared, length_m)
+    length_m = 2 * camera_placement_prior(field).half_length
+    telling = _informative_frame_counts(shared, length_m)
     fitted = []
     for row, name in enumerate(names):
         dimension = field.dimension(name)
         assert dimension is not None  # it can be fitted
         own = replace(dimension, value=float(shared.values[row]))
-        most_m = min(_MOST_SD * length_m, _MOST_OF_RANGE * (own.maximum - own.minimum))
+        most_m = min(_MAX_SD_SHARE * length_m, _MAX_SD_OF_RANGE * (own.maximum - own.minimum))
         fitted.append(FittedDimension(own, float(sd[row]), telling[row], most_m))
     found = StadiumFit(
         tuple(fitted),
@@ -336,4 +336,4 @@ def _found(
         sum(len(fit.left_out) for fit in fits),
     )
     values = {d.name: d.value for d in field.dimensions} | found.values
-    return replace(found, against_rules=broken_relation(field.relations, values))
+    return replace(found, relation_violation=violated_relation(field.relations, values))

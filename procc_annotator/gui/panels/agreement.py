@@ -28,7 +28,7 @@ from procc_annotator.gui.worker import JobControl
 from procc_annotator.language import tr, tr_count, word
 from procc_annotator.metric.agreement import (
     AgreementSummary,
-    AgreementSums,
+    AgreementAccumulator,
     ClassAgreement,
     FrameAgreement,
     compare_annotations,
@@ -230,7 +230,7 @@ class AgreementPanel(QWidget):
         read_other = second.reader()
 
         def work(control: JobControl) -> _MeasuredSet:
-            sums = AgreementSums((tau,))
+            sums = AgreementAccumulator((tau,))
             errors: list[str] = []
             for index, name in enumerate(names):
                 if control.cancelled:

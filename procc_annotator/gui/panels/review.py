@@ -24,7 +24,7 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import muted
 from procc_annotator.interact.palette import ORIGINS
 from procc_annotator.language import tr, tr_count, word
-from procc_annotator.session.facts.blind_work import BlindWork
+from procc_annotator.session.facts.blind_work import BlindStatus
 from procc_annotator.session.facts.origins import Comment, Status
 
 STATUS_TIPS = {
@@ -35,8 +35,8 @@ STATUS_TIPS = {
     Status.REJECTED: word("A reviewer sent it back (Ctrl+Shift+X)"),
 }
 _BLIND_WORDS = {
-    BlindWork.BLIND: word("Committed in blind mode, and as it was then."),
-    BlindWork.EDITED: word("Edited after the cameras were shown."),
+    BlindStatus.BLIND: word("Committed in blind mode, and as it was then."),
+    BlindStatus.EDITED: word("Edited after the cameras were shown."),
 }
 _TEXT_KEYS = (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Escape)
 

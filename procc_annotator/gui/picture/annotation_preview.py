@@ -11,9 +11,9 @@ from procc_annotator.field.model import Field
 from procc_annotator.gui.picture.items import paint_overlay
 from procc_annotator.gui.picture.picture_item import image_of
 from procc_annotator.image.decode import PixelArray
-from procc_annotator.image.reduced import reduced
-from procc_annotator.interact.overlay import OverlayBuilder, ToDraw
-from procc_annotator.interact.overlay_shapes import NOTHING
+from procc_annotator.image.reduced import downscaled
+from procc_annotator.interact.overlay import OverlayBuilder, OverlayContent
+from procc_annotator.interact.overlay_shapes import EMPTY_OVERLAY
 from procc_annotator.language import tr
 
 _NO_PICTURE = QColor("#101214")
@@ -41,13 +41,13 @@ class AnnotationPreview(QWidget):
         self._fitted: PixelArray | None = None
         self._image = QImage()
         self._builder = OverlayBuilder()
-        self.overlay = NOTHING
+        self.overlay = EMPTY_OVERLAY
 
     def set_annotation(self, annotation: FrameAnnotation) -> None:
         """Show another annotation of the same frame."""
         size = self._size
         self.overlay = self._builder.build(
-            ToDraw(
+            OverlayContent(
                 annotation=annotation,
                 size=size,
                 field=self._field,
@@ -81,7 +81,7 @@ class AnnotationPreview(QWidget):
         ratio = self.devicePixelRatioF()
         size = max(1, round(area.width() * ratio)), max(1, round(area.height() * ratio))
         if self._fitted is None or self._fitted.shape[1::-1] != size:
-            self._fitted = reduced(self._picture, size)
+            self._fitted = downscaled(self._picture, size)
             self._image = image_of(self._fitted)
             self._image.setDevicePixelRatio(ratio)
         painter.drawImage(QPointF(area.topLeft().toPoint()), self._image)

@@ -7,24 +7,24 @@ from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent
 
 from procc_annotator.camera.pinhole import PinholeCamera
-from procc_annotator.fit.pegs import Peg, pegged
+from procc_annotator.fit.pegs import ControlPoint, fit_control_points
 from procc_annotator.gui.picture.editor import Editor
 from procc_annotator.gui.picture.overlay_item import OverlayItem
 from procc_annotator.gui.picture.view import PictureView
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interact import palette as tones
 from procc_annotator.interact.hints import SEPARATOR
-from procc_annotator.interact.overlay_camera_hand import build_camera_hand
-from procc_annotator.interact.overlay_shapes import NOTHING, FloatArray
+from procc_annotator.interact.overlay_camera_hand import build_camera_handles
+from procc_annotator.interact.overlay_shapes import EMPTY_OVERLAY, FloatArray
 from procc_annotator.interact.verdicts import NO_POINTS
 from procc_annotator.interact.wireframe import (
     Wireframe,
-    WirePlace,
+    WireframePoint,
     segments_in_sight,
     wireframe_of,
 )
 from procc_annotator.language import tr, tr_count
-from procc_annotator.session.clicks.correction import by_hand
+from procc_annotator.session.clicks.correction import correct_camera
 
 Position = tuple[float, float]
 
@@ -61,14 +61,14 @@ class CameraHand(QObject):
         view.scene().addItem(self.item)
         self.held = False
         self._wireframe: Wireframe | None = None
-        self._under: WirePlace | None = None
-        self._grabbed: Peg | None = None  # the one under the cursor
+        self._under: WireframePoint | None = None
+        self._grabbed: ControlPoint | None = None  # the one under the cursor
         self._pressed_at: Position | None = None
         self._moved = False
         self._begun: PinholeCamera | None = None  # the camera when the button went down
-        self._others: tuple[Peg, ...] = ()  # the pegs that are not in hand by then
+        self._others: tuple[ControlPoint, ...] = ()  # the pegs that are not in hand by then
         self._dragged: PinholeCamera | None = None
-        self._put: Peg | None = None  # the place in hand as that camera shows it
+        self._put: ControlPoint | None = None  # the place in hand as that camera shows it
         self._fresh = False  # nothing else was done since the last drag
         view.installEventFilter(self)
         view.viewport().installEventFilter(self)
@@ -207,7 +207,7 @@ class CameraHand(QObject):
         self._fresh = False
 
     @property
-    def _pegs(self) -> tuple[Peg, ...]:
+    def _pegs(self) -> tuple[ControlPoint, ...]:
         document = self._document
         found = document.corrections.here
         if found is None:
@@ -283,7 +283,7 @@ class CameraHand(QObject):
         self._pressed_at, self._moved = at, False
         self.changed.emit()
 
-    def _is_replaced(self, peg: Peg) -> bool:
+    def _is_replaced(self, peg: ControlPoint) -> bool:
         """Whether a peg gives way to the place in hand: it is that one, or so near that both would
         roll and zoom the camera by what a hand is off."""
         size, under = self._document.picture_size, self._under
@@ -301,17 +301,17 @@ class CameraHand(QObject):
             return
         self._moved = True
         put = self._in_hand(at)
-        found = pegged(self._begun, self._others, put)
+        found = fit_control_points(self._begun, self._others, put)
         if found is not self._begun:  # else no camera shows it there: the last one stays
             self._dragged, self._put = found, put
             self._paint()
 
-    def _in_hand(self, at: Position) -> Peg:
+    def _in_hand(self, at: Position) -> ControlPoint:
         sd = _HAND_PX / self._view.view_scale
         if self._grabbed is not None:
-            return Peg(self._grabbed.world, at, self._grabbed.along, sd)
+            return ControlPoint(self._grabbed.world, at, self._grabbed.along, sd)
         assert self._under is not None
-        return Peg(self._under.world, at, self._under.along, sd)
+        return ControlPoint(self._under.world, at, self._under.along, sd)
 
     def _release(self) -> None:
         if not self.dragging:
@@ -323,18 +323,18 @@ class CameraHand(QObject):
         if not moved and grabbed is not None:
             self._take_away(others)
         elif moved and camera is not None and put is not None and size is not None:
-            document.corrections.put(by_hand(camera, (*others, put), size, document.annotation))
+            document.corrections.put(correct_camera(camera, (*others, put), size, document.annotation))
             self._fresh = True
         self._look_under()
         self._show()
 
-    def _take_away(self, others: tuple[Peg, ...]) -> None:
+    def _take_away(self, others: tuple[ControlPoint, ...]) -> None:
         """A peg holds the camera no more; where it was the last one, nothing does."""
         document, size = self._document, self._document.picture_size
         camera = self._camera()
         if camera is None or size is None:
             return
-        left = by_hand(camera, others, size, document.annotation) if others else None
+        left = correct_camera(camera, others, size, document.annotation) if others else None
         document.corrections.put(left)
         self._fresh = True
         if others:
@@ -365,12 +365,12 @@ class CameraHand(QObject):
         """Paint the wireframe while it can be dragged, and the pegs as long as there are any."""
         if not self.dragging and self.held:
             self._wireframe = self._make_wireframe()
-        overlay, moving = NOTHING, self._dragged is not None
+        overlay, moving = EMPTY_OVERLAY, self._dragged is not None
         pegs = self._others if moving else self._pegs
         if not self._hidden and (self.held or pegs):
             places = np.array([peg.px for peg in pegs]) if pegs else NO_POINTS
             under = self._shown_under()
-            overlay = build_camera_hand(self._lines(), places, under, pressed=self.dragging)
+            overlay = build_camera_handles(self._lines(), places, under, pressed=self.dragging)
         self.item.set_overlay(overlay, self._view.view_scale, everywhere=moving)
 
     def _lines(self) -> FloatArray:

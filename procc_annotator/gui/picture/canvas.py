@@ -32,7 +32,7 @@ from procc_annotator.gui.picture.view import PictureView
 from procc_annotator.gui.roles import give_role
 from procc_annotator.gui.soon import soon
 from procc_annotator.gui.state.document import Document
-from procc_annotator.image.adjust import Look
+from procc_annotator.image.adjust import DisplayAdjustment
 from procc_annotator.interact.gesture import Modifiers
 from procc_annotator.interact.hints import SEPARATOR
 from procc_annotator.language import tr, word
@@ -155,7 +155,7 @@ class Canvas(PictureView):
             place = self.viewport().mapToGlobal(self.to_view(*self.cursor_px).toPoint())
             QToolTip.showText(place, text, self.viewport(), QRect(), _EXPLANATION_MS)
 
-    def set_look(self, look: Look) -> None:
+    def set_look(self, look: DisplayAdjustment) -> None:
         """How pictures are shown, from now on for every frame."""
         self.shown.set_look(look)
 

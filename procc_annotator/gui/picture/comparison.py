@@ -12,7 +12,7 @@ from procc_annotator.gui.picture.split_view import NamePlate, SplitView
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interact.overlay_lines import build_wireframes
-from procc_annotator.interact.overlay_shapes import NOTHING
+from procc_annotator.interact.overlay_shapes import EMPTY_OVERLAY
 from procc_annotator.language import tr
 from procc_annotator.metric.measure import Measurement
 from procc_annotator.metric.project import ProjectedField
@@ -38,7 +38,7 @@ class OtherSources(QObject):
         self._document = document
         self._viewport = viewport
         self._front_item = front
-        self.wireframes = NOTHING
+        self.wireframes = EMPTY_OVERLAY
         self.other_side = OverlayItem()
         self.other_side.setVisible(False)
         scene.addItem(self.other_side)
@@ -119,7 +119,7 @@ class OtherSources(QObject):
         self._name_sides(hidden=hidden)
         divided = self.split.shown
         self._front_item.set_wireframes(self.wireframes)
-        self.other_side.set_wireframes(self.wireframes if divided else NOTHING)
+        self.other_side.set_wireframes(self.wireframes if divided else EMPTY_OVERLAY)
         self._take_sides()
         if divided != was_divided:
             self.other_side.setVisible(divided)
@@ -158,7 +158,7 @@ class OtherSources(QObject):
         if wired == self._wired:
             return
         self._wired = wired
-        self.wireframes = NOTHING
+        self.wireframes = EMPTY_OVERLAY
         if shown and size is not None:
             self.wireframes = build_wireframes(shown, document.setup.size, size)
 

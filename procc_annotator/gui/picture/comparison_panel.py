@@ -9,15 +9,15 @@ from PySide6.QtCore import QLineF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen, QTransform
 
 from procc_annotator.field.model import Field
-from procc_annotator.field.sample import sample_every
+from procc_annotator.field.sample import sample_evenly
 from procc_annotator.gui.picture.metre_map_picture import paint_lines, paint_shapes
 from procc_annotator.gui.state.metre_map_shapes import segments, shapes_on_field
 from procc_annotator.interact import palette
 from procc_annotator.metric.contours import DISAGREEMENT_LEVELS_M, OFFSIDE_ACCURACY_M
-from procc_annotator.metric.ground import Rectangle, field_rectangle
+from procc_annotator.metric.ground import GroundRectangle, field_rectangle
 from procc_annotator.metric.legacy import LegacyMetrics
 from procc_annotator.metric.polylines import FloatArray
-from procc_annotator.metric.spread import Spread
+from procc_annotator.metric.spread import MapSummary
 from procc_annotator.report.comparison import ComparisonScene
 from procc_annotator.report.sheet.figure import DASH
 from procc_annotator.report.sheet.figures import LEGACY, METRES, PIXELS, WITHIN
@@ -119,7 +119,7 @@ def _paint_names(sheet: _Sheet, scene: ComparisonScene, y: float) -> float:
 def _paint_map(sheet: _Sheet, scene: ComparisonScene, y: float, ground: QColor) -> float:
     """The field from above, the main camera's side down, with the bands where A sees them."""
     rectangle = field_rectangle(scene.field)
-    room = Rectangle(
+    room = GroundRectangle(
         rectangle.left - _RUN_OFF_M,
         rectangle.top - _RUN_OFF_M,
         rectangle.right + _RUN_OFF_M,
@@ -147,7 +147,7 @@ def _paint_map(sheet: _Sheet, scene: ComparisonScene, y: float, ground: QColor) 
 
 
 def _field_lines(field: Field) -> list[FloatArray]:
-    samples = sample_every(field, _CURVE_SPACING_M)
+    samples = sample_evenly(field, _CURVE_SPACING_M)
     return [samples.of(i)[:, :2] for i, e in enumerate(field.elements) if e.on_ground]
 
 
@@ -201,7 +201,7 @@ def _figure(legacy: LegacyMetrics, name: str) -> str:
     return _SHORT[name].format(number)
 
 
-def _paint_spreads(sheet: _Sheet, metres: Spread, pixels: Spread, y: float) -> float:
+def _paint_spreads(sheet: _Sheet, metres: MapSummary, pixels: MapSummary, y: float) -> float:
     """Least, median and largest, in columns."""
     first, column = 130.0, (sheet.width - 2 * _MARGIN - 130.0) / 3
     rows = (

@@ -7,7 +7,7 @@ from PySide6.QtGui import QColor, QPainter, QPen
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
 
 from procc_annotator.interact.gesture import ARROWS, Position
-from procc_annotator.interact.palette import HALO, RIM
+from procc_annotator.interact.palette import HALO, OUTLINE
 
 _ARM, _GAP = 15.0, 4.0  # screen px
 _BACKGROUND_WIDTH, _WIDTH = 4.0, 1.6
@@ -43,7 +43,7 @@ class Crosshair(QGraphicsItem):
     def paint(
         self, painter: QPainter, option: QStyleOptionGraphicsItem, widget: QWidget | None = None
     ) -> None:
-        for colour, width in ((RIM, _BACKGROUND_WIDTH), (HALO, _WIDTH)):
+        for colour, width in ((OUTLINE, _BACKGROUND_WIDTH), (HALO, _WIDTH)):
             painter.setPen(
                 QPen(QColor(colour), width, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap)
             )

@@ -19,7 +19,7 @@ from procc_annotator.gui.soon import soon
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interact.gesture import Position
 from procc_annotator.interact.overlay import ColourBy
-from procc_annotator.interact.overlay_shapes import NOTHING
+from procc_annotator.interact.overlay_shapes import EMPTY_OVERLAY
 
 
 class OverlayDrawing(QObject):
@@ -167,7 +167,7 @@ class OverlayDrawing(QObject):
         comparison.refresh(hidden=self.hidden)
         self._maps.set_hidden(self.hidden)
         self._legend.show_for(self.colour_by, bare=self.hidden)
-        overlay = other = NOTHING
+        overlay = other = EMPTY_OVERLAY
         if not self.hidden:
             terms = self._cursor(), self.colour_by
             overlay = self._layer.overlay(comparison.judged, *terms, looking=looking)
@@ -201,5 +201,5 @@ class OverlayDrawing(QObject):
         hidden = self.hidden or self._hand.held  # its wireframe is shown instead
         ghosts = self._ghosts.overlay(hidden=hidden)
         self._item.set_ghosts(ghosts, self._view.view_scale)
-        beside = ghosts if self._comparison.split.shown else NOTHING
+        beside = ghosts if self._comparison.split.shown else EMPTY_OVERLAY
         self._comparison.other_side.set_ghosts(beside, self._view.view_scale)

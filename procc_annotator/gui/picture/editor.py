@@ -13,9 +13,9 @@ from procc_annotator.gui.picture.snapping import ScreenSnapper
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interact.draw_tool import DrawTool
 from procc_annotator.interact.edit_tool import EditTool
-from procc_annotator.interact.gesture import Context, Edit, Modifiers, Position, Reaction
-from procc_annotator.interact.hand import draft_of
-from procc_annotator.interact.hints import GhostHint, hint
+from procc_annotator.interact.gesture import ToolContext, Edit, Modifiers, Position, Reaction
+from procc_annotator.interact.hand import draft_with_cursor
+from procc_annotator.interact.hints import GhostHint, status_hint
 from procc_annotator.interact.hit import Hit
 from procc_annotator.interact.naming import unnamed_class
 from procc_annotator.interact.next_element import next_element
@@ -119,12 +119,12 @@ class Editor(QObject):
         context = self._context()
         if context.snap is not None and not looking:
             context = replace(context, snap=self._snapper.remembered)
-        return draft_of(self._draw, context, cursor, self._held)
+        return draft_with_cursor(self._draw, context, cursor, self._held)
 
     def hint(self) -> str:
         """What the next click, Enter and Esc will do."""
         document = self._document
-        return hint(
+        return status_hint(
             document.mode,
             self._draw,
             self._edit,
@@ -219,7 +219,7 @@ class Editor(QObject):
             return False
         return self._ask(lambda context: self._edit.nudge(arrow, step, context), begun=False)
 
-    def _ask(self, answer: Callable[[Context], Reaction], *, begun: bool) -> bool:
+    def _ask(self, answer: Callable[[ToolContext], Reaction], *, begun: bool) -> bool:
         """Do what a tool answers to a key; whether it does."""
         if (context := self._workable()) is None:
             return False
@@ -233,7 +233,7 @@ class Editor(QObject):
         self._do(reaction)
         return reaction.handled
 
-    def _answer(self, name: str, context: Context, *, shift: bool) -> Reaction:
+    def _answer(self, name: str, context: ToolContext, *, shift: bool) -> Reaction:
         reaction = self._tool.key(name, context, shift=shift)
         if not reaction.handled and not self._draw.busy and name == "Delete":
             # A point chosen in the table of scores can be removed while drawing too.
@@ -267,9 +267,9 @@ class Editor(QObject):
     def _tool(self) -> DrawTool | EditTool:
         return self._draw if self._document.mode == "draw" else self._edit
 
-    def _context(self) -> Context:
+    def _context(self) -> ToolContext:
         document = self._document
-        return Context(
+        return ToolContext(
             document.annotation,
             document.picture_size or (2, 2),
             self.view_scale,
@@ -286,7 +286,7 @@ class Editor(QObject):
             document.state.selection.continues,
         )
 
-    def _begin_on(self, seen: Context) -> bool:
+    def _begin_on(self, seen: ToolContext) -> bool:
         """Whether a gesture may begin: the frame can be edited, nobody else has it, and nobody
         changed what is chosen since it was ``seen``; that is to be looked at first."""
         document = self._document
@@ -305,7 +305,7 @@ class Editor(QObject):
         document.say(text, "info")
         return False
 
-    def _workable(self) -> Context | None:
+    def _workable(self) -> ToolContext | None:
         """What a gesture may look at; one that has begun ends even if its lock was lost."""
         begun = self._draw.busy or self._edit.busy
         return self._context() if self._document.editable or begun else None

@@ -6,7 +6,7 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QIcon, QPainter, QPen, QPixmap, QPolygonF
 
 from procc_annotator.fit.labels.finding import Severity
-from procc_annotator.interact.palette import FINDING, RIM
+from procc_annotator.interact.palette import FINDING, OUTLINE
 
 _SIDE = 16
 
@@ -19,7 +19,7 @@ def paint_finding_sign(painter: QPainter, box: QRectF, severity: Severity) -> No
     painter.save()
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     side = min(box.width(), box.height())
-    tone, dark = QColor(FINDING), QColor(RIM)
+    tone, dark = QColor(FINDING), QColor(OUTLINE)
     full = severity is Severity.ERROR
     outline = _circle if severity is Severity.HINT else _triangle
     painter.setPen(Qt.PenStyle.NoPen)

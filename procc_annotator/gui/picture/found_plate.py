@@ -11,7 +11,7 @@ from procc_annotator.gui.soon import soon
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interact import palette as tones
 from procc_annotator.language import tr, tr_count
-from procc_annotator.session.clicks.correction import Correction
+from procc_annotator.session.clicks.correction import CameraCorrection
 
 _MARGIN = 8
 _GREY = tones.UNKNOWN_CLASS
@@ -81,7 +81,7 @@ class FoundPlate(NamePlate):
         return tr("Camera found, unsure: {why}", why=why), tones.UNSURE_GHOST
 
 
-def _of_corrected(corrected: Correction, *, looking: bool) -> tuple[str, str]:
+def _of_corrected(corrected: CameraCorrection, *, looking: bool) -> tuple[str, str]:
     pegs = tr_count(len(corrected.pegs), "{n} peg", "{n} pegs")
     if not corrected.looked:
         if looking:

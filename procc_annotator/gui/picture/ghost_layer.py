@@ -7,7 +7,7 @@ import numpy as np
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interact import palette as tones
 from procc_annotator.interact.overlay_ghosts import build_ghosts, with_next
-from procc_annotator.interact.overlay_shapes import NOTHING, FloatArray, Overlay
+from procc_annotator.interact.overlay_shapes import EMPTY_OVERLAY, FloatArray, Overlay
 from procc_annotator.interact.verdicts import NO_POINTS
 from procc_annotator.language import tr
 from procc_annotator.session.strokes.ghost_points import GhostPoints
@@ -19,7 +19,7 @@ class GhostLayer:
     def __init__(self, document: Document) -> None:
         self._document = document
         self._made_of: tuple[object, ...] = ()
-        self._overlay = NOTHING
+        self._overlay = EMPTY_OVERLAY
 
     def overlay(self, *, hidden: bool) -> Overlay:
         """What to draw; the same object as long as nothing changed."""
@@ -29,8 +29,8 @@ class GhostLayer:
         best = ghosts.suggestion
         at = ghosts.suggested_at if ghosts.wanted else None
         if hidden or size is None or not (painted or at):
-            self._made_of, self._overlay = (), NOTHING
-            return NOTHING
+            self._made_of, self._overlay = (), EMPTY_OVERLAY
+            return EMPTY_OVERLAY
         foresight = self._document.foresight
         unsure = foresight.stands_in and bool(foresight.doubt)
         made_of = (*painted, current, found, size, best, at, unsure)

@@ -8,14 +8,14 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen
 
 from procc_annotator.interact import palette as tones
-from procc_annotator.interact.overlay_shapes import HandSigns
+from procc_annotator.interact.overlay_shapes import CursorSigns
 
 # Of the height of the text.
 SWATCH, MAGNET, GAP = 0.75, 0.95, 0.4
 _DIM = QColor("#a8a8a8")
 
 
-def paint_swatch(painter: QPainter, box: QRectF, signs: HandSigns) -> None:
+def paint_swatch(painter: QPainter, box: QRectF, signs: CursorSigns) -> None:
     """A patch of the class's colour."""
     painter.setPen(QPen(QColor(tones.HALO), max(1.0, box.height() / 10)))
     painter.setBrush(QColor(signs.colour))
@@ -23,7 +23,7 @@ def paint_swatch(painter: QPainter, box: QRectF, signs: HandSigns) -> None:
     painter.setBrush(Qt.BrushStyle.NoBrush)
 
 
-def paint_magnet(painter: QPainter, box: QRectF, signs: HandSigns) -> None:
+def paint_magnet(painter: QPainter, box: QRectF, signs: CursorSigns) -> None:
     """A magnet: filled on a line, an outline where there is none, crossed out where it is off."""
     found = signs.snap == "found"
     tone = QColor(tones.HALO) if signs.snap != "off" else _DIM

@@ -19,7 +19,7 @@ from procc_annotator.gui.picture.hand_signs import (
     paint_swatch,
 )
 from procc_annotator.interact.label_places import place_apart
-from procc_annotator.interact.overlay_shapes import Box, HandSigns, Labels
+from procc_annotator.interact.overlay_shapes import Box, CursorSigns, Labels
 
 LABEL_REACH = 300.0  # how far, in points, a text reaches beyond its point
 _GAP = 9.0
@@ -123,7 +123,7 @@ def _width(text: str, unit: float, times: float) -> float:
     return QFontMetricsF(_font(unit, times)).horizontalAdvance(text)
 
 
-def _hand_room(signs: HandSigns | None, letter: float) -> tuple[float, float]:
+def _hand_room(signs: CursorSigns | None, letter: float) -> tuple[float, float]:
     """What the signs of the hand take before and behind a text, device px."""
     if signs is None:
         return 0.0, 0.0
@@ -154,7 +154,7 @@ def _paint_label(
 
 
 def _paint_hand(
-    painter: QPainter, signs: HandSigns, plate: QRectF, letter: float, margin: float
+    painter: QPainter, signs: CursorSigns, plate: QRectF, letter: float, margin: float
 ) -> None:
     side, middle = SWATCH * letter, plate.center().y()
     swatch = QRectF(plate.left() + margin, middle - side / 2, side, side)

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.gui.theme import fixed_width
-from procc_annotator.image.adjust import MAX_GAMMA, Look
+from procc_annotator.image.adjust import MAX_GAMMA, DisplayAdjustment
 from procc_annotator.language import tr, word
 
 _STEPS = 100  # of a slider, to each side of its middle
@@ -39,7 +39,7 @@ class LookControls(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("lookControls")
-        self._look = Look()
+        self._look = DisplayAdjustment()
         self._numbers: dict[str, QLabel] = {}
         self.sliders = {
             "brightness": self._slider("brightness", tr("Shift all values")),
@@ -54,16 +54,16 @@ class LookControls(QWidget):
         self.reset_button.setObjectName("lookReset")
         self.reset_button.setAutoDefault(False)
         self.reset_button.setToolTip(tr("Show the picture as it is"))
-        self.reset_button.clicked.connect(lambda: self._choose(Look()))
+        self.reset_button.clicked.connect(lambda: self._choose(DisplayAdjustment()))
         self._arrange()
         self._show()
 
     @property
-    def look(self) -> Look:
+    def look(self) -> DisplayAdjustment:
         """What the controls show."""
         return self._look
 
-    def set_look(self, look: Look) -> None:
+    def set_look(self, look: DisplayAdjustment) -> None:
         """Show a look that was chosen elsewhere; nothing is announced."""
         self._look = look
         self._show()
@@ -125,7 +125,7 @@ class LookControls(QWidget):
         else:
             self._choose(replace(self._look, gamma=MAX_GAMMA**share))
 
-    def _choose(self, look: Look) -> None:
+    def _choose(self, look: DisplayAdjustment) -> None:
         if look != self._look:
             self._look = look
             self._show()
@@ -146,7 +146,7 @@ class LookControls(QWidget):
         self._numbers["brightness"].setText(_signed(look.brightness))
         self._numbers["contrast"].setText(_signed(look.contrast))
         self._numbers["gamma"].setText(f"{look.gamma:.2f}")
-        self.reset_button.setEnabled(look != Look())
+        self.reset_button.setEnabled(look != DisplayAdjustment())
 
 
 def _signed(share: float) -> str:

@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QWidget
 from procc_annotator.gui.picture.metre_map_picture import paint_lines
 from procc_annotator.gui.picture.pinned import Pinned
 from procc_annotator.interact import palette as tones
-from procc_annotator.interact.map_looks import DISAGREEMENT, LevelLine, MapLook
+from procc_annotator.interact.map_looks import DISAGREEMENT, LevelLine, MapStyle
 from procc_annotator.language import tr
 
 _BAR = QSize(252, 12)
@@ -55,7 +55,7 @@ class MetreMapLegend(Pinned):
         """What the lines say."""
         return self._words.lines if self._words is not None else ()
 
-    def show_for(self, look: MapLook, words: MapWords | None, problem: str = "") -> None:
+    def show_for(self, look: MapStyle, words: MapWords | None, problem: str = "") -> None:
         """Explain a map.
 
         Args:
@@ -131,7 +131,7 @@ class MetreMapLegend(Pinned):
             painter.setPen(_TEXT)
             painter.drawText(label, Qt.AlignmentFlag.AlignCenter, f"{level:g}")
             if level in drawn:
-                painter.setPen(QPen(QColor(tones.RIM), 1))
+                painter.setPen(QPen(QColor(tones.OUTLINE), 1))
                 painter.drawLine(QPointF(left, top), QPointF(left, top + _BAR.height()))
 
     def _paint_line(self, painter: QPainter, style: LevelLine, text: str, room: QRectF) -> None:

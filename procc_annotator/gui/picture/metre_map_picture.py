@@ -76,7 +76,7 @@ def paint_lines(
     shown = visible_parts(
         _mapped(lines, transform), room.adjusted(-reach, -reach, reach, reach), pattern
     )
-    for tone, thickness in ((palette.RIM, width + 2 * casing), (colour, width)):
+    for tone, thickness in ((palette.OUTLINE, width + 2 * casing), (colour, width)):
         pen = QPen(QColor(tone), thickness)
         pen.setCapStyle(Qt.PenCapStyle.FlatCap)
         draw_lines(painter, shown, pen)

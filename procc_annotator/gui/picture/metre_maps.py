@@ -84,7 +84,7 @@ def _words(found: KnownGround | None) -> MapWords:
     title, unit = tr("How good the fitted camera is"), tr("metres on the ground, 1 sd")
     lines = []
     for line in UNCERTAINTY.lines:
-        share = found.values.share_good_to(line.metres) if found is not None else None
+        share = found.values.share_within_m(line.metres) if found is not None else None
         if share is None:
             lines.append(f"{line.metres:g} m: …")
         else:

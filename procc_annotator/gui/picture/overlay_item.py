@@ -19,9 +19,9 @@ from procc_annotator.gui.picture.label_plates import anchored, arranged
 from procc_annotator.gui.picture.still import StillOverlay
 from procc_annotator.gui.theme import text_times
 from procc_annotator.interact.overlay_shapes import (
-    NOTHING,
+    EMPTY_OVERLAY,
     Box,
-    HandSigns,
+    CursorSigns,
     Labels,
     Overlay,
     PointMarks,
@@ -93,9 +93,9 @@ class OverlayItem(QGraphicsItem):
         super().__init__()
         self.setFlag(QGraphicsItem.GraphicsItemFlag.ItemUsesExtendedStyleOption)
         self.setZValue(1)
-        self.overlay = NOTHING
-        self.wireframes = NOTHING  # over the overlay's lines, under marks and what is in hand
-        self.ghosts = NOTHING  # below everything
+        self.overlay = EMPTY_OVERLAY
+        self.wireframes = EMPTY_OVERLAY  # over the overlay's lines, under marks and what is in hand
+        self.ghosts = EMPTY_OVERLAY  # below everything
         self._layers: tuple[Overlay, ...] | None = None
         self._still_ghosts = StillOverlay()
         self._still = StillOverlay()
@@ -207,11 +207,11 @@ class OverlayItem(QGraphicsItem):
     def layers(self) -> tuple[Overlay, ...]:
         """What is painted, first to last."""
         if self._layers is None:
-            below, above = self.overlay, NOTHING
+            below, above = self.overlay, EMPTY_OVERLAY
             if self.wireframes.strokes:
                 below, above = split_layers(self.overlay)
             every = self.ghosts, below, self.wireframes, above
-            self._layers = tuple(layer for layer in every if layer is not NOTHING)
+            self._layers = tuple(layer for layer in every if layer is not EMPTY_OVERLAY)
         return self._layers
 
 
@@ -285,7 +285,7 @@ def _changed(was: Positions, now: Positions, same_look: bool, margin: float) -> 
 
 def _texts(
     labels: Labels | None,
-) -> set[tuple[tuple[float, float], str, HandSigns | None]]:
+) -> set[tuple[tuple[float, float], str, CursorSigns | None]]:
     """Each text with its place and what stands beside it."""
     if labels is None:
         return set()

@@ -9,10 +9,10 @@ from procc_annotator.gui.picture.comparison import Judged
 from procc_annotator.gui.picture.editor import Editor
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.paint_watch import Evidence
-from procc_annotator.interact.overlay import ColourBy, OverlayBuilder, ToDraw
+from procc_annotator.interact.overlay import ColourBy, OverlayBuilder, OverlayContent
 from procc_annotator.interact.overlay_evidence import evidence_strips
-from procc_annotator.interact.overlay_shapes import NOTHING, Overlay
-from procc_annotator.interact.remembered import Remembered
+from procc_annotator.interact.overlay_shapes import EMPTY_OVERLAY, Overlay
+from procc_annotator.interact.remembered import LastCallCache
 from procc_annotator.session.facts.origins import Origin, PointKey
 
 BY_ORIGIN = ("origin", "annotator")
@@ -27,8 +27,8 @@ class OverlayLayer:
         self._document = document
         self._editor = editor
         self._builder = OverlayBuilder()
-        self._remembered = Remembered(self._builder.build)
-        self._with_strips = Remembered(_with_strips)
+        self._remembered = LastCallCache(self._builder.build)
+        self._with_strips = LastCallCache(_with_strips)
 
     def overlay(
         self, judged: Judged, cursor_px: XY | None, colour_by: ColourBy, *, looking: bool = True
@@ -38,14 +38,14 @@ class OverlayLayer:
         Args:
             judged: measurement and score of the source to draw.
             cursor_px: the mouse, picture px.
-            colour_by: see `ToDraw`.
+            colour_by: see `OverlayContent`.
             looking: whether to look in the picture where a click would be put.
         """
         document, size = self._document, self._document.picture_size
         if size is None:
-            return NOTHING
+            return EMPTY_OVERLAY
         by_origin = colour_by in BY_ORIGIN
-        shown = ToDraw(
+        shown = OverlayContent(
             annotation=document.shown_annotation,
             size=document.setup.size,
             field=document.frame_field,

@@ -17,7 +17,7 @@ from procc_annotator.gui.picture.items import paint_overlay
 from procc_annotator.gui.picture.legend import LegendBand
 from procc_annotator.image.decode import PixelArray
 from procc_annotator.interact.legend import legend_of
-from procc_annotator.interact.overlay import OverlayBuilder, ToDraw
+from procc_annotator.interact.overlay import OverlayBuilder, OverlayContent
 from procc_annotator.language import in_english
 from procc_annotator.report.scenes import (
     GROUND_BGRA,
@@ -70,7 +70,7 @@ class _Drawing:
         height, width = self._pixels.shape[:2]
         self._scale, self._unit = look.scale_and_unit(width)
         self._size = max(1, round(width * self._scale)), max(1, round(height * self._scale))
-        shown = ToDraw(
+        shown = OverlayContent(
             annotation=scene.annotation,
             size=scene.setup.size,
             field=scene.setup.field,

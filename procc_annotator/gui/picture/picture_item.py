@@ -10,7 +10,7 @@ from PySide6.QtGui import QImage, QPainter, QRegion, QTransform
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
 
 from procc_annotator.image.decode import PixelArray
-from procc_annotator.image.reduced import ReducedPictures
+from procc_annotator.image.reduced import DownscaledImages
 
 
 def image_of(pixels: PixelArray) -> QImage:
@@ -28,7 +28,7 @@ class PictureItem(QGraphicsItem):
         self._pixels: PixelArray | None = None
         self._size = 0, 0
         self._image = QImage()
-        self.reduced = ReducedPictures()
+        self.reduced = DownscaledImages()
         self._small: PixelArray | None = None
         self._small_image = QImage()
         self.wanted = QRegion()  # of the view, what is painted now

@@ -7,7 +7,7 @@ from dataclasses import replace
 from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
-from procc_annotator.image.adjust import Look, adjust
+from procc_annotator.image.adjust import DisplayAdjustment, adjust_image
 from procc_annotator.image.decode import PixelArray
 
 
@@ -22,11 +22,11 @@ class ShownPicture(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.look = self._without = Look()  # and without enhancement
+        self.look = self._without = DisplayAdjustment()  # and without enhancement
         self._picture: PixelArray | None = None
         self._whole = True
-        self._plain = Derived(self._given, adjust, Where.AT_ONCE, self)
-        self._enhanced = Derived(self._to_enhance, adjust, Where.BESIDE, self)
+        self._plain = Derived(self._given, adjust_image, Where.AT_ONCE, self)
+        self._enhanced = Derived(self._to_enhance, adjust_image, Where.BESIDE, self)
         self._enhanced.changed.connect(self._arrived)
 
     @property
@@ -40,7 +40,7 @@ class ShownPicture(QObject):
         self._picture, self._whole = picture, whole
         self._enhanced.look()
 
-    def set_look(self, look: Look) -> None:
+    def set_look(self, look: DisplayAdjustment) -> None:
         """Another look, kept across frames."""
         if look != self.look:
             self.look, self._without = look, replace(look, enhance=False)

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.state import same
-from procc_annotator.image.paint import snap
+from procc_annotator.image.paint import snap_to_line
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.interact.gesture import Position, Snapper
-from procc_annotator.session.strokes.expected_paint import ExpectedPaint
+from procc_annotator.session.strokes.expected_paint import ExpectedLines
 
 _KEPT = 16
 
@@ -65,7 +65,7 @@ class ScreenSnapper:
         made_of = picture, document.field, camera
         if self._snap is None or not same(made_of, self._made_of):
             self._made_of = made_of
-            expected = ExpectedPaint(document.field, size[0], camera)
+            expected = ExpectedLines(document.field, size[0], camera)
             self._snap, self._found = _snapper(picture, expected), {}
         return True
 
@@ -74,9 +74,9 @@ class ScreenSnapper:
         self._snap, self._found, self._made_of = None, {}, ()
 
 
-def _snapper(picture: PixelArray, expected: ExpectedPaint) -> Snapper:
+def _snapper(picture: PixelArray, expected: ExpectedLines) -> Snapper:
     def snapped(class_name: str, position: Position, direction: Position | None) -> Position | None:
         sought, shown = expected.at(class_name, position)
-        return snap(picture, position, sought, direction=direction or shown)
+        return snap_to_line(picture, position, sought, direction=direction or shown)
 
     return snapped

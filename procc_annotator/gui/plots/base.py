@@ -18,7 +18,7 @@ from procc_annotator.gui.plots.looks import source_pen, symbol_of
 from procc_annotator.gui.plots.request import PlotRequest, PlottedSource, Scope
 from procc_annotator.gui.theme import follow_theme, muted, readable
 from procc_annotator.language import tr
-from procc_annotator.session.runs.audit_figures import FloatArray, Table, envelope
+from procc_annotator.session.runs.audit_figures import FloatArray, PlotData, envelope
 
 D = TypeVar("D")
 
@@ -121,7 +121,7 @@ class PlotPage(QWidget, Generic[D]):
         """Show another frame or tau in what is drawn."""
 
     @staticmethod
-    def table(data: D, request: PlotRequest) -> Table:
+    def table(data: D, request: PlotRequest) -> PlotData:
         """The numbers that are drawn, for a file."""
         raise NotImplementedError
 

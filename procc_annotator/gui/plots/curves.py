@@ -15,7 +15,7 @@ from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU
 from procc_annotator.language import tr, word
 from procc_annotator.session.runs.audit import TAU_GRID
 from procc_annotator.session.runs.audit_bands import AuditBand, difference_band, mean_band
-from procc_annotator.session.runs.audit_figures import FloatArray, Table, mean_curve, timeline
+from procc_annotator.session.runs.audit_figures import FloatArray, PlotData, mean_curve, timeline
 
 _SMALL = 120  # logical px: a plot less high or wide than this has no line to drag
 
@@ -94,14 +94,14 @@ class TauPage(PlotPage[JacCurves]):
         self.line.setHoverPen(self.pg.mkPen(text, width=3))
 
     @staticmethod
-    def table(data: JacCurves, request: PlotRequest) -> Table:
+    def table(data: JacCurves, request: PlotRequest) -> PlotData:
         names = [source.name for source in request.sources]
         header = ["tau_px", *(f"jac {name}" for name in names)]  # not shown
         columns = [TAU_GRID, *data.curves]
         for name, own in zip(names, data.bands, strict=False):
             header += [f"low {name}", f"high {name}"]  # not shown
             columns += [own.band.low, own.band.high]
-        return Table(tuple(header), tuple(columns))
+        return PlotData(tuple(header), tuple(columns))
 
     def _hover(self, at: QPointF) -> None:
         if self._shown is None or not self.item.sceneBoundingRect().contains(at):
@@ -186,14 +186,14 @@ class DifferencePage(PlotPage[Differences]):
         self.zero.setPen(self.pg.mkPen(self.palette().color(QPalette.ColorRole.Text), width=1))
 
     @staticmethod
-    def table(data: Differences, request: PlotRequest) -> Table:
+    def table(data: Differences, request: PlotRequest) -> PlotData:
         header, columns = ["tau_px"], [TAU_GRID]
         for source, own in zip(data.others, data.bands, strict=True):
             first = "" if data.first is None else data.first.name
             names = f"{first} less {source.name}"  # not shown
             header += [f"{kind} {names}" for kind in ("jac", "low", "high")]
             columns += [own.band.values, own.band.low, own.band.high]
-        return Table(tuple(header), tuple(columns))
+        return PlotData(tuple(header), tuple(columns))
 
 
 def _nothing_to_compare(data: Differences) -> str:
@@ -273,10 +273,10 @@ class TimelinePage(PlotPage[Timelines]):
         self.item.setLabel("bottom", tr("frame"), color=text.name())
 
     @staticmethod
-    def table(data: Timelines, request: PlotRequest) -> Table:
+    def table(data: Timelines, request: PlotRequest) -> PlotData:
         names = (f"jac@{request.tau:g} {source.name}" for source in request.sources)  # not shown
         numbers = np.arange(1, len(request.frames) + 1)
-        return Table(("number", "frame", *names), (numbers, request.frames, *data.values))
+        return PlotData(("number", "frame", *names), (numbers, request.frames, *data.values))
 
     def frame_at(self, scene: QPointF) -> int:
         """The frame a position of the scene belongs to, -1 beside the plot."""

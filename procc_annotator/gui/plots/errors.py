@@ -17,7 +17,7 @@ from procc_annotator.session.runs.audit_figures import (
     Histogram,
     Points,
     RadialErrors,
-    Table,
+    PlotData,
     gather,
     histogram,
     radial_errors,
@@ -79,13 +79,13 @@ class HistogramPage(PlotPage[ErrorBars]):
         return " ".join(filter(None, (beyond, left_out(data.points))))
 
     @staticmethod
-    def table(data: ErrorBars, request: PlotRequest) -> Table:
+    def table(data: ErrorBars, request: PlotRequest) -> PlotData:
         edges = data.bars.edges
         upper = edges[1:].astype(float)
         if data.bars.open_ended:
             upper[-1] = np.nan
         names = (f"points {source.name}" for source in request.sources)  # not shown
-        return Table(("from_px", "below_px", *names), (edges[:-1], upper, *data.bars.counts))
+        return PlotData(("from_px", "below_px", *names), (edges[:-1], upper, *data.bars.counts))
 
     def _hover(self, at: QPointF) -> None:
         if self._shown is None or not self.item.vb.sceneBoundingRect().contains(at):
@@ -182,7 +182,7 @@ class RadiusPage(PlotPage[RadialPlot]):
         )  # fmt: skip
 
     @staticmethod
-    def table(data: RadialPlot, request: PlotRequest) -> Table:
+    def table(data: RadialPlot, request: PlotRequest) -> PlotData:
         return point_table(
             request,
             data.points,
@@ -228,7 +228,7 @@ def left_out(points: tuple[Points, ...]) -> str:
     )
 
 
-def point_table(request: PlotRequest, points: tuple[Points, ...], **more: Any) -> Table:
+def point_table(request: PlotRequest, points: tuple[Points, ...], **more: Any) -> PlotData:
     """One row a point: source, frame, class, place, residual, error, and further columns."""
 
     def joined(parts: list[Any], kind: Any = float) -> Any:
@@ -243,7 +243,7 @@ def point_table(request: PlotRequest, points: tuple[Points, ...], **more: Any) -
         for name in ("points_px", "residuals_px")
     )
     errors = joined([p.errors_px for p in points])
-    return Table(
+    return PlotData(
         ("source", "frame", "element", "x_px", "y_px", "dx_px", "dy_px", "error_px", *more),
         (sources, frames, classes, *at.T, *residuals.T, errors, *more.values()),
     )

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.field.landmarks import titles_of_all_frames
+from procc_annotator.field.landmarks import element_titles
 from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.panels.parts import choice, empty_state
 from procc_annotator.gui.panels.refresher import Refresher, judged
@@ -100,7 +100,7 @@ class PlotsPanel(TakingAlong):
         """The elements of the field; the one that was chosen stays, if there is one of its name."""
         row = self.classes.currentData()
         before = self._elements[row] if row not in (None, _ALL_CLASSES) else None
-        titles = titles_of_all_frames(self._document.field)
+        titles = element_titles(self._document.field)
         self._elements = tuple(titles)
         blocked = self.classes.blockSignals(True)
         self.classes.clear()

@@ -17,7 +17,7 @@ from procc_annotator.session.runs.audit_figures import (
     POSE_UNITS,
     FloatArray,
     SetPoses,
-    Table,
+    PlotData,
     poses,
 )
 
@@ -89,7 +89,7 @@ class PosesPage(PlotPage[PosePlot]):
             line.setPen(self.pg.mkPen(tone, width=3))
 
     @staticmethod
-    def table(data: PosePlot, request: PlotRequest) -> Table:
+    def table(data: PosePlot, request: PlotRequest) -> PlotData:
         header = ["number", "frame"]
         columns: list[Any] = [np.arange(1, len(request.frames) + 1), request.frames]
         for source, found in zip(request.sources, data.poses, strict=True):
@@ -97,7 +97,7 @@ class PosesPage(PlotPage[PosePlot]):
                 unit = "deg" if unit == "°" else unit
                 header += [f"{quantity}_{unit} {source.name}", f"{quantity}_jump {source.name}"]
                 columns += [found.values[:, i], found.jumps[:, i].astype(int)]
-        return Table(tuple(header), tuple(columns))
+        return PlotData(tuple(header), tuple(columns))
 
     # --- inside ---------------------------------------------------------------------------
 

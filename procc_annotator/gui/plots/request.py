@@ -9,7 +9,7 @@ from typing import Literal
 
 from procc_annotator.errors import InputError
 from procc_annotator.field.model import Field
-from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, Fitted
+from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, FitCounts
 from procc_annotator.language import tr
 from procc_annotator.session.dataset.camera_set import FrameCameras
 from procc_annotator.session.runs.audit import FrameAudit
@@ -37,7 +37,7 @@ class PlottedSource:
     audits: Mapping[str, FrameAudit]
     active: bool = False
     cameras: FrameCameras | None = None
-    fitted: Fitted = NOT_FITTED
+    fitted: FitCounts = NOT_FITTED
 
 
 @dataclass(frozen=True, eq=False)

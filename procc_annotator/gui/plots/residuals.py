@@ -24,7 +24,7 @@ from procc_annotator.session.runs.audit_figures import (
     Arrows,
     FloatArray,
     Points,
-    Table,
+    PlotData,
     bias,
     cell_arrows,
     gather,
@@ -133,7 +133,7 @@ class VectorsPage(PlotPage[Vectors]):
         self.border.setPen(self.pg.mkPen(muted(self.palette()), width=1))
 
     @staticmethod
-    def table(data: Vectors, request: PlotRequest) -> Table:
+    def table(data: Vectors, request: PlotRequest) -> PlotData:
         return point_table(request, data.points)
 
 
@@ -237,7 +237,7 @@ class DirectionsPage(PlotPage[Directions]):
         self.circle.setPen(self.pg.mkPen(text, width=1, dash=[4, 4]))
 
     @staticmethod
-    def table(data: Directions, request: PlotRequest) -> Table:
+    def table(data: Directions, request: PlotRequest) -> PlotData:
         return point_table(request, data.points)
 
 

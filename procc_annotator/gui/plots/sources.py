@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
-from procc_annotator.field.landmarks import titles_of_all_frames
+from procc_annotator.field.landmarks import element_titles
 from procc_annotator.gui.panels.refresher import judged
 from procc_annotator.gui.plots.request import PlotRequest, PlottedSource, Scope
 from procc_annotator.gui.state.camera_sources import CameraSource
@@ -70,7 +70,7 @@ class PlotSources:
             class_row,
             document.tau,
             document.setup.size,
-            tuple(titles_of_all_frames(document.field).values()),
+            tuple(element_titles(document.field).values()),
             document.blind if scope == "set" else not document.projection_visible,
             document.field,
             order_file=self._order_file,

@@ -7,7 +7,7 @@ import numpy as np
 from procc_annotator.gui.plots.curves import TimelinePage, Timelines
 from procc_annotator.gui.plots.request import PlotRequest
 from procc_annotator.language import tr, word
-from procc_annotator.session.runs.audit_figures import Table
+from procc_annotator.session.runs.audit_figures import PlotData
 from procc_annotator.session.runs.frame_jitter import frame_jitter
 
 _LEAST_SPAN_PX = 1.0
@@ -55,7 +55,7 @@ class SteadyPage(TimelinePage):
         self.item.setLabel("left", tr("jitter (px)"))
 
     @staticmethod
-    def table(data: Timelines, request: PlotRequest) -> Table:
+    def table(data: Timelines, request: PlotRequest) -> PlotData:
         names = (f"jitter_px {source.name}" for source in request.sources)
         numbers = np.arange(1, len(request.frames) + 1)
-        return Table(("number", "frame", *names), (numbers, request.frames, *data.values))
+        return PlotData(("number", "frame", *names), (numbers, request.frames, *data.values))

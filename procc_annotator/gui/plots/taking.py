@@ -19,7 +19,7 @@ from procc_annotator.gui.worker import run_in_background
 from procc_annotator.gui.writing import ask_where, write
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.language import tr, tr_count
-from procc_annotator.report.plotted import plotted_sheet
+from procc_annotator.report.plotted import plot_table
 from procc_annotator.report.sheet.as_csv import CRLF, csv_bytes
 
 
@@ -88,7 +88,7 @@ class TakingAlong(QWidget):
             self._document.say(tr("there is nothing plotted to take along"))
             return
         run_in_background(
-            lambda _: csv_bytes(plotted_sheet(page.table(data, request)), line_end=CRLF).decode(),
+            lambda _: csv_bytes(plot_table(page.table(data, request)), line_end=CRLF).decode(),
             on_result=use,
             on_error=lambda text: self._document.say(text, "error"),
             owner=self,

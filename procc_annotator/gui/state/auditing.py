@@ -17,7 +17,7 @@ from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.source_frames import SourceFrames
 from procc_annotator.gui.state.state import State, same
 from procc_annotator.gui.state.store import Store
-from procc_annotator.io.camera_files.fitted_on import Fitted
+from procc_annotator.io.camera_files.fitted_on import FitCounts
 from procc_annotator.metric.measure import Measurement, measure_projected
 
 _FORGOTTEN_ONE_BY_ONE = 400  # more are forgotten together with all others, which takes no time
@@ -114,7 +114,7 @@ class Auditing(QObject):
         if active is not None and active.files is not None:
             measured = self._measured if state.counts else None
             shown = self._judge.shown
-            fitted = Fitted.of(shown.fitted_on, state.annotation)
+            fitted = FitCounts.of(shown.fitted_on, state.annotation)
             self._set_scores.put(active, name, shown, measured, state.tau, fitted)
         others = [
             (s, self._source_frames.of(s))
@@ -163,7 +163,7 @@ class Auditing(QObject):
             self._set_scores.cancel()
             return
         readers: dict[str, Callable[[], FrameAnnotation | None]] = {
-            frame.name: partial(workspace.to_judge, i) for i, frame in enumerate(workspace.frames)
+            frame.name: partial(workspace.annotation_to_score, i) for i, frame in enumerate(workspace.frames)
         }
         ordered = sorted(state.sources, key=lambda source: source is not state.active)
         self._set_scores.start(ordered, readers, state.setup, state.tau)

@@ -19,7 +19,7 @@ from procc_annotator.session.runs.check_run import (
     Checked,
     CheckFrames,
     FrameToCheck,
-    told_by_set,
+    with_set_findings,
 )
 from procc_annotator.session.runs.execution.executor import Executor, InProcess
 from procc_annotator.session.runs.set_run import frames_in_words
@@ -168,7 +168,7 @@ class _Walk:
     def told_by_set(self, field: Field) -> dict[str, FrameCheck]:
         """The checks that get a finding once the frames are looked at together."""
         index = self._workspace.index
-        return told_by_set(self._checks, field, lambda name: self._workspace.read(index[name]))
+        return with_set_findings(self._checks, field, lambda name: self._workspace.read(index[name]))
 
 
 @contextmanager

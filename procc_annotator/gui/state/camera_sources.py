@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from procc_annotator.interact.palette import SOURCE_COLOURS
-from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, Fitted
+from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, FitCounts
 from procc_annotator.language import tr
 from procc_annotator.session.dataset.camera_set import CameraSet, FrameCameras
 from procc_annotator.session.dataset.fitted_cameras import FIT_NAME, FittedCameras
@@ -57,9 +57,9 @@ class CameraSource:
         return self.camera_set if isinstance(self.camera_set, CameraSet) else None
 
     @property
-    def fitted(self) -> Fitted:
+    def fitted(self) -> FitCounts:
         """Its cameras, of those seen, that were fitted to the clicks they are judged by."""
-        return Fitted(1) if isinstance(self.camera_set, FittedCameras) else self._fitted
+        return FitCounts(1) if isinstance(self.camera_set, FittedCameras) else self._fitted
 
     @property
     def look(self) -> SourceLook:

@@ -7,13 +7,13 @@ from collections.abc import Callable
 from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.field.model import Field
-from procc_annotator.field.stadiums import field_of_frame
+from procc_annotator.field.stadiums import field_for_frame
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.proposals import Proposals
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
 from procc_annotator.image.pixels import PixelArray
-from procc_annotator.session.clicks.correction import Correction, on_paint
+from procc_annotator.session.clicks.correction import CameraCorrection, align_to_lines
 
 
 class Corrections(QObject):
@@ -26,7 +26,7 @@ class Corrections(QObject):
     def __init__(self, store: Store, signals: Signals, proposals: Proposals) -> None:
         super().__init__(store)
         self._store, self._proposals = store, proposals
-        self._before: dict[str, list[Correction | None]] = {}  # steps that can be taken back
+        self._before: dict[str, list[CameraCorrection | None]] = {}  # steps that can be taken back
         self._look = Derived(self._to_look_at, _look_at, Where.BESIDE, self, stoppable=True)
         self._look.changed.connect(self._take)
         for signal in (signals.frameChanged, signals.pictureChanged, signals.modeChanged):
@@ -35,7 +35,7 @@ class Corrections(QObject):
         signals.fieldChanged.connect(self._forget)
 
     @property
-    def here(self) -> Correction | None:
+    def here(self) -> CameraCorrection | None:
         """That of the frame on screen; None where there is none, and while it is to be hidden."""
         state = self._store.state
         if state.frame_name is None or not self._proposals.allowed:
@@ -53,7 +53,7 @@ class Corrections(QObject):
         """Whether the lines of the camera on screen are being looked for."""
         return self._look.working
 
-    def put(self, correction: Correction | None) -> None:
+    def put(self, correction: CameraCorrection | None) -> None:
         """This is the camera of the frame on screen; None: it is corrected no more."""
         name = self._store.state.frame_name
         if name is not None:
@@ -76,7 +76,7 @@ class Corrections(QObject):
 
     # --- inside ---
 
-    def _set(self, name: str, correction: Correction | None) -> None:
+    def _set(self, name: str, correction: CameraCorrection | None) -> None:
         others = {n: c for n, c in self._store.state.corrected.items() if n != name}
         if correction is not None:
             others[name] = correction
@@ -104,6 +104,6 @@ class Corrections(QObject):
 
 
 def _look_at(
-    found: Correction, picture: PixelArray, field: Field, frame: str, *, go_on: Callable[[], None]
-) -> Correction:
-    return on_paint(found, picture, field_of_frame(field, frame), go_on=go_on)
+    found: CameraCorrection, picture: PixelArray, field: Field, frame: str, *, go_on: Callable[[], None]
+) -> CameraCorrection:
+    return align_to_lines(found, picture, field_for_frame(field, frame), go_on=go_on)

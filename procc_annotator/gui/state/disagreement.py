@@ -15,7 +15,7 @@ from procc_annotator.gui.state.source_frames import SourceFrames
 from procc_annotator.gui.state.store import Store
 from procc_annotator.language import tr
 from procc_annotator.metric.disagreement import Disagreement, disagreement
-from procc_annotator.metric.even_grid import value_at
+from procc_annotator.metric.even_grid import bilinear_value
 
 _SAME_M = 1e-6
 
@@ -46,8 +46,8 @@ class Compared:
         """Metres and pixels between the two at a place of the picture, px of the evaluation size;
         between the samples in proportion, None where one of them does not count."""
         grid = self.values.xs_px, self.values.ys_px
-        metres = value_at(self.values.metres, *grid, x, y)
-        pixels = value_at(self.values.pixels, *grid, x, y)
+        metres = bilinear_value(self.values.metres, *grid, x, y)
+        pixels = bilinear_value(self.values.pixels, *grid, x, y)
         return None if metres is None or pixels is None else (metres, pixels)
 
 

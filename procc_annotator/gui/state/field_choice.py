@@ -10,7 +10,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.errors import FieldError
-from procc_annotator.field.load import load_field, resized, with_lines
+from procc_annotator.field.load import load_field, with_dimensions, with_lines
 from procc_annotator.field.model import Field
 from procc_annotator.field.sample import sample_official
 from procc_annotator.gui.state.field_files import (
@@ -32,11 +32,11 @@ from procc_annotator.session.database.places import folder_of
 from procc_annotator.session.dataset.dataset_field import (
     DatasetField,
     field_of_settings,
-    kept_dimensions_of,
-    kept_lines_of,
+    dimensions_in_settings,
+    lines_in_settings,
     own_field_file,
 )
-from procc_annotator.session.dataset.field_match import Mismatch, classes_in, telling
+from procc_annotator.session.dataset.field_match import Mismatch, classes_in, distinctive_classes
 from procc_annotator.session.dataset.workspace import Workspace
 
 _REFUSAL = "field"  # the notice that another one cannot be chosen
@@ -68,7 +68,7 @@ class FieldChoice(QObject):
         self.preparing: list[Callable[[Field], object]] = [sample_official]
         self._chosen = self._closed = False
         self._asked: tuple[frozenset[str], Field] | None = None
-        self._left: set[frozenset[str]] = set()  # mismatches somebody does not want to hear of
+        self._skipped_frames: set[frozenset[str]] = set()  # mismatches somebody does not want to hear of
         self._jobs: dict[str, Job] = {}
         self._watch = FileWatch(self)
         self._watch.changed.connect(self.read_again)
@@ -90,7 +90,7 @@ class FieldChoice(QObject):
         """The field of a dataset that is being opened; the default one if its own cannot be used,
         until its file can be."""
         folder, settings = folder_of(workspace.root), database.settings()
-        self.problem, self._left, self._asked, self.mismatch = "", set(), None, None
+        self.problem, self._skipped_frames, self._asked, self.mismatch = "", set(), None, None
         self.question = None
         self._cancel()
         try:
@@ -153,7 +153,7 @@ class FieldChoice(QObject):
         asked = self._store.state.field
 
         def work(_: JobControl) -> Field:
-            sized = resized(asked, dimensions)
+            sized = with_dimensions(asked, dimensions)
             return self._prepared(with_lines(sized, lines or asked.lines))
 
         def take(field: Field) -> None:
@@ -177,10 +177,10 @@ class FieldChoice(QObject):
         def dimensions_of(nominal: Field) -> Mapping[str, float]:
             if field.source == path:
                 return {d.name: d.value for d in field.dimensions if d.value != d.nominal}
-            return kept_dimensions_of(settings, nominal).values
+            return dimensions_in_settings(settings, nominal).values
 
         def lines_of(nominal: Field) -> str:
-            return kept_lines_of(settings, nominal).lines or nominal.lines
+            return lines_in_settings(settings, nominal).lines or nominal.lines
 
         def work(_: JobControl) -> tuple[Field | None, str]:
             found, problem = read_for_dataset(path, dimensions_of, lines_of)
@@ -202,7 +202,7 @@ class FieldChoice(QObject):
         classes."""
         if self.question is None and self.mismatch is None:
             return
-        self._left.add(self._unknown())  # also where it is not worked out yet what they are
+        self._skipped_frames.add(self._unknown())  # also where it is not worked out yet what they are
         self._look()
         if self.question is not None:
             self.take(self._store.state.field)
@@ -328,7 +328,7 @@ class FieldChoice(QObject):
         field = self._store.state.field
         classes = frozenset(self._store.state.annotation.annotated)
         unknown = self._unknown()
-        if not unknown or unknown in self._left:
+        if not unknown or unknown in self._skipped_frames:
             self._asked = None
             self._tell(None)
             return
@@ -340,7 +340,7 @@ class FieldChoice(QObject):
 
         def take(found: Mismatch | None) -> None:
             if self._asked is asked:
-                self._tell(found if found is not None and found.is_telling else None)
+                self._tell(found if found is not None and found.is_worth_reporting else None)
 
         self._start("match", lambda _: mismatch_among(classes, field, own), take)
 
@@ -348,7 +348,7 @@ class FieldChoice(QObject):
         """Classes of the frame on screen that the field does not know."""
         state = self._store.state
         names = state.annotation.annotated
-        return telling(name for name in names if not state.field.knows(name))
+        return distinctive_classes(name for name in names if not state.field.knows(name))
 
     def _tell(self, mismatch: Mismatch | None) -> None:
         if mismatch != self.mismatch:

@@ -6,9 +6,9 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 from procc_annotator.errors import FieldError
-from procc_annotator.field.load import is_shipped, load_field, resized, with_lines
+from procc_annotator.field.load import is_builtin_field, load_field, with_dimensions, with_lines
 from procc_annotator.field.model import Field
-from procc_annotator.session.dataset.dataset_field import kept_source
+from procc_annotator.session.dataset.dataset_field import stored_field_source
 from procc_annotator.session.dataset.field_match import Mismatch, mismatch_of
 
 
@@ -42,7 +42,7 @@ def read_for_dataset(
             for d in nominal.dimensions
             if d.name in dimensions and d.minimum <= dimensions[d.name] <= d.maximum
         }
-        sized = resized(nominal, fits) if fits else nominal
+        sized = with_dimensions(nominal, fits) if fits else nominal
         return with_lines(sized, lines_of(nominal)), ""
     except FieldError as error:
         return None, str(error)
@@ -50,13 +50,13 @@ def read_for_dataset(
 
 def own_source(field: Field) -> Path | None:
     """The file of the user's own that a field was read from; None for a shipped one."""
-    return field.source if field.source is not None and not is_shipped(field.source) else None
+    return field.source if field.source is not None and not is_builtin_field(field.source) else None
 
 
 def field_file_of(folder: Path, settings: Mapping[str, str]) -> Path | None:
     """The file of the user's own that a dataset names, be it as it may."""
     try:
-        source = kept_source(folder, settings)
+        source = stored_field_source(folder, settings)
     except FieldError:
         return None
     return source if isinstance(source, Path) else None

@@ -100,7 +100,7 @@ class FitSource(QObject):
         index = None if workspace is None else workspace.index.get(left)
         if workspace is None or index is None or known is None:
             return
-        now = workspace.at_hand(index)
+        now = workspace.loaded_annotation(index)
         if now is not None and now.polylines != known.annotation.polylines:
             self._forget([left])
             self._sources.show_source_again(self.source)

@@ -20,9 +20,9 @@ from procc_annotator.gui.state.review_state import ReviewState
 from procc_annotator.gui.state.shot_track import ShotTrack
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
-from procc_annotator.session.clicks.foreseen import foresee
-from procc_annotator.session.clicks.insight import Insight
-from procc_annotator.session.dataset.tracked_cameras import doubt_about
+from procc_annotator.session.clicks.foreseen import ghosts_without_clicks
+from procc_annotator.session.clicks.insight import FrameAnalysis
+from procc_annotator.session.dataset.tracked_cameras import review_reason
 
 _KEPT = 8
 
@@ -46,7 +46,7 @@ class Foresight(QObject):
         self._store, self._live_fit, self._review = store, live_fit, review
         self._track, self._proposals, self._corrections = track, proposals, corrections
         self._stand_in = Derived(
-            self._made_of, foresee, Where.BESIDE, self, kept=_KEPT, stoppable=True
+            self._made_of, ghosts_without_clicks, Where.BESIDE, self, kept=_KEPT, stoppable=True
         )
         self._stand_in.changed.connect(self.changed)
         for signal in (signals.frameChanged, signals.annotationChanged):
@@ -90,7 +90,7 @@ class Foresight(QObject):
         return None if proposal is None or proposal.fit.camera is None else proposal.fit
 
     @property
-    def insight(self) -> Insight | None:
+    def insight(self) -> FrameAnalysis | None:
         """What the camera tells; None while that is worked out, or to be hidden."""
         stand_in = self._stand_in.value
         if stand_in is not None and stand_in.fit.camera is not None:
@@ -103,7 +103,7 @@ class Foresight(QObject):
         if (corrected := self._corrections.here) is not None:
             return corrected.why_not
         if (frame := self._track.here) is not None and self._track.fit_here is not None:
-            return doubt_about(frame)
+            return review_reason(frame)
         proposal = self._proposals.here
         return "" if proposal is None or proposal.state == SURE else proposal.reason
 

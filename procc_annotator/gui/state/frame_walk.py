@@ -20,7 +20,7 @@ from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.state import ChosenElement
 from procc_annotator.gui.state.store import Store
 from procc_annotator.image.cache import FrameCache
-from procc_annotator.image.decode import PixelArray, decode_half
+from procc_annotator.image.decode import PixelArray, decode_half_size
 from procc_annotator.language import tr
 from procc_annotator.session.dataset.workspace import Workspace
 
@@ -188,7 +188,7 @@ class FrameWalk(QObject):
         Raises:
             ImageError: it is not a readable picture.
         """
-        half = decode_half(path) if self._cache.peek(path) is None else None
+        half = decode_half_size(path) if self._cache.peek(path) is None else None
         if half is None:
             return {"picture": self._cache.get(path)}
         self._whole.start(lambda _: self._cache.get_ready(path), self._take_whole)

@@ -15,7 +15,7 @@ from PySide6.QtCore import QObject, Signal
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
 from procc_annotator.fit.predict.ghosts import Ghost
-from procc_annotator.fit.predict.suggestion import Suggestion
+from procc_annotator.fit.predict.suggestion import AnnotationSuggestion
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.foresight import Foresight
 from procc_annotator.gui.state.review_state import ReviewState
@@ -26,7 +26,7 @@ from procc_annotator.gui.state.store import Store
 from procc_annotator.image.decode import PixelArray
 from procc_annotator.interact.next_element import next_element
 from procc_annotator.language import tr
-from procc_annotator.session.clicks.insight import Insight
+from procc_annotator.session.clicks.insight import FrameAnalysis
 from procc_annotator.session.strokes.ghost_points import GhostPoints, find_points
 
 _KEPT = 32  # ghosts whose points are kept, more than there are in any frame
@@ -45,9 +45,9 @@ class Ghosts(QObject):
         self._store, self._foresight, self._review = store, foresight, review
         self._wanted = self._suggesting = True
         self._frame: tuple[str | None, str] = None, ""  # its name, and the sport
-        self._latest: Insight | None = None  # of this frame, while a newer one is worked out too
+        self._latest: FrameAnalysis | None = None  # of this frame, while a newer one is worked out too
         self._painted: tuple[Ghost, ...] = ()
-        self._suggestion: Suggestion | None = None
+        self._suggestion: AnnotationSuggestion | None = None
         self._walking = False
         self._at: str | None = None  # the class where the walk is, or where it was left
         self._told: tuple[object, ...] = ()
@@ -83,7 +83,7 @@ class Ghosts(QObject):
             self._look()
 
     @property
-    def insight(self) -> Insight | None:
+    def insight(self) -> FrameAnalysis | None:
         """What the ghosts follow from; None where none may be shown."""
         return self._foresight.insight if self._wanted else None
 
@@ -134,7 +134,7 @@ class Ghosts(QObject):
             self._look()
 
     @property
-    def suggestion(self) -> Suggestion | None:
+    def suggestion(self) -> AnnotationSuggestion | None:
         """The element to draw next, with what that would bring: the chosen one, if it is in sight
         and has no points; else what comes after it. While that is worked out, by what was known
         before."""
@@ -149,7 +149,7 @@ class Ghosts(QObject):
         px, shown = latest.fit.camera.project(np.array([found.place_world]))
         return (float(px[0, 0]), float(px[0, 1])) if shown[0] else None
 
-    def _to_suggest(self) -> Suggestion | None:
+    def _to_suggest(self) -> AnnotationSuggestion | None:
         latest, gains = self._latest, self.gains
         if latest is None or not gains:
             return None

@@ -8,7 +8,7 @@ from procc_annotator.gui.state.source_frames import NO_CAMERA, SourceFrame, Sour
 from procc_annotator.gui.state.state import same
 from procc_annotator.gui.state.store import Store
 from procc_annotator.metric.measure import Measurement, measure_projected
-from procc_annotator.metric.score import FrameScore, score_to_read
+from procc_annotator.metric.score import FrameScore, display_score
 from procc_annotator.metric.setup import EvaluationSetup
 
 
@@ -98,5 +98,5 @@ class SecondOpinion:
             self._measurement = measure_projected(annotation, projected, terms.frame_setup)
         assert self._measurement is not None
         if self._score is None or self._score.threshold != terms.tau:
-            self._score = score_to_read(self._measurement, terms.tau)
+            self._score = display_score(self._measurement, terms.tau)
         return self._measurement, self._score

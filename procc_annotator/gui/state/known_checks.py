@@ -8,9 +8,9 @@ from procc_annotator.fit.labels.finding import Rule, Severity
 from procc_annotator.gui.state.ignored_findings import IgnoredFindings
 from procc_annotator.gui.state.store import Store
 from procc_annotator.session.facts.frame_check import (
-    FoundInFrame,
+    StoredFinding,
     FrameCheck,
-    with_found,
+    with_set_findings,
     worst_severity,
 )
 
@@ -22,8 +22,8 @@ class KnownChecks:
         self._store, self._ignored = store, ignored
         self._frames: dict[str, FrameCheck] = {}
         # Frame -> what the set tells of it, and the content it holds for.
-        self._told_by_set: dict[str, tuple[str, FoundInFrame]] = {}
-        self._in_set: tuple[tuple[str, FoundInFrame], ...] | None = None  # until anything changes
+        self._told_by_set: dict[str, tuple[str, StoredFinding]] = {}
+        self._in_set: tuple[tuple[str, StoredFinding], ...] | None = None  # until anything changes
 
     # --- asking -------------------------------------------------------------------------------
 
@@ -35,14 +35,14 @@ class KnownChecks:
             None if kept is None or (kept.fitted and not self._store.state.reveals(frame)) else kept
         )
 
-    def of(self, frame: str) -> tuple[FoundInFrame, ...]:
+    def of(self, frame: str) -> tuple[StoredFinding, ...]:
         """Findings of a frame, as far as it was checked and blind mode lets them be seen."""
         kept = self.check_of(frame)
         if kept is None:
             return ()
         content, by_set = self._told_by_set.get(frame, (None, None))
         if by_set is not None and content == kept.content and kept.fitted:
-            kept = with_found(kept, by_set)
+            kept = with_set_findings(kept, by_set)
         if not kept.found:
             return ()
         ignored = self._ignored.of(frame)
@@ -74,7 +74,7 @@ class KnownChecks:
         """How sure the surest finding of a frame is; None for none."""
         return worst_severity(self.of(frame))
 
-    def in_set(self) -> tuple[tuple[str, FoundInFrame], ...]:
+    def in_set(self) -> tuple[tuple[str, StoredFinding], ...]:
         """Every finding with its frame, in the order of the frames."""
         if self._in_set is None:
             workspace = self._store.state.workspace

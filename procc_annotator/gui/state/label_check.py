@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
-from procc_annotator.fit.labels.check import with_paint
+from procc_annotator.fit.labels.check import add_line_evidence
 from procc_annotator.fit.labels.finding import Rule, Severity
 from procc_annotator.gui.soon import soon
 from procc_annotator.gui.state.check_queue import CheckQueue
@@ -25,17 +25,17 @@ from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.state import same
 from procc_annotator.gui.state.store import Store
 from procc_annotator.language import tr
-from procc_annotator.session.clicks.insight import Insight
+from procc_annotator.session.clicks.insight import FrameAnalysis
 from procc_annotator.session.facts.frame_check import (
-    FoundInFrame,
+    StoredFinding,
     FrameCheck,
     check_without_fit,
     content_of,
-    remember,
-    surviving,
+    store_check,
+    still_valid,
 )
 from procc_annotator.session.runs.check_run import Checked
-from procc_annotator.session.strokes.paint_evidence import of_confirmed
+from procc_annotator.session.strokes.paint_evidence import confirmed_evidence
 
 _KEPT = 16  # checks of the frame on screen, of steps of undo one may come back to
 
@@ -79,7 +79,7 @@ class LabelCheck(QObject):
         self._with_fit = Derived(self._fitted, _remembered, Where.AT_ONCE, self, kept=_KEPT)
         self._content = Derived(self._annotation, content_of, Where.AT_ONCE, self)
         # Of the frame on screen, remembered already: what its clicks tell, what its picture shows.
-        self._taken: tuple[Insight, Evidence | None] | None = None
+        self._taken: tuple[FrameAnalysis, Evidence | None] | None = None
         self._told: tuple[object, ...] = ()
         self._look_soon = soon(self, self.look)
         self._bent: str | None = None  # the finding that is told as a notice
@@ -109,7 +109,7 @@ class LabelCheck(QObject):
     # --- what is known ----------------------------------------------------------------------
 
     @property
-    def shown(self) -> tuple[FoundInFrame, ...]:
+    def shown(self) -> tuple[StoredFinding, ...]:
         """Findings of the frame on screen, the surest first, without those that are ignored."""
         name = self._store.state.frame_name
         return self.known.of(name) if name is not None else ()
@@ -139,13 +139,13 @@ class LabelCheck(QObject):
     # --- the current finding ----------------------------------------------------------------
 
     @property
-    def current(self) -> FoundInFrame | None:
+    def current(self) -> StoredFinding | None:
         """The finding that was walked to or chosen, if it is still one of the frame on screen."""
         if self._current is None or self._current[0] != self._store.state.frame_name:
             return None
         return next((f for f in self.shown if f.key == self._current[1]), None)
 
-    def set_current(self, frame: str, found: FoundInFrame | None) -> None:
+    def set_current(self, frame: str, found: StoredFinding | None) -> None:
         """Choose a finding of a frame, or none."""
         chosen = (frame, found.key) if found is not None else None
         if chosen != self._current:
@@ -184,7 +184,7 @@ class LabelCheck(QObject):
         kept = self.known.check_of(name)
         if kept is not None and kept.content != content:
             # Signs of elements that nobody touched stay until more is known.
-            left = surviving(kept, annotation)
+            left = still_valid(kept, annotation)
             self.known.keep(name, left)
             if left.found != kept.found:
                 self.framesChanged.emit(name)
@@ -342,7 +342,7 @@ class LabelCheck(QObject):
         index = workspace.index.get(name) if workspace is not None else None
         if workspace is None or index is None:
             return False
-        annotation = workspace.at_hand(index)
+        annotation = workspace.loaded_annotation(index)
         return annotation is None or content_of(annotation) == checked.content
 
     def _take_field(self) -> None:
@@ -364,12 +364,12 @@ class LabelCheck(QObject):
         self.currentChanged.emit()
 
 
-def _remembered(insight: Insight, evidence: Evidence | None, field: Field) -> FrameCheck:
+def _remembered(insight: FrameAnalysis, evidence: Evidence | None, field: Field) -> FrameCheck:
     annotation, found, fit = insight.annotation, insight.findings, insight.fit
     if evidence is not None:
-        paint = of_confirmed(annotation, evidence)
-        found = with_paint(found, annotation, field, size=fit.size, fit=fit, paint=paint)
-    return remember(annotation, found, fit, with_paint=evidence is not None)
+        paint = confirmed_evidence(annotation, evidence)
+        found = add_line_evidence(found, annotation, field, size=fit.size, fit=fit, paint=paint)
+    return store_check(annotation, found, fit, with_paint=evidence is not None)
 
 
 def _check(
@@ -379,5 +379,5 @@ def _check(
     _frame: str,
     evidence: Evidence | None,
 ) -> FrameCheck:
-    paint = None if evidence is None else of_confirmed(annotation, evidence)
+    paint = None if evidence is None else confirmed_evidence(annotation, evidence)
     return check_without_fit(annotation, field, size=size, paint=paint)

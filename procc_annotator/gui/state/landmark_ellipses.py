@@ -9,11 +9,11 @@ import numpy as np
 
 from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.camera.projections import CameraOrProjections, ElementProjections
-from procc_annotator.camera.scaling import scaled
+from procc_annotator.camera.scaling import scaled_camera
 from procc_annotator.field.geometry import Vector
-from procc_annotator.field.landmarks import at_instant, by_name
+from procc_annotator.field.landmarks import landmark_at_instant, landmarks_by_name
 from procc_annotator.field.model import Field, Landmark
-from procc_annotator.fit.projected_ellipse import projected_ellipses
+from procc_annotator.fit.projected_ellipse import project_error_ellipses
 from procc_annotator.fit.result import FitResult
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.judge import Judge
@@ -54,7 +54,7 @@ class LandmarkEllipses(Derived[Ellipses]):
 
 def entries_of(file: LandmarkFile, instant: str | None) -> list[Landmark]:
     """One a landmark of a dataset, as it is at an instant."""
-    return [at_instant(marks, instant) or marks[0] for marks in by_name(file.landmarks).values()]
+    return [landmark_at_instant(marks, instant) or marks[0] for marks in landmarks_by_name(file.landmarks).values()]
 
 
 def _project(
@@ -71,7 +71,7 @@ def _project(
     camera: CameraOrProjections | None = None
     spread = None
     if not isinstance(judged, FitResult):
-        camera = scaled(judged, judged_size, size)
+        camera = scaled_camera(judged, judged_size, size)
     elif judged_size == size and marks:
         camera, spread = judged.camera, judged.projected_covariance(np.array(positions))
     if not marks or camera is None or isinstance(camera, ElementProjections):
@@ -79,7 +79,7 @@ def _project(
     if projects_only_ground(camera):
         return ()
     covariances = [mark.covariance for mark in marks]
-    found = projected_ellipses(camera, positions, covariances, camera_covariances=spread)
+    found = project_error_ellipses(camera, positions, covariances, camera_covariances=spread)
     elements = {e.name: e.colour for e in field.elements}
     return tuple(
         ShownEllipse(mark.name, elements[mark.name], ellipse)

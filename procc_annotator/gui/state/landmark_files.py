@@ -9,7 +9,7 @@ from procc_annotator.gui.state.file_watch import FileWatch
 from procc_annotator.io.landmark_file import LANDMARKS_FILE, LandmarkFile
 from procc_annotator.session.dataset.dataset_folder import VIEWS_FILE
 from procc_annotator.session.dataset.workspace import Workspace
-from procc_annotator.session.landmarks.dataset_landmarks import read_landmarks_in, strange_rows_of
+from procc_annotator.session.landmarks.dataset_landmarks import read_landmarks_in, unknown_frames_message
 from procc_annotator.session.landmarks.view_groups import ViewGroups
 
 
@@ -59,4 +59,4 @@ class LandmarkFiles(QObject):
 def _read(workspace: Workspace, _writes: int) -> tuple[LandmarkFile, ViewGroups, str]:
     file, groups = read_landmarks_in(workspace.folder)
     _ = groups.groups  # is kept; many frames take long to be put in order
-    return file, groups, strange_rows_of(groups, workspace)
+    return file, groups, unknown_frames_message(groups, workspace)

@@ -9,7 +9,7 @@ from typing import Protocol
 from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.field.landmarks import by_name, is_moving
+from procc_annotator.field.landmarks import landmarks_by_name, is_moving
 from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.state.live_fit import LiveFit
 from procc_annotator.gui.state.saying import say
@@ -24,8 +24,8 @@ from procc_annotator.session.landmarks.landmark_clicks import (
 )
 from procc_annotator.session.landmarks.landmark_scan import (
     FoundInDataset,
-    PlaceOfFiles,
-    Search,
+    DatasetPaths,
+    TriangulationSettings,
     locate_in_dataset,
 )
 from procc_annotator.session.landmarks.view_groups import ViewGroups
@@ -79,7 +79,7 @@ class LandmarkPlacing(QObject):
     def why_kept(self, name: str) -> str:
         """Why a landmark is not to be triangulated; empty where it may be."""
         file = self._landmarks.file
-        moves = any(map(is_moving, by_name(file.landmarks).get(name, [])))
+        moves = any(map(is_moving, landmarks_by_name(file.landmarks).get(name, [])))
         why = "" if moves else why_kept(file, name)
         return tr(why) if why else ""
 
@@ -98,14 +98,14 @@ class LandmarkPlacing(QObject):
         }
         source = state.active
         cameras = None if source is None else source.files
-        place = PlaceOfFiles(
+        place = DatasetPaths(
             workspace.folder,
             workspace.annotations,
             tuple(workspace.index),
         )
         field = state.field
         model = self._live_fit.model if self._live_fit.model != "H" else "R"
-        search = Search(landmarks.file, landmarks.groups, cameras, names=(name,), model=model)
+        search = TriangulationSettings(landmarks.file, landmarks.groups, cameras, names=(name,), model=model)
 
         def work(control: JobControl) -> FoundInDataset:
             return locate_in_dataset(read, field, place, search, control.progress_or_stop)
@@ -126,7 +126,7 @@ class LandmarkPlacing(QObject):
         def placed() -> LandmarkFile:
             nonlocal deleted
             # Somebody else may have deleted it meanwhile; a place would bring it back.
-            deleted = name not in by_name(landmarks.file.landmarks)
+            deleted = name not in landmarks_by_name(landmarks.file.landmarks)
             return landmarks.file if deleted else with_positions(landmarks.file, found)
 
         if not found:

@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.errors import InputError, ProccError
 from procc_annotator.field.geometry import Vector
-from procc_annotator.field.landmarks import by_name
+from procc_annotator.field.landmarks import landmarks_by_name
 from procc_annotator.field.model import Field, Landmark
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.judge import Judge
@@ -35,7 +35,7 @@ from procc_annotator.session.landmarks import landmark_edits
 from procc_annotator.session.landmarks.dataset_landmarks import (
     field_with,
     read_landmarks_in,
-    strange_rows_of,
+    unknown_frames_message,
 )
 from procc_annotator.session.landmarks.landmark_scan import (
     clicked_frames,
@@ -98,7 +98,7 @@ class Landmarks(QObject):
         self._files.watch(workspace)
         try:
             self.file, self.groups = read_landmarks_in(workspace.folder)
-            self.strange = strange_rows_of(self.groups, workspace)
+            self.strange = unknown_frames_message(self.groups, workspace)
             field = field_with(field, self.file, self.groups, self._path(workspace))
         except InputError as error:
             self._damage = str(error)
@@ -126,14 +126,14 @@ class Landmarks(QObject):
 
     def add(self, name: str) -> bool:
         """Have a new landmark, to be clicked."""
-        return self.edit(lambda: landmark_edits.added(self.file, name, self._store.state.field))
+        return self.edit(lambda: landmark_edits.with_new_landmark(self.file, name, self._store.state.field))
 
     def survey(self, name: str, place: str) -> bool:
         """Give a landmark the place that somebody measured: ``x, y, z``, metres."""
 
         def edit() -> LandmarkFile:
-            position: Vector = landmark_edits.parse_place(place)
-            return landmark_edits.surveyed(self.file, name, position)
+            position: Vector = landmark_edits.parse_position(place)
+            return landmark_edits.with_surveyed_position(self.file, name, position)
 
         return self.edit(edit)
 
@@ -269,7 +269,7 @@ class Landmarks(QObject):
         self._clicked.forget()
 
     def _names(self) -> tuple[str, ...]:
-        return tuple(by_name(self.file.landmarks))
+        return tuple(landmarks_by_name(self.file.landmarks))
 
     # --- views ---
 

@@ -20,7 +20,7 @@ from procc_annotator.gui.state.source_frames import SourceFrame, look_up
 from procc_annotator.gui.state.store import Store
 from procc_annotator.language import tr
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.clicks.insight import Insight, gain_insight
+from procc_annotator.session.clicks.insight import FrameAnalysis, analyse_frame
 from procc_annotator.session.dataset.fitted_cameras import FittedCameras, FittedFrame
 
 DEFAULT_MODEL = "auto"
@@ -33,7 +33,7 @@ _STAYED_MS = 80  # a frame that is left sooner was only passed: no fit slows the
 class Fitted:
     """What was found in a frame, and what the fit shows of it under the terms of then."""
 
-    insight: Insight
+    insight: FrameAnalysis
     frame: str
     sport: str
     setup: EvaluationSetup
@@ -109,7 +109,7 @@ class LiveFit(Derived[Fitted]):
         return self._store.state.projection_visible
 
     @property
-    def insight(self) -> Insight | None:
+    def insight(self) -> FrameAnalysis | None:
         """What the annotation on screen tells; None while that is worked out, or to be hidden."""
         return found.insight if (found := self.value) is not None else None
 
@@ -187,7 +187,7 @@ def _fit(
     go_on: Callable[[], None],
 ) -> Fitted:
     setup, start = terms.setup, terms.start
-    insight = gain_insight(
+    insight = analyse_frame(
         annotation, field, size=size, model=model, start=start, not_visible=not_visible, go_on=go_on
     )
     cameras = FittedCameras({frame: FittedFrame(annotation, insight.fit)})

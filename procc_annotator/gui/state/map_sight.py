@@ -11,7 +11,7 @@ from procc_annotator.gui.state.foresight import Foresight
 from procc_annotator.gui.state.judge import Judge
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
-from procc_annotator.interact.field_sight import FieldSight, field_sight
+from procc_annotator.interact.field_sight import VisibleField, visible_field
 
 _KEPT = 8
 
@@ -30,7 +30,7 @@ class MapSight(QObject):
         super().__init__(store)
         self._store, self._foresight, self._judge = store, foresight, judge
         self._wanted = True
-        self._sight: FieldSight | None = None
+        self._sight: VisibleField | None = None
         self._sure = True
         self._turns = 0
         self._told: tuple[object, ...] = ()
@@ -55,7 +55,7 @@ class MapSight(QObject):
             self._look()
 
     @property
-    def shown(self) -> FieldSight | None:
+    def shown(self) -> VisibleField | None:
         """What is in sight in the frame on screen; None where no camera is known, or may be."""
         return self._sight if self._allowed else None
 
@@ -112,8 +112,8 @@ class MapSight(QObject):
             self.changed.emit()
 
 
-def _look_at(*inputs: object) -> FieldSight | None:
+def _look_at(*inputs: object) -> VisibleField | None:
     try:
-        return field_sight(*inputs)  # type: ignore[arg-type]
+        return visible_field(*inputs)  # type: ignore[arg-type]
     except UsageError:  # a field that hangs in the air has no ground to turn
         return None

@@ -9,7 +9,7 @@ import numpy as np
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QPainterPath, QPolygonF
 
-from procc_annotator.interact.map_looks import DISAGREEMENT, MapLook
+from procc_annotator.interact.map_looks import DISAGREEMENT, MapStyle
 from procc_annotator.metric.contours import ContourBand, contour_lines, filled_contours
 from procc_annotator.metric.disagreement import Disagreement
 from procc_annotator.metric.polylines import FloatArray
@@ -26,14 +26,14 @@ class MapShapes:
         area: as far as the map reaches; None where its shapes end there by themselves.
     """
 
-    look: MapLook
+    look: MapStyle
     bands: tuple[QPainterPath, ...]
     lines: tuple[FloatArray, ...]
     area: QPainterPath | None = None
 
 
 def map_shapes(
-    look: MapLook, values: FloatArray, x: FloatArray, y: FloatArray, area: ContourBand | None = None
+    look: MapStyle, values: FloatArray, x: FloatArray, y: FloatArray, area: ContourBand | None = None
 ) -> MapShapes:
     """The shapes of a map; safe from any thread, and too slow for that of the interface.
 

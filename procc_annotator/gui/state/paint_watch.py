@@ -6,15 +6,15 @@ from collections.abc import Callable, Mapping
 
 from procc_annotator.annotation import FrameAnnotation, Polyline
 from procc_annotator.field.model import Field
-from procc_annotator.fit.labels.seen_paint import ElementPaint
+from procc_annotator.fit.labels.seen_paint import LineEvidence
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.state import same
 from procc_annotator.gui.state.store import Store
 from procc_annotator.image.decode import PixelArray
-from procc_annotator.session.strokes.paint_evidence import paint_evidence
+from procc_annotator.session.strokes.paint_evidence import line_evidence
 
-Evidence = Mapping[Polyline, ElementPaint]
+Evidence = Mapping[Polyline, LineEvidence]
 _STAYED_MS = 150  # a frame that is left sooner was only passed
 _KEPT = 8
 
@@ -74,6 +74,6 @@ class PaintWatch(Derived[Evidence]):
         """In a thread, one at a time."""
         of, before = (picture, field), self._before
         known = before[1] if before is not None and same(before[0], of) else None
-        found = paint_evidence(annotation, picture, field, known, go_on)
+        found = line_evidence(annotation, picture, field, known, go_on)
         self._before = of, found
         return found

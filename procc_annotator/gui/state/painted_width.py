@@ -9,7 +9,7 @@ from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
 from procc_annotator.language import tr
-from procc_annotator.metric.project import ProjectedField, project_paint
+from procc_annotator.metric.project import ProjectedField, project_markings
 from procc_annotator.metric.setup import EvaluationSetup
 
 
@@ -32,4 +32,4 @@ class PaintedWidth(Derived[ProjectedField]):
 
 
 def _project(camera: CameraOrProjections, setup: EvaluationSetup) -> ProjectedField | None:
-    return project_paint(camera, setup)
+    return project_markings(camera, setup)

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from procc_annotator.session.dataset.locks import FrameLocks, Holder, locks_folder
+from procc_annotator.session.dataset.locks import FrameLocks, LockHolder, locks_folder
 
 BEAT_MS = 10_000
 _LOOK_MS = 2_000
@@ -23,7 +23,7 @@ class Presence(QObject):
         self._locks: FrameLocks | None = None
         self._frame: str | None = None
         self._owned = False
-        self.holder: Holder | None = None
+        self.holder: LockHolder | None = None
         self._beat_timer = QTimer(self)
         self._beat_timer.setInterval(BEAT_MS)
         self._beat_timer.timeout.connect(self.beat)
@@ -60,7 +60,7 @@ class Presence(QObject):
             self.changed.emit()
         return self._owned
 
-    def borrow(self, frame: str) -> Holder | None:
+    def borrow(self, frame: str) -> LockHolder | None:
         """Lock a frame for one edit, whether it is on screen or not; who else has it, or None."""
         if self._locks is None or (frame == self._frame and self._owned):
             return None
@@ -116,7 +116,7 @@ class Presence(QObject):
         if self._locks is not None:
             self._locks.set_author(author)
 
-    def _look(self) -> Holder | None:
+    def _look(self) -> LockHolder | None:
         if self._locks is None or self._frame is None:
             return None
         return self._locks.holder(self._frame)
@@ -127,6 +127,6 @@ class Presence(QObject):
         self._owned = False
 
 
-def _who(holder: Holder | None) -> tuple[str, str, float] | None:
+def _who(holder: LockHolder | None) -> tuple[str, str, float] | None:
     """Somebody, however long ago they were heard of."""
     return None if holder is None else (holder.author, holder.host, holder.since)

@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.errors import InputError
 from procc_annotator.field.model import Field
-from procc_annotator.field.stadiums import field_of_frame
+from procc_annotator.field.stadiums import field_for_frame
 from procc_annotator.fit.from_picture.proposal import Proposal
 from procc_annotator.fit.from_picture.proposing import propose_camera
 from procc_annotator.gui.state.blind_lock import BlindLock
@@ -17,7 +17,7 @@ from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
 from procc_annotator.image.cache import FrameCache
 from procc_annotator.session.dataset.frames import Frame
-from procc_annotator.session.runs.proposal_run import doubt_pixels
+from procc_annotator.session.runs.proposal_run import mark_non_square_pixels
 
 _KEPT = 64
 _STAYED_MS = 150  # a frame that is left sooner was only passed
@@ -146,9 +146,9 @@ class Proposals(QObject):
     def _look_at(self, frame: Frame, field: Field, *, go_on: Callable[[], None]) -> Proposal:
         """In a thread."""
         go_on()
-        field = field_of_frame(field, frame.name)
+        field = field_for_frame(field, frame.name)
         found = propose_camera(self._cache.get(frame.image_path), field, go_on=go_on)
-        return doubt_pixels(found, frame.image_path)
+        return mark_non_square_pixels(found, frame.image_path)
 
     def _take(self) -> None:
         self.changed.emit()

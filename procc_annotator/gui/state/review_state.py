@@ -35,10 +35,10 @@ from procc_annotator.session.facts.origins import (
     OriginKind,
     PointKey,
     Status,
-    count_origins,
+    count_points_by_origin,
     new_origins,
 )
-from procc_annotator.session.facts.verdict import Fault, Verdict, place_by_name
+from procc_annotator.session.facts.verdict import FaultParty, Verdict, place_by_name
 
 IDLE_S = 30.0  # longer pauses do not count as work on a frame
 UNFINISHED = frozenset({Status.UNTOUCHED, Status.IN_PROGRESS, Status.REJECTED})
@@ -196,7 +196,7 @@ class ReviewState(QObject):
         return self.database.all_verdicts() if self.database is not None else {}
 
     def set_verdict(
-        self, frame: str, source: str, place: str, fault: Fault | None, comment: str = ""
+        self, frame: str, source: str, place: str, fault: FaultParty | None, comment: str = ""
     ) -> None:
         """Say whose fault a frame's score is; None takes it back."""
         if self.database is not None:
@@ -254,7 +254,7 @@ class ReviewState(QObject):
     def foresee(self, frames: Iterable[str]) -> None:
         """These frames may be on screen soon: have their origins read meanwhile."""
         if self.database is not None:
-            self.database.foresee_origins(f for f in frames if f not in self._origins)
+            self.database.prefetch_origins(f for f in frames if f not in self._origins)
 
     def note_edit(
         self,
@@ -289,7 +289,7 @@ class ReviewState(QObject):
 
     def origin_counts(self, frame: str, annotation: FrameAnnotation) -> dict[OriginKind, int]:
         """How many points of an annotation are of each kind."""
-        return count_origins(annotation, self.origins(frame))
+        return count_points_by_origin(annotation, self.origins(frame))
 
     # --- time ---------------------------------------------------------------------------------
 

@@ -13,7 +13,7 @@ from procc_annotator.errors import ChangedOnDiskError, InputError, SaveError
 from procc_annotator.gui.soon import soon
 from procc_annotator.gui.worker import Job, run_in_background
 from procc_annotator.language import tr
-from procc_annotator.session.dataset.pending_save import Written
+from procc_annotator.session.dataset.pending_save import SaveResult
 from procc_annotator.session.dataset.workspace import Workspace
 
 RETRY_MS = 5000
@@ -183,7 +183,7 @@ class Saver(QObject):
         assert workspace is not None
         batch = workspace.prepare_saves(indices)
 
-        def take(results: list[Written]) -> None:
+        def take(results: list[SaveResult]) -> None:
             self._writing = None
             for written in results:
                 workspace.note_saved(written)
@@ -201,7 +201,7 @@ class Saver(QObject):
         def give_up(text: str) -> None:
             # Which of them were written nobody knows. All stay dirty: the next try finds out.
             error = tr("not saved: {why}", why=text)
-            take([Written(p, SaveError(f"{p.path}: {error}"), unsure=True) for p in batch])
+            take([SaveResult(p, SaveError(f"{p.path}: {error}"), unsure=True) for p in batch])
 
         job = run_in_background(
             lambda _: workspace.write(batch),

@@ -23,7 +23,7 @@ from procc_annotator.language import tr, tr_count
 from procc_annotator.metric.agreement import FrameAgreement, compare_annotations
 from procc_annotator.session.dataset.annotation_source import ReadSource, open_annotations
 from procc_annotator.session.dataset.dataset_folder import annotations_of
-from procc_annotator.words import first_of
+from procc_annotator.words import first_names
 
 _Read = tuple[FileSource, AnnotationFiles]
 
@@ -89,7 +89,7 @@ class SecondAnnotator(QObject):
                     len(labels),
                     "no class of this field: {n} label ({names})",
                     "no class of this field: {n} labels ({names})",
-                    names=first_of(labels),
+                    names=first_names(labels),
                 )
             )
         if said:

@@ -16,10 +16,10 @@ from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.source_frames import SourceFrame
 from procc_annotator.gui.state.state import State
 from procc_annotator.gui.worker import JobControl
-from procc_annotator.io.camera_files.assumed_field import NAME_THE_FORMAT, of_another_field
-from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, Fitted
+from procc_annotator.io.camera_files.assumed_field import NAME_THE_FORMAT, field_mismatch
+from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, FitCounts
 from procc_annotator.metric.measure import Measurement, measure_projected
-from procc_annotator.metric.project import project_field, why_clipped
+from procc_annotator.metric.project import project_field, clipped_projection_error
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.dataset.camera_set import FrameCameras
 from procc_annotator.session.runs.audit import TAU_GRID, FrameAudit, audit_frame
@@ -157,7 +157,7 @@ class SetScores(QObject):
 
     def put(
         self, source: CameraSource, frame: str, shown: SourceFrame, measurement: Measurement | None,
-        tau: float, fitted: Fitted = NOT_FITTED,
+        tau: float, fitted: FitCounts = NOT_FITTED,
     ) -> None:  # fmt: skip
         """Take over how a source does in the frame on screen after an edit.
 
@@ -260,9 +260,9 @@ def _audit(
         return None, str(error)
     if found is None:
         return None, ""
-    if problem := of_another_field(found.assumed_field, setup.field):
+    if problem := field_mismatch(found.assumed_field, setup.field):
         return None, f"{frame}: {problem} ({NAME_THE_FORMAT})"
-    if problem := why_clipped(found.camera, setup):
+    if problem := clipped_projection_error(found.camera, setup):
         return None, f"{frame}: {problem}"
     try:
         annotation = read()
@@ -273,6 +273,6 @@ def _audit(
     if projected is None:
         projected = project_field(found.camera, setup)
     measurement = measure_projected(annotation, projected, setup)
-    fitted = Fitted.of(found.fitted_on, annotation)
+    fitted = FitCounts.of(found.fitted_on, annotation)
     audit = audit_frame(frame, found.camera, found.model, measurement, tau, fitted=fitted)
     return audit, ""

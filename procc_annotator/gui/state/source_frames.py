@@ -12,8 +12,8 @@ from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.errors import CameraError
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
-from procc_annotator.io.camera_files.assumed_field import NAME_THE_FORMAT, of_another_field
-from procc_annotator.metric.project import ProjectedField, project_field, why_clipped
+from procc_annotator.io.camera_files.assumed_field import NAME_THE_FORMAT, field_mismatch
+from procc_annotator.metric.project import ProjectedField, project_field, clipped_projection_error
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.dataset.camera_set import FrameCameras
 
@@ -50,9 +50,9 @@ def look_up(camera_set: FrameCameras, frame: str, setup: EvaluationSetup) -> Sou
         return SourceFrame(error=str(error))
     if found is None:
         return SourceFrame(notice=camera_set.why_none(frame))
-    if problem := of_another_field(found.assumed_field, setup.field):
+    if problem := field_mismatch(found.assumed_field, setup.field):
         return SourceFrame(error=f"{frame}: {problem} ({NAME_THE_FORMAT})")
-    if problem := why_clipped(found.camera, setup):
+    if problem := clipped_projection_error(found.camera, setup):
         return SourceFrame(error=f"{frame}: {problem}")
     projected = project_field(found.camera, setup.of_frame(frame))
     return SourceFrame(

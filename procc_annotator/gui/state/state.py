@@ -12,18 +12,18 @@ from typing import Literal
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import SaveError
 from procc_annotator.field.model import Field
-from procc_annotator.field.stadiums import field_of_stadium, stadium_of
+from procc_annotator.field.stadiums import field_for_stadium, stadium_of
 from procc_annotator.gui.keymap import USUAL, Keymap
 from procc_annotator.gui.state.camera_sources import CameraSource, SourceLook
 from procc_annotator.gui.state.notices import Notice, Told
-from procc_annotator.image.decode import HalfPicture, PixelArray
+from procc_annotator.image.decode import HalfSizeImage, PixelArray
 from procc_annotator.language import tr
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.clicks.correction import Correction
+from procc_annotator.session.clicks.correction import CameraCorrection
 from procc_annotator.session.dataset.camera_set import FrameCameras
 from procc_annotator.session.dataset.edits import PointRef
 from procc_annotator.session.dataset.frames import Frame
-from procc_annotator.session.dataset.locks import Holder
+from procc_annotator.session.dataset.locks import LockHolder
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.facts.blind_work import LockEvent
 
@@ -110,9 +110,9 @@ class State:
     damage: str = ""
     counts: bool = False
     picture: PixelArray | None = None
-    half: HalfPicture | None = None
+    half: HalfSizeImage | None = None
     picture_error: str = ""
-    holder: Holder | None = None
+    holder: LockHolder | None = None
     unsaved: Mapping[int, SaveError] = field(default_factory=dict)
     selection: ChosenElement = ChosenElement()
     hovered_class: str | None = None
@@ -125,7 +125,7 @@ class State:
     blind: bool = False
     blind_lock: LockEvent | None = None
     committed: frozenset[str] = frozenset()
-    corrected: Mapping[str, Correction] = field(default_factory=dict)
+    corrected: Mapping[str, CameraCorrection] = field(default_factory=dict)
     author: str = ""
     keymap: Keymap = USUAL
     notices: tuple[Notice, ...] = ()
@@ -158,7 +158,7 @@ class State:
         return (
             self.field
             if name is None
-            else field_of_stadium(self.field, stadium_of(self.field, name))
+            else field_for_stadium(self.field, stadium_of(self.field, name))
         )
 
     @property
@@ -256,7 +256,7 @@ _VALUES = (
     HandOptions,
     SourceLook,
     Notice,
-    Holder,
+    LockHolder,
     LockEvent,
 )
 

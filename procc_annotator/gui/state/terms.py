@@ -15,7 +15,7 @@ from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU, ChosenElement
 from procc_annotator.gui.state.store import Store
 from procc_annotator.session.database.places import folder_of
-from procc_annotator.session.dataset.dataset_field import keep_dimensions, keep_field, keep_lines
+from procc_annotator.session.dataset.dataset_field import store_dimensions, store_field, store_lines
 
 
 class Terms(QObject):
@@ -64,8 +64,8 @@ class Terms(QObject):
         """
         field = self._with_own_landmarks(field)
         if keep and (database := self._review.database) is not None:
-            keep_dimensions(database, field)
-            keep_lines(database, field)
+            store_dimensions(database, field)
+            store_lines(database, field)
         self.take_field(field)
 
     def set_field(self, field: Field, *, keep: bool = True) -> None:
@@ -87,7 +87,7 @@ class Terms(QObject):
         field = self._with_own_landmarks(field)
         database = self._review.database
         if keep and state.workspace is not None and database is not None:
-            keep_field(database, folder_of(state.workspace.root), field)
+            store_field(database, folder_of(state.workspace.root), field)
         self.take_field(field)
         state = self._store.state
         chosen = state.selection.class_name

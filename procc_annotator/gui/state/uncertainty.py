@@ -9,7 +9,7 @@ import numpy as np
 
 from procc_annotator.camera.backproject import ground_from_px
 from procc_annotator.field.model import Field
-from procc_annotator.fit.predict.ground_uncertainty import GroundUncertainty, ground_uncertainty
+from procc_annotator.fit.predict.ground_uncertainty import GroundUncertainty, map_ground_uncertainty
 from procc_annotator.fit.result import FitResult
 from procc_annotator.gui.state.blind_lock import BlindLock
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
@@ -21,7 +21,7 @@ from procc_annotator.gui.state.store import Store
 from procc_annotator.interact.map_looks import UNCERTAINTY
 from procc_annotator.language import tr
 from procc_annotator.metric.contours import filled_contours
-from procc_annotator.metric.even_grid import value_at
+from procc_annotator.metric.even_grid import bilinear_value
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,7 +52,7 @@ class KnownGround:
         if known.fit.camera is None:
             return None
         ground_x, ground_y = ground_from_px(known.fit.camera, np.array([[x, y]]))[0].tolist()
-        return value_at(known.sd_m, known.xs_m, known.ys_m, ground_x, ground_y)
+        return bilinear_value(known.sd_m, known.xs_m, known.ys_m, ground_x, ground_y)
 
 
 def know_ground(fit: FitResult, field: Field) -> KnownGround:
@@ -61,10 +61,10 @@ def know_ground(fit: FitResult, field: Field) -> KnownGround:
     Raises:
         UsageError: the fit has no camera.
     """
-    values = ground_uncertainty(fit, field)
+    values = map_ground_uncertainty(fit, field)
     _ = values.statistics  # kept with the values; worked out here, not where it is shown
     x, y = np.meshgrid(values.xs_m, values.ys_m)
-    in_sight = filled_contours(values.inside_px, x, y, (0.0, math.inf))[0]
+    in_sight = filled_contours(values.distance_to_border_px, x, y, (0.0, math.inf))[0]
     px = values.points_px
     return KnownGround(
         values,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.review_state import ReviewState
 from procc_annotator.gui.state.store import Store
-from procc_annotator.session.facts.verdict import Fault, Verdict, place_of
+from procc_annotator.session.facts.verdict import FaultParty, Verdict, place_of
 
 
 class KeptVerdicts:
@@ -14,7 +14,7 @@ class KeptVerdicts:
     def __init__(self, store: Store, review: ReviewState) -> None:
         self._store, self._review = store, review
 
-    def shown_verdict(self, name: str) -> Fault | None:
+    def shown_verdict(self, name: str) -> FaultParty | None:
         """Whose fault a frame's score is under the active source; None while blind mode hides
         what is known of the camera there."""
         source = self._store.state.active
@@ -31,7 +31,7 @@ class KeptVerdicts:
         return self._review.verdict(name, source.name, self.place(source))
 
     def set_verdict(
-        self, name: str, source: CameraSource, fault: Fault | None, comment: str = ""
+        self, name: str, source: CameraSource, fault: FaultParty | None, comment: str = ""
     ) -> None:
         """Say whose fault a frame's score is under a source from files; None takes it back."""
         if source.files is not None:

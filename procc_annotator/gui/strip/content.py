@@ -13,7 +13,7 @@ from procc_annotator.gui.soon import soon
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.strip.band import Band
 from procc_annotator.session.dataset.frame_sequence import FrameSequence
-from procc_annotator.session.dataset.tracked_cameras import doubt_about, most_residual_px
+from procc_annotator.session.dataset.tracked_cameras import review_reason, most_residual_px
 from procc_annotator.session.facts.origins import FrameRecord, Status
 
 _AT_ONCE = 400  # frames that are taken down in one go
@@ -141,5 +141,5 @@ def _put(band: Band, at: int, frame: TrackedFrame) -> None:
     band.coverage[at] = 0.0 if fit is None else min(max(frame.coverage, 0.0), 1.0)
     far = 0.0 if fit is None or frame.residual_px is None else frame.residual_px
     band.distance[at] = 0.0 if fit is None else min(1.0, far / most_residual_px(fit.size[0]))
-    band.doubtful[at] = bool(doubt_about(frame))
+    band.doubtful[at] = bool(review_reason(frame))
     band.lost[at] = fit is None

@@ -5,7 +5,7 @@ from __future__ import annotations
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.strip.content import StripContent
 from procc_annotator.language import tr, word
-from procc_annotator.session.dataset.tracked_cameras import doubt_about
+from procc_annotator.session.dataset.tracked_cameras import review_reason
 from procc_annotator.session.facts.origins import Status
 
 # How a frame's camera came about.
@@ -66,6 +66,6 @@ def _of_track(document: Document, number: int) -> list[str]:
         )
         if (far := frame.residual_px) is not None:
             said[0] = tr("{found}, {far:.1f} px from it", found=said[0], far=far)
-    if doubt := doubt_about(frame):
+    if doubt := review_reason(frame):
         said.append(tr("doubtful: {why}", why=doubt))
     return said

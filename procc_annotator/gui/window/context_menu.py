@@ -10,7 +10,7 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu, QWidget
 
 from procc_annotator.field.model import Field
-from procc_annotator.field.neighbours import meeting
+from procc_annotator.field.neighbours import touching_elements
 from procc_annotator.fit.labels.finding import Remedy
 from procc_annotator.gui.element_keys import key_text
 from procc_annotator.gui.keymap import USUAL, Keymap
@@ -21,7 +21,7 @@ from procc_annotator.gui.tasks.elements.ghosts import GhostTasks
 from procc_annotator.gui.tasks.review.label_check import LabelCheckCommands
 from procc_annotator.gui.window.menus import Actions
 from procc_annotator.language import tr, tr_count, word
-from procc_annotator.session.facts.frame_check import FoundInFrame
+from procc_annotator.session.facts.frame_check import StoredFinding
 
 _POINT = ("delete", "select_all")
 _WHOLE = ("regularise", "close_gaps", "reverse", "duplicate", "delete_element")
@@ -84,7 +84,7 @@ def canvas_menu(
 
 
 def _add_split(menu: QMenu, document: Document, element_edits: ElementEdits, name: str) -> None:
-    free = [e for e in meeting(document.field, name) if document.annotation.get(e) is None]
+    free = [e for e in touching_elements(document.field, name) if document.annotation.get(e) is None]
     menu.addMenu(
         class_menu(
             menu,
@@ -119,11 +119,11 @@ def _add_remedies(
         action.triggered.connect(partial(_ignore, label_check, document, found))
 
 
-def _apply(label_check: LabelCheckCommands, found: FoundInFrame, remedy: Remedy) -> None:
+def _apply(label_check: LabelCheckCommands, found: StoredFinding, remedy: Remedy) -> None:
     label_check.apply(found, remedy)
 
 
-def _ignore(label_check: LabelCheckCommands, document: Document, found: FoundInFrame) -> None:
+def _ignore(label_check: LabelCheckCommands, document: Document, found: StoredFinding) -> None:
     if document.frame is not None:
         label_check.ignore(document.frame.name, found)
 
@@ -150,7 +150,7 @@ def add_class_menus(menu: QMenu, document: Document, element_edits: ElementEdits
     """Submenus that give the selected element another class, or join it to another element."""
     field, name = document.field, document.selected_class or ""
     likely = list(element_edits.symmetric_classes())
-    met = meeting(field, name)  # worked out once: it takes time on large fields
+    met = touching_elements(field, name)  # worked out once: it takes time on large fields
     likely += [c for c in met if c not in likely]
     menu.addMenu(
         class_menu(

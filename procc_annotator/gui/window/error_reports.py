@@ -31,7 +31,7 @@ class ErrorReports(QObject):
 
     def install(self) -> None:
         """Report every unexpected error of this process here, and log the warnings of Qt."""
-        error_log.install(self._happened.emit)
+        error_log.install_handlers(self._happened.emit)
         qInstallMessageHandler(_log_qt)
 
     def copy(self) -> None:
@@ -53,6 +53,6 @@ class ErrorReports(QObject):
 
 def _log_qt(kind: QtMsgType, _: QMessageLogContext, text: str) -> None:
     if kind not in (QtMsgType.QtDebugMsg, QtMsgType.QtInfoMsg):
-        error_log.note(f"Qt: {text}")  # not shown
+        error_log.log_line(f"Qt: {text}")  # not shown
     if sys.stderr is not None:
         print(text, file=sys.stderr)

@@ -10,7 +10,7 @@ from procc_annotator.annotation import points_px
 from procc_annotator.gui.panels.findings.signs import reasons_of
 from procc_annotator.gui.picture.canvas import Canvas
 from procc_annotator.gui.state.document import Document
-from procc_annotator.session.facts.frame_check import FoundInFrame
+from procc_annotator.session.facts.frame_check import StoredFinding
 
 _REACH = 32.0  # screen px: a sign stands beside its point, on whichever side there is room
 
@@ -34,7 +34,7 @@ class FindingTips(QObject):
         near = [f for f in self._document.label_check.shown if self._stands_at(f, cursor)]
         return reasons_of(near)
 
-    def _stands_at(self, found: FoundInFrame, cursor: QPointF) -> bool:
+    def _stands_at(self, found: StoredFinding, cursor: QPointF) -> bool:
         size, annotation = self._document.picture_size, self._document.annotation
         for name, row in found.places:
             drawn = annotation.get(name)

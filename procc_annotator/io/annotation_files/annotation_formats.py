@@ -22,7 +22,7 @@ from procc_annotator.io.annotation_files import (
     soccernet_v3,
     yolo_pose,
 )
-from procc_annotator.io.annotation_files.exchange import ExchangedFrame, Reading, Writing
+from procc_annotator.io.annotation_files.exchange import ExchangedFrame, ReadContext, WriteContext
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.io.collections import (
     files_of,
@@ -33,8 +33,8 @@ from procc_annotator.io.collections import (
 from procc_annotator.io.source import FileSource
 from procc_annotator.io.strays import is_other_json
 
-Reader = Callable[[FileSource, Sequence[str], Reading], Iterator[ExchangedFrame]]
-Writer = Callable[[Iterable[ExchangedFrame], Writing], None]
+Reader = Callable[[FileSource, Sequence[str], ReadContext], Iterator[ExchangedFrame]]
+Writer = Callable[[Iterable[ExchangedFrame], WriteContext], None]
 Classes = Literal["any", "leaning", "soccernet"]
 # Of a folder of thousands of files so many are looked into.
 _LOOKED_INTO = 20
@@ -186,7 +186,7 @@ def find_annotations(source: FileSource, fmt: str = "auto") -> tuple[AnnotationF
         files = [
             name for name in _files(source)
             if not _is_xml(name)
-            and (fmt != "auto" or _sniffed(source, name) is known or _is_damaged(source, name))
+            and (fmt != "auto" or _detect_file(source, name) is known or _is_damaged(source, name))
         ]  # fmt: skip
     if not files:
         raise UsageError(f"nothing to do: no annotation ({known.title}) in {source.path}")
@@ -203,7 +203,7 @@ def read_plain(data: bytes, path: str, field: Field) -> FrameAnnotation:
     try:
         return read_annotation(data, path=path, field=field)
     except AnnotationError as error:
-        told = json_format(data)
+        told = detect_json_format(data)
         if told is None or told.name == PLAIN:
             raise
         raise AnnotationError(
@@ -214,22 +214,22 @@ def read_plain(data: bytes, path: str, field: Field) -> FrameAnnotation:
         ) from error
 
 
-def told_formats(source: FileSource) -> list[AnnotationFormat]:
+def detect_formats(source: FileSource) -> list[AnnotationFormat]:
     """The formats of the first files of a source; none where there is no file that tells any."""
-    told = _told(source, _files(source))
+    told = _detected(source, _files(source))
     return list({known.name: known for known in told if known}.values())
 
 
-def _told(source: FileSource, files: Sequence[str]) -> list[AnnotationFormat | None]:
+def _detected(source: FileSource, files: Sequence[str]) -> list[AnnotationFormat | None]:
     json_files = [name for name in files if not _is_xml(name)][:_LOOKED_INTO]
     xml_files = [name for name in files if _is_xml(name)][:_LOOKED_INTO]
-    return [_sniffed(source, name) for name in (*json_files, *xml_files)]
+    return [_detect_file(source, name) for name in (*json_files, *xml_files)]
 
 
 def _one_format(source: FileSource) -> AnnotationFormat:
-    told = told_formats(source)
+    told = detect_formats(source)
     # What was taken in from a file of a whole set, frame by frame, stands for it from then on.
-    told = [known for known in told if known.name == PLAIN or not _taken_in(known, told)]
+    told = [known for known in told if known.name == PLAIN or not _formats_covering(known, told)]
     if len(told) > 1:
         raise UsageError(
             f"{source.path}: holds annotations of several formats"
@@ -244,11 +244,11 @@ def _one_format(source: FileSource) -> AnnotationFormat:
     return format_named("cvat" if _is_xml(files[0]) else "soccernet")
 
 
-def _taken_in(known: AnnotationFormat, told: Sequence[AnnotationFormat]) -> bool:
+def _formats_covering(known: AnnotationFormat, told: Sequence[AnnotationFormat]) -> bool:
     return bool(known.one_file) and any(other.name == PLAIN for other in told)
 
 
-def _sniffed(source: FileSource, name: str) -> AnnotationFormat | None:
+def _detect_file(source: FileSource, name: str) -> AnnotationFormat | None:
     """The format of one file; None where it cannot be told."""
     try:
         data = source.read(name)
@@ -256,10 +256,10 @@ def _sniffed(source: FileSource, name: str) -> AnnotationFormat | None:
         return None
     if _is_xml(name):
         return next((f for f in FORMATS if f.sniff is not None and f.sniff(data)), None)
-    return json_format(data)
+    return detect_json_format(data)
 
 
-def json_format(data: bytes) -> AnnotationFormat | None:
+def detect_json_format(data: bytes) -> AnnotationFormat | None:
     """The format of JSON; None where it cannot be told."""
     content = _decoded(data)
     if is_other_json(content):
@@ -289,7 +289,7 @@ def _files(source: FileSource) -> list[str]:
     """The JSON and XML files that may be annotations; those of a tree where all files at its top
     are of another kind."""
     names, in_tree = files_of(source, _may_be_annotations)
-    if in_tree or not names or any(_told(source, names)):
+    if in_tree or not names or any(_detected(source, names)):
         return names
     if any(_is_damaged(source, name) for name in names[:_LOOKED_INTO]):
         return names

@@ -23,12 +23,12 @@ from procc_annotator.errors import AnnotationError
 from procc_annotator.io.annotation_files.exchange import (
     EXTRA_KEY,
     ExchangedFrame,
-    Reading,
+    ReadContext,
     Size,
-    Writing,
+    WriteContext,
     point_of,
     points_to_px,
-    size_told,
+    size_from_file,
 )
 from procc_annotator.io.annotation_files.keypoint_templates import (
     KeypointTemplate,
@@ -38,11 +38,11 @@ from procc_annotator.io.annotation_files.keypoint_templates import (
     template_named,
     template_of,
 )
-from procc_annotator.io.annotation_files.label_map import OfTemplate
+from procc_annotator.io.annotation_files.label_map import TemplateRule
 from procc_annotator.io.annotation_files.named_pictures import picture_name
-from procc_annotator.io.annotation_files.pieces import Pieces, extra_of, labels_for
+from procc_annotator.io.annotation_files.pieces import ShapeCollector, extra_of, labels_for
 from procc_annotator.io.annotation_files.px_numbers import json_text, parse_number
-from procc_annotator.io.json_text import decode_strict, kind_of, spelled
+from procc_annotator.io.json_text import decode_strict, json_kind, json_repr
 from procc_annotator.io.source import FileSource
 
 DEFAULT_SPLIT = "default"
@@ -61,7 +61,7 @@ def sniff(content: Any) -> bool:
 
 
 def read_many(
-    source: FileSource, files: Sequence[str], reading: Reading
+    source: FileSource, files: Sequence[str], reading: ReadContext
 ) -> Iterator[ExchangedFrame]:
     """Every picture that has annotations with keypoints."""
     for name in files:
@@ -90,7 +90,7 @@ def read_many(
                 with reading.going_on():
                     raise AnnotationError(
                         path,
-                        f"belongs to no image: {spelled(entries[0][1].get('image_id'))}",
+                        f"belongs to no image: {json_repr(entries[0][1].get('image_id'))}",
                         place=f"annotations[{entries[0][0]}].image_id",
                         advice="correct it, or add the image",
                     )
@@ -112,10 +112,10 @@ class _Kind:
     count: int = 0
 
 
-def _kind(category: dict[str, Any], place: str, path: str, reading: Reading) -> _Kind:
+def _kind(category: dict[str, Any], place: str, path: str, reading: ReadContext) -> _Kind:
     name, places = category.get("name"), category.get("keypoints")
     rule = reading.rule_of(name) if type(name) is str else None
-    if isinstance(rule, OfTemplate):
+    if isinstance(rule, TemplateRule):
         template = template_named(rule.name)
     elif rule is not None or not holds_template(category):
         return _Kind(name, rule is None, count=len(places) if type(places) is list else 0)
@@ -133,10 +133,10 @@ def _kind(category: dict[str, Any], place: str, path: str, reading: Reading) -> 
 
 def _unknown_template(kind: _Kind) -> str:
     return (
-        f"the category {spelled(kind.name)} holds {kind.count} keypoints of a template that is not"
+        f"the category {json_repr(kind.name)} holds {kind.count} keypoints of a template that is not"
         " known: left out (if it is one of"
         f" {', '.join(known.name for known in known_templates())}, a labels.toml may say so:"
-        f' {spelled(kind.name)} = {{ template = "{known_templates()[0].name}" }})'
+        f' {json_repr(kind.name)} = {{ template = "{known_templates()[0].name}" }})'
     )
 
 
@@ -147,7 +147,7 @@ def _decode(data: bytes, path: str) -> dict[str, Any]:
         if type(entries) is not list:
             raise AnnotationError(
                 path,
-                f"expected a list of {key}, found {kind_of(entries)}",
+                f"expected a list of {key}, found {json_kind(entries)}",
                 place=key,
                 advice="is this a file of COCO keypoints?",
             )
@@ -155,7 +155,7 @@ def _decode(data: bytes, path: str) -> dict[str, Any]:
             if type(entry) is not dict:
                 raise AnnotationError(
                     path,
-                    f"expected an object, found {kind_of(entry)}",
+                    f"expected an object, found {json_kind(entry)}",
                     place=f"{key}[{i}]",
                     advice="correct or remove it",
                 )
@@ -174,11 +174,11 @@ def _read(
     entries: list[tuple[int, dict[str, Any]]],
     kinds: dict[Any, _Kind],
     path: str,
-    reading: Reading,
+    reading: ReadContext,
 ) -> ExchangedFrame | None:
     picture = image.get("file_name")
     frame = reading.frame_of_picture(picture, path, f"{place}.file_name")
-    size = size_told(
+    size = size_from_file(
         image.get("width"), image.get("height"), path, f"{place}.width, height"
     ) or reading.size_of(frame)
     if size is None:
@@ -188,7 +188,7 @@ def _read(
             place=place,
             advice="put the picture beside it, or give the size",
         )
-    pieces = Pieces(path, "annotations", reading, size)
+    pieces = ShapeCollector(path, "annotations", reading, size)
     taken = False
     for i, entry in entries:
         taken |= _add(pieces, entry, f"annotations[{i}]", kinds, frame)
@@ -200,7 +200,7 @@ def _read(
 
 
 def _add(
-    pieces: Pieces, entry: dict[str, Any], where: str, kinds: dict[Any, _Kind], frame: str
+    pieces: ShapeCollector, entry: dict[str, Any], where: str, kinds: dict[Any, _Kind], frame: str
 ) -> bool:
     """Take over the points of one annotation; False if it has none that mean something here."""
     remarks = pieces.reading.remarks
@@ -211,7 +211,7 @@ def _add(
     if category not in kinds:
         raise AnnotationError(
             pieces.path,
-            f"expected the id of a category, found {spelled(entry.get('category_id'))}",
+            f"expected the id of a category, found {json_repr(entry.get('category_id'))}",
             place=f"{where}.category_id",
             advice="correct it, or add the category",
         )
@@ -237,7 +237,7 @@ def _points(values: Any, size: Size, path: str, place: str) -> tuple[Point | Non
     if type(values) is not list or len(values) % 3:
         raise AnnotationError(
             path,
-            f"expected keypoints [x, y, v, ...], found {spelled(values)}",
+            f"expected keypoints [x, y, v, ...], found {json_repr(values)}",
             place=place,
             advice="correct or remove the annotation",
         )
@@ -247,7 +247,7 @@ def _points(values: Any, size: Size, path: str, place: str) -> tuple[Point | Non
         if visible not in (0, 1, 2) or type(visible) is bool:
             raise AnnotationError(
                 path,
-                f"expected the visibility 0, 1 or 2, found {spelled(visible)}",
+                f"expected the visibility 0, 1 or 2, found {json_repr(visible)}",
                 place=f"{place}[{i + 2}]",
                 advice="correct it",
             )
@@ -255,7 +255,7 @@ def _points(values: Any, size: Size, path: str, place: str) -> tuple[Point | Non
     return tuple(points)
 
 
-def write_many(frames: Iterable[ExchangedFrame], writing: Writing) -> None:
+def write_many(frames: Iterable[ExchangedFrame], writing: WriteContext) -> None:
     """One file that the usual readers of COCO keypoints load."""
     images: list[dict[str, Any]] = []
     entries: list[dict[str, Any]] = []
@@ -322,7 +322,7 @@ def _entry(polyline: Polyline, label: str, size: Size, number: int, image: int) 
     }
 
 
-def _category(name: str, number: int, points: int, writing: Writing) -> dict[str, Any]:
+def _category(name: str, number: int, points: int, writing: WriteContext) -> dict[str, Any]:
     return {
         "id": number,
         "name": name,

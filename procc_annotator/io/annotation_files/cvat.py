@@ -21,18 +21,18 @@ from procc_annotator.io.annotation_files.cvat_xml import (
     parse,
     points_text,
     server_label,
-    spellable,
+    is_xml_spellable,
     whole_number,
 )
 from procc_annotator.io.annotation_files.exchange import (
     ExchangedFrame,
-    Reading,
+    ReadContext,
     Size,
-    Writing,
-    size_told,
+    WriteContext,
+    size_from_file,
 )
 from procc_annotator.io.annotation_files.named_pictures import picture_name
-from procc_annotator.io.annotation_files.pieces import Pieces, labels_for
+from procc_annotator.io.annotation_files.pieces import ShapeCollector, labels_for
 from procc_annotator.io.annotation_files.px_numbers import json_text
 from procc_annotator.io.json_text import printable
 from procc_annotator.io.source import FileSource
@@ -50,7 +50,7 @@ def sniff(data: bytes) -> bool:
 
 
 def read_many(
-    source: FileSource, files: Sequence[str], reading: Reading
+    source: FileSource, files: Sequence[str], reading: ReadContext
 ) -> Iterator[ExchangedFrame]:
     """Every picture that has shapes, and every frame of tracks."""
     for name in files:
@@ -69,7 +69,7 @@ def read_many(
                         yield frame
 
 
-def _read(image: Element, index: int, path: str, reading: Reading) -> ExchangedFrame | None:
+def _read(image: Element, index: int, path: str, reading: ReadContext) -> ExchangedFrame | None:
     place = f"image {index + 1}"
     picture = image.get("name")
     frame = reading.frame_of_picture(picture, path, f"{place}.name")
@@ -77,7 +77,7 @@ def _read(image: Element, index: int, path: str, reading: Reading) -> ExchangedF
     if not len(image):
         # A task lists all its pictures: those without shapes were not annotated.
         return None
-    size = size_told(
+    size = size_from_file(
         whole_number(image.get("width")),
         whole_number(image.get("height")),
         path,
@@ -90,7 +90,7 @@ def _read(image: Element, index: int, path: str, reading: Reading) -> ExchangedF
             place=place,
             advice="put the picture beside it, or give the size",
         )
-    pieces = Pieces(path, place, reading, size)
+    pieces = ShapeCollector(path, place, reading, size)
     taken = False
     for i, shape in enumerate(image):
         where = f"{place}, shape {i + 1}"
@@ -100,7 +100,7 @@ def _read(image: Element, index: int, path: str, reading: Reading) -> ExchangedF
     return ExchangedFrame(frame, pieces.annotation(frame), size, picture_name(str(picture)))
 
 
-def write_many(frames: Iterable[ExchangedFrame], writing: Writing) -> None:
+def write_many(frames: Iterable[ExchangedFrame], writing: WriteContext) -> None:
     """``annotations.xml`` for the server, and ``labels.json`` for the labels of a new task."""
     images: list[str] = []
     kinds: dict[str, str] = {}
@@ -111,7 +111,7 @@ def write_many(frames: Iterable[ExchangedFrame], writing: Writing) -> None:
         writing.lose_point_keys(frame, _TITLE)
         writing.lose_extra(frame, _TITLE)
         polylines = tuple(
-            p for p in writing.without_empty(frame, _TITLE) if spellable(p, frame, writing)
+            p for p in writing.without_empty(frame, _TITLE) if is_xml_spellable(p, frame, writing)
         )
         if not polylines:
             writing.remarks.add(
@@ -132,7 +132,7 @@ def _image(
     size: Size,
     index: int,
     kinds: dict[str, str],
-    writing: Writing,
+    writing: WriteContext,
 ) -> str:
     from xml.sax.saxutils import quoteattr
 

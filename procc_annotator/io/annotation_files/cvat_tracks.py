@@ -23,18 +23,18 @@ from procc_annotator.io.annotation_files.cvat_xml import (
     labels_of_task,
     points_text,
     server_label,
-    spellable,
+    is_xml_spellable,
     whole_number,
 )
 from procc_annotator.io.annotation_files.exchange import (
     ExchangedFrame,
-    Reading,
+    ReadContext,
     Size,
-    Writing,
-    size_told,
+    WriteContext,
+    size_from_file,
 )
 from procc_annotator.io.annotation_files.named_pictures import picture_name
-from procc_annotator.io.annotation_files.pieces import Pieces, labels_for
+from procc_annotator.io.annotation_files.pieces import ShapeCollector, labels_for
 from procc_annotator.io.annotation_files.px_numbers import json_text
 from procc_annotator.io.json_text import printable
 
@@ -48,7 +48,7 @@ _TITLE = "CVAT"
 _OF_VIDEO = re.compile(r"(.+)_(\d{6,8})")  # as frames of a video are called
 
 
-def read_tracks(root: Element, path: str, reading: Reading) -> Iterator[ExchangedFrame]:
+def read_tracks(root: Element, path: str, reading: ReadContext) -> Iterator[ExchangedFrame]:
     """Every frame in which any track has a key frame, with all that is seen there.
 
     Args:
@@ -92,11 +92,11 @@ def _size(root: Element, path: str) -> Size | None:
     if told is None:
         return None
     width, height = told.findtext("width"), told.findtext("height")
-    return size_told(whole_number(width), whole_number(height), path, "original_size")
+    return size_from_file(whole_number(width), whole_number(height), path, "original_size")
 
 
 def _frame(
-    number: int, shapes: Shapes, size: Size | None, root: Element, path: str, reading: Reading
+    number: int, shapes: Shapes, size: Size | None, root: Element, path: str, reading: ReadContext
 ) -> ExchangedFrame:
     picture = _picture(number, root, path, reading)
     frame = reading.frame_of_picture(picture, path, f"frame {number}")
@@ -108,7 +108,7 @@ def _frame(
             place="meta.original_size",
             advice="put the pictures beside it, or give the size",
         )
-    pieces = Pieces(path, f"frame {number}", reading, size)
+    pieces = ShapeCollector(path, f"frame {number}", reading, size)
     for shape, label, place in shapes:
         if shape.get("keyframe", "1") != "1":
             reading.remarks.add("points that CVAT interpolated are taken as they are", frame)
@@ -116,7 +116,7 @@ def _frame(
     return ExchangedFrame(frame, pieces.annotation(frame), size, picture)
 
 
-def _picture(number: int, root: Element, path: str, reading: Reading) -> str:
+def _picture(number: int, root: Element, path: str, reading: ReadContext) -> str:
     """The picture of a frame: of a video, of the pictures around the file, or as CVAT calls it."""
     video = root.findtext("meta//source")
     if video:
@@ -133,7 +133,7 @@ def _picture(number: int, root: Element, path: str, reading: Reading) -> str:
     return reading.pictures[number]
 
 
-def write_many(frames: Iterable[ExchangedFrame], writing: Writing) -> None:
+def write_many(frames: Iterable[ExchangedFrame], writing: WriteContext) -> None:
     """``annotations.xml`` for the server, and ``labels.json`` for the labels of a new task."""
     kept = [frame for frame in frames if writing.named_size(frame) is not None]
     video, numbers = _numbered(kept, writing)
@@ -148,7 +148,7 @@ def write_many(frames: Iterable[ExchangedFrame], writing: Writing) -> None:
             )
             continue
         polylines = tuple(
-            p for p in writing.without_empty(frame, _TITLE) if spellable(p, frame, writing)
+            p for p in writing.without_empty(frame, _TITLE) if is_xml_spellable(p, frame, writing)
         )
         writing.lose_point_keys(frame, _TITLE)
         writing.lose_extra(frame, _TITLE)
@@ -175,7 +175,7 @@ def _put(
     entries: list[str],
     labels: list[dict[str, object]],
     of: tuple[str | None, list[int], Size],
-    writing: Writing,
+    writing: WriteContext,
 ) -> None:
     from xml.sax.saxutils import escape
 
@@ -193,7 +193,7 @@ def _put(
         writing.put(LABELS_NAME, f"{json_text(labels, 1)}\n".encode())
 
 
-def _numbered(frames: list[ExchangedFrame], writing: Writing) -> tuple[str | None, list[int]]:
+def _numbered(frames: list[ExchangedFrame], writing: WriteContext) -> tuple[str | None, list[int]]:
     """The video that frames are of, and their numbers in it; those of pictures are their places in
     the order of a task, which is that of their names."""
     found = [_OF_VIDEO.fullmatch(frame.name) for frame in frames]

@@ -16,13 +16,13 @@ from procc_annotator.annotation import Point, Polyline
 from procc_annotator.errors import AnnotationError
 from procc_annotator.io.annotation_files.exchange import (
     ExchangedFrame,
-    Reading,
+    ReadContext,
     Size,
-    Writing,
+    WriteContext,
     point_of,
     points_to_px,
 )
-from procc_annotator.io.annotation_files.pieces import Pieces
+from procc_annotator.io.annotation_files.pieces import ShapeCollector
 from procc_annotator.io.annotation_files.px_numbers import number_text, parse_number
 from procc_annotator.io.json_text import printable
 
@@ -80,14 +80,14 @@ def parse(data: bytes, path: str) -> Element:
 
 
 def add_shape(
-    pieces: Pieces,
+    pieces: ShapeCollector,
     shape: Element,
     label: str | None,
     size: Size,
     path: str,
     place: str,
     frame: str,
-    reading: Reading,
+    reading: ReadContext,
 ) -> bool:
     """Take a shape in, if it is a course of points; what is left out of it is noted.
 
@@ -133,7 +133,7 @@ def whole_number(text: str | None) -> int | str | None:
     return int(text)
 
 
-def spellable(polyline: Polyline, frame: ExchangedFrame, writing: Writing) -> bool:
+def is_xml_spellable(polyline: Polyline, frame: ExchangedFrame, writing: WriteContext) -> bool:
     """Whether XML has a way to spell a class; if not, it is noted."""
     if _UNSPELLABLE.search(polyline.class_name) is None:
         return True
@@ -146,7 +146,7 @@ def kind_of_shape(polyline: Polyline) -> str:
     return "points" if len(polyline.points) == 1 else "polyline"
 
 
-def server_label(polyline: Polyline, label: str, writing: Writing, kinds: dict[str, str]) -> str:
+def server_label(polyline: Polyline, label: str, writing: WriteContext, kinds: dict[str, str]) -> str:
     """A label as the server keeps it, whose kind of shapes is noted for `labels_of_task`."""
     # The server's labels have no white space at their ends; reading puts it back.
     label = label.strip() if writing.field.knows(polyline.class_name) else label
@@ -161,7 +161,7 @@ def points_text(polyline: Polyline, size: Size) -> str:
     return ";".join(f"{number_text(x)},{number_text(y)}" for x, y in points_to_px(polyline, size))
 
 
-def labels_of_task(kinds: dict[str, str], writing: Writing) -> list[dict[str, Any]]:
+def labels_of_task(kinds: dict[str, str], writing: WriteContext) -> list[dict[str, Any]]:
     """Every class of the field with its colour, and whatever else occurred."""
     colours = {e.name.strip(): e.colour for e in writing.field.elements}
     colours |= {name.strip(): _GREY for name in writing.field.classes_without_geometry}
@@ -178,7 +178,7 @@ def labels_of_task(kinds: dict[str, str], writing: Writing) -> list[dict[str, An
 
 
 def document(
-    labels: list[dict[str, Any]], entries: list[str], writing: Writing, task: Sequence[str]
+    labels: list[dict[str, Any]], entries: list[str], writing: WriteContext, task: Sequence[str]
 ) -> bytes:
     """The whole file.
 

@@ -14,12 +14,12 @@ from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.errors import AnnotationError, InputError
 from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.label_map import LabelMap, Rule, Shape
-from procc_annotator.io.annotation_files.named_pictures import PictureNames
+from procc_annotator.io.annotation_files.named_pictures import PictureFrames
 from procc_annotator.io.annotation_files.px_numbers import normalised, to_px
-from procc_annotator.io.annotation_files.soccernet_annotation import FARTHEST
+from procc_annotator.io.annotation_files.soccernet_annotation import MAX_COORDINATE
 from procc_annotator.io.frame_names import PICTURE_SUFFIX, FrameTable, frame_of_file
-from procc_annotator.io.json_text import is_finite_number, is_unicode, printable, spelled
-from procc_annotator.words import count_of
+from procc_annotator.io.json_text import is_finite_number, is_unicode, printable, json_repr
+from procc_annotator.words import count_words
 
 Size = tuple[int, int]
 # Under this key formats with room for foreign content keep what the annotation file held beside
@@ -70,14 +70,14 @@ class Remarks:
     def _line(self, what: str, frames: list[str]) -> str:
         if not frames:
             return what
-        count = count_of(len(frames), "frame")
+        count = count_words(len(frames), "frame")
         names = ", ".join(printable(name) for name in frames[:_SHOWN_FRAMES])
         more = ", …" if len(frames) > _SHOWN_FRAMES else ""
         return f"{what} ({count}: {names}{more})"
 
 
 @dataclass
-class Reading:
+class ReadContext:
     """What a reader is given, and where it leaves what went wrong.
 
     Attributes:
@@ -110,7 +110,7 @@ class Reading:
     total: int | None = None
     told: Callable[[InputError], None] | None = None
     _at: str = ""
-    _pictures: PictureNames | None = None
+    _pictures: PictureFrames | None = None
 
     @contextmanager
     def going_on(self) -> Iterator[None]:
@@ -141,7 +141,7 @@ class Reading:
         """
         self.frame_of_file(file)
         folder = file.rpartition("/")[0] if self.in_tree else ""
-        self._pictures = PictureNames(pictures, folder, self._there)
+        self._pictures = PictureFrames(pictures, folder, self._there)
 
     def frame_of_picture(self, picture: Any, path: str, place: str) -> str:
         """The frame that a picture's name in the file belongs to; whatever goes wrong next is told
@@ -150,7 +150,7 @@ class Reading:
         Raises:
             AnnotationError: it is no text, or cannot be the name of a frame.
         """
-        names = self._pictures or PictureNames(())
+        names = self._pictures or PictureFrames(())
         self._at = names.frame(picture, path, place)
         return self._at
 
@@ -194,7 +194,7 @@ class Reading:
 
 
 @dataclass
-class Writing:
+class WriteContext:
     """What a writer is given, and where it leaves what went wrong.
 
     Attributes:
@@ -310,7 +310,7 @@ class Writing:
         return kept
 
 
-def size_told(width: Any, height: Any, path: str, place: str) -> Size | None:
+def size_from_file(width: Any, height: Any, path: str, place: str) -> Size | None:
     """A size from a file; None where both values are missing.
 
     Raises:
@@ -322,7 +322,7 @@ def size_told(width: Any, height: Any, path: str, place: str) -> Size | None:
         if not is_finite_number(value) or value != int(value) or not 2 <= value <= 1_000_000:
             raise AnnotationError(
                 path,
-                f"expected width and height of the picture in px, found {spelled(value)}",
+                f"expected width and height of the picture in px, found {json_repr(value)}",
                 place=place,
                 advice="correct the size",
             )
@@ -339,11 +339,11 @@ def point_of(x: Any, y: Any, size: Size, path: str, place: str) -> Point:
     for axis, value, extent in (("x", x, size[0] - 1), ("y", y, size[1] - 1)):
         # A float with more digits than usual is a float all the same.
         plain = float(value) if isinstance(value, float) else value
-        if not is_finite_number(plain) or abs(plain) > FARTHEST * extent:
+        if not is_finite_number(plain) or abs(plain) > MAX_COORDINATE * extent:
             raise AnnotationError(
                 path,
                 f"expected {axis} in px of a picture of {size[0]}x{size[1]},"
-                f" found {spelled(value)}",
+                f" found {json_repr(value)}",
                 place=place,
                 advice="correct or remove the point",
             )

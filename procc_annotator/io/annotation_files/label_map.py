@@ -26,10 +26,10 @@ from typing import Any
 from procc_annotator.annotation import Point
 from procc_annotator.errors import InputError
 from procc_annotator.field.model import Field
-from procc_annotator.field.words import did_you_mean, printable_place, printed
+from procc_annotator.field.words import did_you_mean, printable_place, short_repr
 from procc_annotator.io.annotation_files.keypoint_templates import known_templates, template_named
 from procc_annotator.io.source import read_file
-from procc_annotator.words import count_of
+from procc_annotator.words import count_words
 
 LABELS_FILE = "labels.toml"
 TOP_DOWN, LEFT_TO_RIGHT = ORDERS = "top_down", "left_to_right"
@@ -45,7 +45,7 @@ Shape = tuple[str, tuple[Point, ...]]
 
 
 @dataclass(frozen=True, slots=True)
-class Ordered:
+class OrderedClasses:
     """Classes that share a label: the shapes of a picture take them in the order of their middles.
 
     Attributes:
@@ -58,13 +58,13 @@ class Ordered:
 
 
 @dataclass(frozen=True, slots=True)
-class OfTemplate:
+class TemplateRule:
     """A category whose keypoints are places of a template, by its name in `keypoint_templates`."""
 
     name: str
 
 
-Rule = str | Ordered | OfTemplate | None
+Rule = str | OrderedClasses | TemplateRule | None
 
 
 @dataclass(frozen=True)
@@ -99,15 +99,15 @@ class LabelMap:
             copy = f"{key} ({met[key]})"
             key = copy if copy in self.rules else key
             rule = self.rules.get(key, label)
-            if isinstance(rule, Ordered):
+            if isinstance(rule, OrderedClasses):
                 ordered.setdefault(key, []).append(i)
-            elif isinstance(rule, OfTemplate):
+            elif isinstance(rule, TemplateRule):
                 rule = label
-            found.append(None if isinstance(rule, Ordered) else rule)
+            found.append(None if isinstance(rule, OrderedClasses) else rule)
         remarks = []
         for key, indices in ordered.items():
             rule = self.rules[key]
-            assert isinstance(rule, Ordered)
+            assert isinstance(rule, OrderedClasses)
             if len(indices) == len(rule.classes):
                 places = {i: _middle(shapes[i][1], rule.order) for i in indices}
                 indices.sort(key=places.__getitem__)
@@ -115,7 +115,7 @@ class LabelMap:
                     found[i] = name
                 continue
             remarks.append(
-                f"{printable_place(key)!r}: {count_of(len(indices), 'shape')} where"
+                f"{printable_place(key)!r}: {count_words(len(indices), 'shape')} where"
                 f" {self.path.name} puts {len(rule.classes)} in order: left out"
             )
         return found, remarks
@@ -163,13 +163,13 @@ def read_label_map(path: Path, field: Field) -> LabelMap:
     labels = content.pop(_TABLE, None)
     if type(labels) is not dict or content:
         strange = next(iter(content), None)
-        found = "no table [labels]" if strange is None else f"{printed(strange)} beside it"
+        found = "no table [labels]" if strange is None else f"{short_repr(strange)} beside it"
         raise InputError(path, f"expected one table [labels] of names and classes, found {found}")
     rules: dict[str, Rule] = {}
     for label, value in labels.items():
         place = _place(text, label)
         if label.strip() in rules:
-            raise InputError(path, f"the label {printed(label)} is there twice", place=place)
+            raise InputError(path, f"the label {short_repr(label)} is there twice", place=place)
         rules[label.strip()] = _rule(value, field, path, place)
     return LabelMap(path, rules)
 
@@ -192,7 +192,7 @@ def _text_of(path: Path) -> str:
 
 def _place(text: str, label: str) -> str:
     """The line that a label's rule stands in, and the label."""
-    named = f"label {printed(label)}"
+    named = f"label {short_repr(label)}"
     pattern = re.compile(rf"\s*[\"']?{re.escape(label)}[\"']?\s*=")
     lines = enumerate(text.splitlines(), 1)
     number = next((i for i, line in lines if pattern.match(line)), None)
@@ -211,7 +211,7 @@ def _rule(value: Any, field: Field, path: Path, place: str) -> Rule:
         raise InputError(
             path,
             f"expected a class, false, or {{ {TOP_DOWN} = [classes] }} or"
-            f" {{ {LEFT_TO_RIGHT} = [classes] }}, found {printed(value)}",
+            f" {{ {LEFT_TO_RIGHT} = [classes] }}, found {short_repr(value)}",
             place=place,
             advice=_LEFT_OUT,
         )
@@ -223,16 +223,16 @@ def _rule(value: Any, field: Field, path: Path, place: str) -> Rule:
             place=f"{place}.{orders[0]}",
             advice="where a label stands for one class, write just that",
         )
-    return Ordered(orders[0], tuple(_class(name, field, path, place) for name in classes))
+    return OrderedClasses(orders[0], tuple(_class(name, field, path, place) for name in classes))
 
 
-def _template(name: Any, path: Path, place: str) -> OfTemplate:
+def _template(name: Any, path: Path, place: str) -> TemplateRule:
     if template_named(name) is not None:
-        return OfTemplate(name)
+        return TemplateRule(name)
     names = [known.name for known in known_templates()]
     raise InputError(
         path,
-        f"there is no template of keypoints {printed(name)}{did_you_mean(name, names)}",
+        f"there is no template of keypoints {short_repr(name)}{did_you_mean(name, names)}",
         place=place,
         advice=f"known: {', '.join(names)}",
     )
@@ -245,7 +245,7 @@ def _class(name: Any, field: Field, path: Path, place: str) -> str:
     near = did_you_mean(name, (*classes, *field.classes_without_geometry))
     raise InputError(
         path,
-        f"the field {field.title} has no class {printed(name)}{near}",
+        f"the field {field.title} has no class {short_repr(name)}{near}",
         place=place,
         advice=_LEFT_OUT if near else f"{_LEFT_OUT}; another field: --field NAME",
     )

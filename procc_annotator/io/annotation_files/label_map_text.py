@@ -6,7 +6,7 @@ import json
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from procc_annotator.io.annotation_files.label_map import OfTemplate, Rule
+from procc_annotator.io.annotation_files.label_map import TemplateRule, Rule
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,7 +46,7 @@ def _value(rule: Rule) -> str:
         return "false"
     if isinstance(rule, str):
         return _quoted(rule.strip())
-    if isinstance(rule, OfTemplate):
+    if isinstance(rule, TemplateRule):
         return f"{{ template = {_quoted(rule.name)} }}"
     names = ", ".join(_quoted(name.strip()) for name in rule.classes)
     return f"{{ {rule.order} = [{names}] }}"

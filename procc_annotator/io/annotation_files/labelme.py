@@ -15,17 +15,17 @@ from procc_annotator.errors import AnnotationError
 from procc_annotator.io.annotation_files.exchange import (
     EXTRA_KEY,
     ExchangedFrame,
-    Reading,
+    ReadContext,
     Size,
-    Writing,
+    WriteContext,
     point_of,
     points_to_px,
-    size_told,
+    size_from_file,
 )
 from procc_annotator.io.annotation_files.named_pictures import picture_name
-from procc_annotator.io.annotation_files.pieces import Pieces, extra_of, labels_for
+from procc_annotator.io.annotation_files.pieces import ShapeCollector, extra_of, labels_for
 from procc_annotator.io.annotation_files.px_numbers import json_text, parse_number
-from procc_annotator.io.json_text import decode_strict, kind_of, printable
+from procc_annotator.io.json_text import decode_strict, json_kind, printable
 from procc_annotator.io.source import FileSource
 
 _TITLE = "labelme"
@@ -42,7 +42,7 @@ def sniff(content: Any) -> bool:
 
 
 def read_many(
-    source: FileSource, files: Sequence[str], reading: Reading
+    source: FileSource, files: Sequence[str], reading: ReadContext
 ) -> Iterator[ExchangedFrame]:
     """Every readable file; its name is the frame's."""
     reading.total = len(files)
@@ -52,7 +52,7 @@ def read_many(
             yield _read(source.read(name), source.display(name), frame, reading)
 
 
-def _read(data: bytes, path: str, frame: str, reading: Reading) -> ExchangedFrame:
+def _read(data: bytes, path: str, frame: str, reading: ReadContext) -> ExchangedFrame:
     content = decode_strict(data, path=path, error=AnnotationError, parse_float=parse_number)
     if type(content) is not dict or type(content.get("shapes")) is not list:
         raise AnnotationError(
@@ -62,7 +62,7 @@ def _read(data: bytes, path: str, frame: str, reading: Reading) -> ExchangedFram
             advice="is this a file of labelme?",
         )
     width, height = content.get("imageWidth"), content.get("imageHeight")
-    size = size_told(width, height, path, "imageWidth, imageHeight") or reading.size_of(frame)
+    size = size_from_file(width, height, path, "imageWidth, imageHeight") or reading.size_of(frame)
     if size is None:
         raise AnnotationError(
             path,
@@ -70,7 +70,7 @@ def _read(data: bytes, path: str, frame: str, reading: Reading) -> ExchangedFram
             place="imageWidth, imageHeight",
             advice="put the picture beside it, or give the size",
         )
-    pieces = Pieces(path, "shapes", reading, size)
+    pieces = ShapeCollector(path, "shapes", reading, size)
     for i, shape in enumerate(content["shapes"]):
         _add_shape(pieces, shape, size, path, f"shapes[{i}]", frame, reading)
     if content.keys() - _KNOWN_KEYS or content.get("flags"):
@@ -82,12 +82,12 @@ def _read(data: bytes, path: str, frame: str, reading: Reading) -> ExchangedFram
 
 
 def _add_shape(
-    pieces: Pieces, shape: Any, size: Size, path: str, place: str, frame: str, reading: Reading
+    pieces: ShapeCollector, shape: Any, size: Size, path: str, place: str, frame: str, reading: ReadContext
 ) -> None:
     if type(shape) is not dict or type(shape.get("points")) is not list:
         raise AnnotationError(
             path,
-            f"expected a shape with label and points, found {kind_of(shape)}",
+            f"expected a shape with label and points, found {json_kind(shape)}",
             place=place,
             advice="correct or remove the shape",
         )
@@ -95,7 +95,7 @@ def _add_shape(
     if kind == "polygon":
         reading.remarks.add("polygons are taken for open lines through their points", frame)
     elif kind not in _COURSES:
-        what = printable(kind) if type(kind) is str else kind_of(kind)
+        what = printable(kind) if type(kind) is str else json_kind(kind)
         reading.remarks.add(f"shapes of the type {what} are left out", frame)
         return
     if shape.get("group_id") is not None or shape.get("description") or shape.get("flags"):
@@ -110,14 +110,14 @@ def _point(pair: Any, size: Size, path: str, place: str) -> Point:
     if type(pair) is not list or len(pair) != 2:
         raise AnnotationError(
             path,
-            f"expected a point [x, y], found {kind_of(pair)}",
+            f"expected a point [x, y], found {json_kind(pair)}",
             place=place,
             advice="correct or remove the point",
         )
     return point_of(pair[0], pair[1], size, path, place)
 
 
-def write_many(frames: Iterable[ExchangedFrame], writing: Writing) -> None:
+def write_many(frames: Iterable[ExchangedFrame], writing: WriteContext) -> None:
     """One file a frame, to be put beside the pictures."""
     for frame in frames:
         size = writing.named_size(frame)

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from procc_annotator.annotation import FloatArray, Polyline, points_px
 from procc_annotator.errors import UsageError
-from procc_annotator.io.annotation_files.exchange import ExchangedFrame, Size, Writing
+from procc_annotator.io.annotation_files.exchange import ExchangedFrame, Size, WriteContext
 from procc_annotator.io.annotation_files.px_numbers import json_text
 from procc_annotator.io.json_text import printable
 
@@ -39,7 +39,7 @@ def check_line_width(width: float) -> None:
         raise UsageError(f"a line width is 1 to {WIDEST:g} px, not {width:g}")
 
 
-def write_many(frames: Iterable[ExchangedFrame], writing: Writing) -> None:
+def write_many(frames: Iterable[ExchangedFrame], writing: WriteContext) -> None:
     """One mask a frame and the legend.
 
     Raises:
@@ -74,7 +74,7 @@ def write_many(frames: Iterable[ExchangedFrame], writing: Writing) -> None:
     writing.put(LEGEND_NAME, f"{json_text(legend)}\n".encode())
 
 
-def _drawable(frame: ExchangedFrame, size: Size, writing: Writing) -> bool:
+def _drawable(frame: ExchangedFrame, size: Size, writing: WriteContext) -> bool:
     """Whether a mask of this size is drawn; otherwise the frame is a problem."""
     if size[0] * size[1] <= MOST_PX:
         return True
@@ -169,7 +169,7 @@ def _leaves_picture(polyline: Polyline, size: Size) -> bool:
     return bool(np.any(points < 0) or np.any(points > (size[0] - 1, size[1] - 1)))
 
 
-def _legend(values: dict[str, int], writing: Writing) -> dict[str, Any]:
+def _legend(values: dict[str, int], writing: WriteContext) -> dict[str, Any]:
     classes = []
     for name, value in values.items():
         element = writing.field.element(name)

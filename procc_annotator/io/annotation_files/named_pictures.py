@@ -6,13 +6,13 @@ from collections.abc import Container, Iterable
 from typing import Any
 
 from procc_annotator.errors import AnnotationError
-from procc_annotator.io.frame_names import PICTURE_SUFFIX, folders_told, slashed
-from procc_annotator.io.json_text import kind_of, printable
+from procc_annotator.io.frame_names import PICTURE_SUFFIX, picture_folders_of, posix_path
+from procc_annotator.io.json_text import json_kind, printable
 
 _LONGEST_NAME = 200
 
 
-class PictureNames:
+class PictureFrames:
     """How the pictures of one file are called as frames: by their last parts, or by their paths
     where they lie in several folders, or in one folder of the dataset's tree.
 
@@ -27,8 +27,8 @@ class PictureNames:
     def __init__(
         self, pictures: Iterable[Any], folder: str = "", there: Container[str] = frozenset()
     ) -> None:
-        paths = [slashed(p) for p in pictures if type(p) is str]
-        folders = folders_told(paths)
+        paths = [posix_path(p) for p in pictures if type(p) is str]
+        folders = picture_folders_of(paths)
         in_one = len(folders) == 1 and "" not in folders
         self._by_path = len(folders) > 1 or (
             in_one and any(PICTURE_SUFFIX.sub("", path) in there for path in paths)
@@ -38,7 +38,7 @@ class PictureNames:
     def frame(self, picture: Any, path: str, place: str) -> str:
         """The frame that a picture's name in the file belongs to; raises as `frame_of_picture`."""
         name = frame_of_picture(picture, path, place)
-        inner = slashed(picture).rpartition("/")[0] if self._by_path else ""
+        inner = posix_path(picture).rpartition("/")[0] if self._by_path else ""
         return "/".join(part for part in (self._folder, inner.strip("/"), name) if part)
 
 
@@ -51,7 +51,7 @@ def frame_of_picture(picture: Any, path: str, place: str) -> str:
     if type(picture) is not str:
         raise AnnotationError(
             path,
-            f"expected the name of a picture, found {kind_of(picture)}",
+            f"expected the name of a picture, found {json_kind(picture)}",
             place=place,
             advice="correct the name",
         )
@@ -68,4 +68,4 @@ def frame_of_picture(picture: Any, path: str, place: str) -> str:
 
 def picture_name(path: str) -> str:
     """The last part of a path that may have been written on any system."""
-    return slashed(path).rpartition("/")[2]
+    return posix_path(path).rpartition("/")[2]

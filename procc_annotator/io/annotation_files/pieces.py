@@ -16,9 +16,9 @@ import numpy as np
 from procc_annotator.annotation import FloatArray, FrameAnnotation, Point, Polyline
 from procc_annotator.errors import AnnotationError
 from procc_annotator.field.model import Field
-from procc_annotator.io.annotation_files.exchange import Reading, Size
+from procc_annotator.io.annotation_files.exchange import ReadContext, Size
 from procc_annotator.io.annotation_files.soccernet_annotation import CAMERA_KEY, may_be_points
-from procc_annotator.io.json_text import kind_of, printable
+from procc_annotator.io.json_text import json_kind, printable
 
 # Ends this near each other, in widths or heights of the picture, are one place clicked twice.
 _TOUCH = 0.002
@@ -32,7 +32,7 @@ _NUMBERED = re.compile(r"(.*) \((\d{1,4})\)")
 Points = tuple[Point, ...]
 
 
-class Pieces:
+class ShapeCollector:
     """The shapes of one frame as they come, in the order of the file.
 
     Attributes:
@@ -41,7 +41,7 @@ class Pieces:
         size: of the frame's picture, px; the usual one where nobody knows it.
     """
 
-    def __init__(self, path: str, place: str, reading: Reading, size: Size | None) -> None:
+    def __init__(self, path: str, place: str, reading: ReadContext, size: Size | None) -> None:
         self.path = path
         self._place = place
         self.reading = reading
@@ -58,7 +58,7 @@ class Pieces:
         if type(label) is not str:
             raise AnnotationError(
                 self.path,
-                f"expected the name of a class, found {kind_of(label)}",
+                f"expected the name of a class, found {json_kind(label)}",
                 place=place,
                 advice="name the shape after a class",
             )
@@ -88,7 +88,7 @@ class Pieces:
                 polylines.append(Polyline(name, pieces[0]))
             elif self._field.element(name) is None:
                 remarks.add("shapes of one unknown class stay apart, numbered", frame)
-                polylines.extend(_apart(name, pieces, taken))
+                polylines.extend(_separate_labels(name, pieces, taken))
             else:
                 polylines.append(Polyline(name, self._join(name, pieces)))
                 remarks.add("shapes of one class were joined end to end", frame)
@@ -96,7 +96,7 @@ class Pieces:
 
     def _join(self, name: str, pieces: list[Points]) -> Points:
         element = self._field.element(name)
-        joined = joined_pieces(
+        joined = join_shapes(
             pieces, self.size, straight=element is not None and element.is_straight
         )
         if joined is None:
@@ -110,7 +110,7 @@ class Pieces:
         return joined
 
 
-def joined_pieces(pieces: list[Points], size: Size, *, straight: bool) -> Points | None:
+def join_shapes(pieces: list[Points], size: Size, *, straight: bool) -> Points | None:
     """One polyline with all clicks of the pieces, or None where that would be a guess.
 
     Single points are joined in their order. Pieces of a straight element are joined along their
@@ -148,7 +148,7 @@ def extra_of(value: Any, path: str, place: str, field: Field) -> tuple[tuple[str
     """
     if value is None:
         return ()
-    wrong = None if type(value) is dict else kind_of(value)
+    wrong = None if type(value) is dict else json_kind(value)
     if wrong is None:
         for key, entry in value.items():
             if field.knows(field.canonical_name(key)) or may_be_points(entry) or key == CAMERA_KEY:
@@ -163,7 +163,7 @@ def extra_of(value: Any, path: str, place: str, field: Field) -> tuple[tuple[str
     return tuple(value.items())
 
 
-def _apart(name: str, pieces: list[Points], taken: set[str]) -> list[Polyline]:
+def _separate_labels(name: str, pieces: list[Points], taken: set[str]) -> list[Polyline]:
     found = [Polyline(name, pieces[0])]
     number = 2
     for points in pieces[1:]:

@@ -15,7 +15,7 @@ from procc_annotator.io.annotation_files.annotation_formats import (
 )
 from procc_annotator.io.annotation_files.exchange import (
     ExchangedFrame,
-    Reading,
+    ReadContext,
     Size,
 )
 from procc_annotator.io.annotation_files.label_map import LabelMap
@@ -27,11 +27,11 @@ from procc_annotator.io.source import FileSource
 Progress = Callable[[int, int], None]
 
 
-def _nobody_knows(_: str) -> None:
+def _unknown_size(_: str) -> None:
     return None
 
 
-def _as_told(frame: str) -> str:
+def _name_in_file(frame: str) -> str:
     return frame
 
 
@@ -74,9 +74,9 @@ class SetReader:
         names: LabelMap | None = None,
         *,
         fmt: str = "auto",
-        size_of: Callable[[str], Size | None] = _nobody_knows,
+        size_of: Callable[[str], Size | None] = _unknown_size,
         pictures: Sequence[str] = (),
-        called: Callable[[str], str] = _as_told,
+        called: Callable[[str], str] = _name_in_file,
     ) -> None:
         """Look what there is to read.
 
@@ -86,7 +86,7 @@ class SetReader:
             names: which classes the labels of the files stand for.
             fmt: a name of `FORMATS` that can be read, or ``auto`` to look into the files.
             size_of: the size in px of a frame's picture, for files that do not say it.
-            pictures: names of the pictures around the files, as of `Reading`.
+            pictures: names of the pictures around the files, as of `ReadContext`.
             called: the name that a frame of the files has in the dataset.
 
         Raises:
@@ -100,7 +100,7 @@ class SetReader:
             require_soccernet(field, self.format.title)
         self._source = source
         in_tree = not set(self.files) <= set(source.files())
-        self.reading = Reading(field, size_of, names, in_tree, pictures)
+        self.reading = ReadContext(field, size_of, names, in_tree, pictures)
         self._strays = list_annotations(source).notices if self.format.name == PLAIN else ()
 
     def frames(self, progress: Progress | None = None) -> Iterator[ExchangedFrame]:
@@ -148,9 +148,9 @@ def read_set(
     names: LabelMap | None = None,
     *,
     fmt: str = "auto",
-    size_of: Callable[[str], Size | None] = _nobody_knows,
+    size_of: Callable[[str], Size | None] = _unknown_size,
     pictures: Sequence[str] = (),
-    called: Callable[[str], str] = _as_told,
+    called: Callable[[str], str] = _name_in_file,
     progress: Progress | None = None,
 ) -> ReadSet:
     """All annotations of a source, of any format.

@@ -15,20 +15,20 @@ from procc_annotator.io.json_text import (
     decode_strict,
     has_only_keys,
     is_finite_number,
-    kind_of,
+    json_kind,
     printable,
-    spelled,
-    without_bom,
+    json_repr,
+    strip_bom,
 )
 
 CAMERA_KEY = "pan_degrees"
 
 
 # Points may lie outside the picture, but not a million pictures away: there squares overflow.
-FARTHEST = 1e6
-_Bounds = msgspec.Meta(ge=-FARTHEST, le=FARTHEST)
+MAX_COORDINATE = 1e6
+_Bounds = msgspec.Meta(ge=-MAX_COORDINATE, le=MAX_COORDINATE)
 _Coordinate = (
-    Annotated[int, msgspec.Meta(ge=-int(FARTHEST), le=int(FARTHEST))] | Annotated[float, _Bounds]
+    Annotated[int, msgspec.Meta(ge=-int(MAX_COORDINATE), le=int(MAX_COORDINATE))] | Annotated[float, _Bounds]
 )
 
 
@@ -83,7 +83,7 @@ def _read_plain(data: bytes, field: Field) -> FrameAnnotation | None:
     None where anything is unusual; the slow way then finds out whether it is an error.
     """
     try:
-        content = _DECODER.decode(without_bom(data))
+        content = _DECODER.decode(strip_bom(data))
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError):
         return None
     keys = len(content) + 2 * sum(map(len, content.values()))
@@ -105,7 +105,7 @@ def annotation_of(content: Any, path: str, field: Field) -> FrameAnnotation:
     if type(content) is not dict:
         raise AnnotationError(
             path,
-            f"expected an object of class names, found {kind_of(content)}",
+            f"expected an object of class names, found {json_kind(content)}",
             place="top level",
             advice="is this an annotation?",
         )
@@ -127,7 +127,7 @@ def annotation_of(content: Any, path: str, field: Field) -> FrameAnnotation:
         if type(value) is not list:
             raise AnnotationError(
                 path,
-                f"expected a list of points, found {kind_of(value)}",
+                f"expected a list of points, found {json_kind(value)}",
                 place=printable(key),
                 advice="an absent class has an empty list",
             )
@@ -156,7 +156,7 @@ def _point(value: Any, path: str, place: str) -> Point:
     if type(value) is not dict:
         raise AnnotationError(
             path,
-            f'expected a point {{"x": .., "y": ..}}, found {kind_of(value)}',
+            f'expected a point {{"x": .., "y": ..}}, found {json_kind(value)}',
             place=place,
             advice="correct or remove the point",
         )
@@ -171,11 +171,11 @@ def _point(value: Any, path: str, place: str) -> Point:
         if not is_finite_number(value[axis]):
             raise AnnotationError(
                 path,
-                f"expected a finite number, found {spelled(value[axis])}",
+                f"expected a finite number, found {json_repr(value[axis])}",
                 place=f"{place}.{axis}",
                 advice="correct or remove the point",
             )
-        if abs(value[axis]) > FARTHEST:
+        if abs(value[axis]) > MAX_COORDINATE:
             raise AnnotationError(
                 path,
                 f"expected a normalised coordinate, 0 to 1 in the picture, found {value[axis]:g}",

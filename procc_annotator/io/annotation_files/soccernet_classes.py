@@ -80,7 +80,7 @@ def official_only(annotation: FrameAnnotation, field: Field) -> tuple[FrameAnnot
     return replace(annotation, polylines=kept), out
 
 
-def unknown_to_official(annotation: FrameAnnotation) -> tuple[FrameAnnotation, list[str]]:
+def without_unknown_to_official(annotation: FrameAnnotation) -> tuple[FrameAnnotation, list[str]]:
     """An annotation without what the official evaluation stops at: a class it does not know, and
     entries beside the classes.
 

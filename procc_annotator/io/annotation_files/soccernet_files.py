@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from procc_annotator.io.annotation_files.exchange import ExchangedFrame, Reading, Writing
-from procc_annotator.io.annotation_files.pieces import Pieces
+from procc_annotator.io.annotation_files.exchange import ExchangedFrame, ReadContext, WriteContext
+from procc_annotator.io.annotation_files.pieces import ShapeCollector
 from procc_annotator.io.annotation_files.soccernet_annotation import (
     read_annotation,
     write_annotation,
@@ -14,7 +14,7 @@ from procc_annotator.io.source import FileSource
 
 
 def read_many(
-    source: FileSource, files: Sequence[str], reading: Reading
+    source: FileSource, files: Sequence[str], reading: ReadContext
 ) -> Iterator[ExchangedFrame]:
     """Every readable annotation; sizes are those of the pictures."""
     reading.total = len(files)
@@ -25,14 +25,14 @@ def read_many(
             path, size = source.display(name), reading.size_of(frame)
             annotation = read_annotation(data, path=path, field=reading.field)
             if reading.names is not None:
-                pieces = Pieces(path, "top level", reading, size)
+                pieces = ShapeCollector(path, "top level", reading, size)
                 for polyline in annotation.polylines:
                     pieces.add(polyline.class_name, polyline.points, polyline.class_name)
                 annotation = pieces.annotation(frame, annotation.extra)
             yield ExchangedFrame(frame, annotation, size)
 
 
-def write_many(frames: Iterable[ExchangedFrame], writing: Writing) -> None:
+def write_many(frames: Iterable[ExchangedFrame], writing: WriteContext) -> None:
     """One file a frame; nothing is lost."""
     for frame in frames:
         data = write_annotation(frame.annotation)

@@ -16,15 +16,15 @@ from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.exchange import (
     EXTRA_KEY,
     ExchangedFrame,
-    Reading,
-    Writing,
-    size_told,
+    ReadContext,
+    WriteContext,
+    size_from_file,
 )
 from procc_annotator.io.annotation_files.named_pictures import frame_of_picture, picture_name
-from procc_annotator.io.annotation_files.pieces import Pieces, extra_of
+from procc_annotator.io.annotation_files.pieces import ShapeCollector, extra_of
 from procc_annotator.io.annotation_files.px_numbers import json_text
 from procc_annotator.io.annotation_files.soccernet_annotation import annotation_of
-from procc_annotator.io.json_text import decode_strict, kind_of, spelled
+from procc_annotator.io.json_text import decode_strict, json_kind, json_repr
 from procc_annotator.io.source import FileSource
 
 FILE_NAME = "Labels-GameState.json"
@@ -45,7 +45,7 @@ def sniff(content: Any) -> bool:
 
 
 def read_many(
-    source: FileSource, files: Sequence[str], reading: Reading
+    source: FileSource, files: Sequence[str], reading: ReadContext
 ) -> Iterator[ExchangedFrame]:
     """Every picture that has a pitch annotation."""
     for name in files:
@@ -68,7 +68,7 @@ def read_many(
                 with reading.going_on():
                     raise AnnotationError(
                         path,
-                        f"belongs to no image: {spelled(found[0][1].get('image_id'))}",
+                        f"belongs to no image: {json_repr(found[0][1].get('image_id'))}",
                         place=f"annotations[{found[0][0]}].image_id",
                         advice="correct it, or add the image",
                     )
@@ -86,7 +86,7 @@ def decode_existing(data: bytes, path: str) -> dict[str, Any]:
         if type(entries) is not list:
             raise AnnotationError(
                 path,
-                f"expected a list of {key}, found {kind_of(entries)}",
+                f"expected a list of {key}, found {json_kind(entries)}",
                 place=key,
                 advice="is this a Labels-GameState.json?",
             )
@@ -119,12 +119,12 @@ def _read(
     place: str,
     found: list[tuple[int, dict[str, Any]]],
     path: str,
-    reading: Reading,
+    reading: ReadContext,
 ) -> ExchangedFrame:
     picture = image.get("file_name")
     frame = reading.frame_of_picture(picture, path, f"{place}.file_name")
-    size = size_told(image.get("width"), image.get("height"), path, f"{place}.width, height")
-    pieces = Pieces(path, f"annotations[{found[0][0]}].lines", reading, size)
+    size = size_from_file(image.get("width"), image.get("height"), path, f"{place}.width, height")
+    pieces = ShapeCollector(path, f"annotations[{found[0][0]}].lines", reading, size)
     extra: dict[str, Any] = {}
     for i, entry in found:
         where = f"annotations[{i}]"
@@ -150,14 +150,14 @@ def _lines(lines: Any, path: str, place: str, field: Field) -> dict[str, tuple[P
     if annotation.extra:
         raise AnnotationError(
             path,
-            f"expected a list of points, found {kind_of(annotation.extra[0][1])}",
+            f"expected a list of points, found {json_kind(annotation.extra[0][1])}",
             place=f"{place}.lines[{annotation.extra[0][0]}]",
             advice="correct or remove it",
         )
     return {p.class_name: p.points for p in annotation.polylines}
 
 
-def write_many(frames: Iterable[ExchangedFrame], writing: Writing) -> None:
+def write_many(frames: Iterable[ExchangedFrame], writing: WriteContext) -> None:
     """One file; the other annotations of an existing one stay as they are."""
     content = writing.into if writing.into is not None else _start(writing.field)
     images, entries = content["images"], content["annotations"]
@@ -207,7 +207,7 @@ def _start(field: Field) -> dict[str, Any]:
     }
 
 
-def _new_image(frame: ExchangedFrame, writing: Writing, taken: set[str]) -> dict[str, Any]:
+def _new_image(frame: ExchangedFrame, writing: WriteContext, taken: set[str]) -> dict[str, Any]:
     image: dict[str, Any] = {
         "is_labeled": True,
         "image_id": _new_id(taken),

@@ -15,17 +15,17 @@ from procc_annotator.errors import AnnotationError
 from procc_annotator.io.annotation_files.exchange import (
     EXTRA_KEY,
     ExchangedFrame,
-    Reading,
+    ReadContext,
     Size,
-    Writing,
+    WriteContext,
     point_of,
     points_to_px,
-    size_told,
+    size_from_file,
 )
 from procc_annotator.io.annotation_files.named_pictures import frame_of_picture, picture_name
-from procc_annotator.io.annotation_files.pieces import Pieces, extra_of, labels_for
+from procc_annotator.io.annotation_files.pieces import ShapeCollector, extra_of, labels_for
 from procc_annotator.io.annotation_files.px_numbers import json_text, parse_number
-from procc_annotator.io.json_text import decode_strict, kind_of, printable, spelled
+from procc_annotator.io.json_text import decode_strict, json_kind, printable, json_repr
 from procc_annotator.io.source import FileSource
 
 FILE_NAME = "Labels-v3.json"
@@ -45,7 +45,7 @@ def sniff(content: Any) -> bool:
 
 
 def read_many(
-    source: FileSource, files: Sequence[str], reading: Reading
+    source: FileSource, files: Sequence[str], reading: ReadContext
 ) -> Iterator[ExchangedFrame]:
     """Every picture with lines that can be read."""
     for name in files:
@@ -80,7 +80,7 @@ def _entries(content: dict[str, Any], path: str) -> Iterator[tuple[str, Any, str
         if type(pictures) is not dict:
             raise AnnotationError(
                 path,
-                f"expected an object of pictures, found {kind_of(pictures)}",
+                f"expected an object of pictures, found {json_kind(pictures)}",
                 place=group,
                 advice="correct it",
             )
@@ -88,7 +88,7 @@ def _entries(content: dict[str, Any], path: str) -> Iterator[tuple[str, Any, str
             yield picture, entry, f"{group}[{printable(picture)!r}]"
 
 
-def _read(picture: str, entry: Any, path: str, place: str, reading: Reading) -> ExchangedFrame:
+def _read(picture: str, entry: Any, path: str, place: str, reading: ReadContext) -> ExchangedFrame:
     frame = reading.frame_of_picture(picture, path, place)
     if type(entry) is not dict or type(entry.get("lines")) is not list:
         raise AnnotationError(
@@ -99,7 +99,7 @@ def _read(picture: str, entry: Any, path: str, place: str, reading: Reading) -> 
         )
     metadata = entry.get("imageMetadata")
     metadata = metadata if type(metadata) is dict else {}
-    size = size_told(
+    size = size_from_file(
         metadata.get("width"), metadata.get("height"), path, f"{place}.imageMetadata"
     ) or reading.size_of(frame)
     if size is None:
@@ -111,7 +111,7 @@ def _read(picture: str, entry: Any, path: str, place: str, reading: Reading) -> 
         )
     if any(entry[key] for key in entry.keys() - _ENTRY_KEYS):
         reading.remarks.add("players, links and other entries of the pictures are left out", frame)
-    pieces = Pieces(path, f"{place}.lines", reading, size)
+    pieces = ShapeCollector(path, f"{place}.lines", reading, size)
     for i, line in enumerate(entry["lines"]):
         _add_line(pieces, line, size, path, f"{place}.lines[{i}]", frame, reading)
     extra = extra_of(entry.get(EXTRA_KEY), path, f"{place}.{EXTRA_KEY}", reading.field)
@@ -120,13 +120,13 @@ def _read(picture: str, entry: Any, path: str, place: str, reading: Reading) -> 
 
 
 def _add_line(
-    pieces: Pieces, line: Any, size: Size, path: str, place: str, frame: str, reading: Reading
+    pieces: ShapeCollector, line: Any, size: Size, path: str, place: str, frame: str, reading: ReadContext
 ) -> None:
     values = line.get("points") if type(line) is dict else None
     if type(values) is not list or len(values) % 2:
         raise AnnotationError(
             path,
-            f"expected points [x1, y1, x2, y2, ...], found {spelled(values)}",
+            f"expected points [x1, y1, x2, y2, ...], found {json_repr(values)}",
             place=f"{place}.points",
             advice="correct or remove the line",
         )
@@ -144,7 +144,7 @@ def _add_line(
     pieces.add(line["class"], points, f"{place}.class")
 
 
-def write_many(frames: Iterable[ExchangedFrame], writing: Writing) -> None:
+def write_many(frames: Iterable[ExchangedFrame], writing: WriteContext) -> None:
     """One file; every frame is an action of its own unless an existing file says otherwise."""
     content = _start(writing)
     known: dict[str, list[tuple[str, str]]] = {}
@@ -189,12 +189,12 @@ def decode_existing(data: bytes, path: str) -> dict[str, Any]:
         frame_of_picture(picture, path, place)
         if type(entry) is not dict:
             raise AnnotationError(
-                path, f"expected an object, found {kind_of(entry)}", place=place, advice="mend it"
+                path, f"expected an object, found {json_kind(entry)}", place=place, advice="mend it"
             )
     return content
 
 
-def _start(writing: Writing) -> dict[str, Any]:
+def _start(writing: WriteContext) -> dict[str, Any]:
     content: dict[str, Any] = {"GameMetadata": {}, "actions": {}, "replays": {}}
     if writing.into is not None:
         content |= writing.into
@@ -210,10 +210,10 @@ def _size_in(entry: dict[str, Any], place: str) -> Size | None:
     metadata = entry.get("imageMetadata")
     if type(metadata) is not dict:
         return None
-    return size_told(metadata.get("width"), metadata.get("height"), FILE_NAME, place)
+    return size_from_file(metadata.get("width"), metadata.get("height"), FILE_NAME, place)
 
 
-def _lines(polylines: tuple[Polyline, ...], size: Size, writing: Writing) -> list[dict[str, Any]]:
+def _lines(polylines: tuple[Polyline, ...], size: Size, writing: WriteContext) -> list[dict[str, Any]]:
     labels = labels_for(polylines, writing.field)
     return [
         {"class": label, "points": [value for xy in points_to_px(p, size) for value in xy]}

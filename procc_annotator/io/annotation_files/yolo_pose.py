@@ -18,7 +18,7 @@ from procc_annotator.annotation import Polyline
 from procc_annotator.io.annotation_files.exchange import (
     ExchangedFrame,
     Size,
-    Writing,
+    WriteContext,
     points_to_px,
 )
 from procc_annotator.io.annotation_files.pieces import labels_for
@@ -29,7 +29,7 @@ _BOX = 5  # numbers before the keypoints: a class and its box
 _DECIMALS = 7  # of a width: a ten thousandth of a pixel
 
 
-def write_many(frames: Iterable[ExchangedFrame], writing: Writing) -> None:
+def write_many(frames: Iterable[ExchangedFrame], writing: WriteContext) -> None:
     """``labels/SPLIT/{frame}.txt``, and ``data.yaml`` that names classes and folders."""
     split = writing.folder or DEFAULT_SPLIT
     ids = {e.name: i for i, e in enumerate(writing.field.elements)}

@@ -6,13 +6,13 @@ pictures may show a soccer field.
 
 from __future__ import annotations
 
-from procc_annotator.field.load import field_titles, is_shipped
+from procc_annotator.field.load import field_titles, is_builtin_field
 from procc_annotator.field.model import Field
 
 NAME_THE_FORMAT = "choose its camera format: world takes metres from the field's centre"
 
 
-def of_another_field(assumed: str, field: Field) -> str:
+def field_mismatch(assumed: str, field: Field) -> str:
     """Why a camera cannot be taken for one of a field; empty if it can.
 
     A field of the user's own may be any, soccer too.
@@ -23,7 +23,7 @@ def of_another_field(assumed: str, field: Field) -> str:
     """
     if not assumed or field.name == assumed:
         return ""
-    if field.source is not None and not is_shipped(field.source):
+    if field.source is not None and not is_builtin_field(field.source):
         return ""
     titles = field_titles()
     return (

@@ -19,10 +19,10 @@ from procc_annotator.io.camera_files.loaded_camera import LoadedCamera, with_not
 from procc_annotator.io.camera_files.soccernet_camera import camera_from, is_soccernet
 from procc_annotator.io.json_values import JsonValues, degrees
 
-KIND = "a BroadTrack camera"
+BROADTRACK_KIND = "a BroadTrack camera"
 _SIZE = ("sensorResolutionWidthPixels", "sensorResolutionHeightPixels")
 _FIELD_OF_VIEW = "horizontalFieldOfViewDegrees"
-_ANGLES = ("panDegrees", "tiltDegrees", "rollDegrees")
+_BROADTRACK_ANGLES = ("panDegrees", "tiltDegrees", "rollDegrees")
 _POSITION = ("positionXMeters", "positionYMeters", "positionZMeters")
 _RADIAL = "normalizedRadialDistortionCoefficients"
 
@@ -53,10 +53,10 @@ def broadtrack_from(content: object, path: str, inside: str = "") -> LoadedCamer
     Raises:
         CameraError: names the place and what was expected.
     """
-    entry = JsonValues.of(content, path, inside, KIND)
+    entry = JsonValues.of(content, path, inside, BROADTRACK_KIND)
     entry.need("the camera", "cp")
     place = f"{inside}: cp" if inside else "cp"
-    values = JsonValues.of(entry.content["cp"], path, place, KIND)
+    values = JsonValues.of(entry.content["cp"], path, place, BROADTRACK_KIND)
     if is_soccernet(values.content):
         loaded = camera_from(values.content, path=path, inside=place)
         return with_notices(loaded, entry.unused("cp"))
@@ -67,7 +67,7 @@ def broadtrack_from(content: object, path: str, inside: str = "") -> LoadedCamer
     if not 0 < angle < math.pi:
         raise values.error("expected an angle between 0 and 180 degrees", _FIELD_OF_VIEW)
     focal = size[0] / (2 * math.tan(angle / 2))
-    pan, tilt, roll = degrees(values, _ANGLES)
+    pan, tilt, roll = degrees(values, _BROADTRACK_ANGLES)
     x, y, z = (values.number(key) for key in _POSITION)
     k1, k2, k3 = _radial(values, size[1] / focal)
     camera = PinholeCamera(
@@ -79,7 +79,7 @@ def broadtrack_from(content: object, path: str, inside: str = "") -> LoadedCamer
         (size[0] / 2, size[1] / 2),
         (k1, k2, k3, 0.0, 0.0, 0.0),
     )
-    unused = values.unused(*_SIZE, _FIELD_OF_VIEW, *_ANGLES, *_POSITION, _RADIAL)
+    unused = values.unused(*_SIZE, _FIELD_OF_VIEW, *_BROADTRACK_ANGLES, *_POSITION, _RADIAL)
     return LoadedCamera(camera, "pinhole", size, notices=(*unused, *entry.unused("cp")))
 
 

@@ -12,17 +12,17 @@ from natsort import natsorted
 
 from procc_annotator.errors import CameraError, InputError
 from procc_annotator.field.model import Field
-from procc_annotator.io.camera_files.assumed_field import NAME_THE_FORMAT, of_another_field
+from procc_annotator.io.camera_files.assumed_field import NAME_THE_FORMAT, field_mismatch
 from procc_annotator.io.camera_files.camera_records import CameraRecords
 from procc_annotator.io.camera_files.cameras import read_camera_file
 from procc_annotator.io.camera_files.fitted_on import (
-    BESIDE,
+    SIDECAR_SUFFIX,
     TABLE_FILE,
-    FittedOn,
+    FitDigests,
     folders_of,
 )
-from procc_annotator.io.camera_files.free_world import with_doubt
-from procc_annotator.io.camera_files.held_out_table import HELD_OUT_FILE, HeldOutTables
+from procc_annotator.io.camera_files.free_world import with_plausibility_remark
+from procc_annotator.io.camera_files.held_out_table import LEFT_OUT_FILE, LeftOutTables
 from procc_annotator.io.camera_files.json_cameras import PointsError
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.camera_files.paired_files import paired_records
@@ -78,8 +78,8 @@ class CameraCollection:
         self.field = field
         self._source = source
         self._about_to_read = about_to_read
-        self._fitted_on = FittedOn(self._read_beside)
-        self._held_out = HeldOutTables(self._read_beside)
+        self._fitted_on = FitDigests(self._read_beside)
+        self._held_out = LeftOutTables(self._read_beside)
         self._records: dict[str, CameraRecords] = {}
         files = list_cameras(source, fmt)
         self.frames: ByFrame[str] = files
@@ -138,9 +138,9 @@ class CameraCollection:
 
     def _of_field(self, loaded: LoadedCamera, frame: str, field: Field | None) -> LoadedCamera:
         field = field or self.field
-        if field is not None and (problem := of_another_field(loaded.assumed_field, field)):
+        if field is not None and (problem := field_mismatch(loaded.assumed_field, field)):
             raise CameraError(self.display(frame), problem, advice=NAME_THE_FORMAT)
-        return with_doubt(loaded)
+        return with_plausibility_remark(loaded)
 
     def display(self, frame: str) -> str:
         """How to name the camera of a frame to a person: its file, and the place in it."""
@@ -162,10 +162,10 @@ class CameraCollection:
     def beside(self) -> list[str]:
         """Files beside the cameras that tell what they were fitted to, as names in the source."""
         folders = {folder for file in self.frames.values() for folder in folders_of(file)}
-        names = {folder + name for folder in folders for name in (TABLE_FILE, HELD_OUT_FILE)}
+        names = {folder + name for folder in folders for name in (TABLE_FILE, LEFT_OUT_FILE)}
         for frame, file in self.frames.items():
             own = self.frames.name_there(frame) or frame
-            names.add(file[: file.rfind("/") + 1] + own.rpartition("/")[2] + BESIDE)
+            names.add(file[: file.rfind("/") + 1] + own.rpartition("/")[2] + SIDECAR_SUFFIX)
         return sorted(names & self._all_files)
 
     @cached_property
@@ -180,7 +180,7 @@ class CameraCollection:
             if file in self._all_files:
                 return self._source.read(file)
             beside = self.path.parent / PurePosixPath(file).name  # of a file that was named alone
-            alone = file.endswith(BESIDE) and self.path.is_file() and beside.is_file()
+            alone = file.endswith(SIDECAR_SUFFIX) and self.path.is_file() and beside.is_file()
             return beside.read_bytes() if alone else None
         except (InputError, OSError):  # gone, or damaged: it says nothing
             return None

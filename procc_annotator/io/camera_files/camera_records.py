@@ -9,7 +9,7 @@ from typing import Any
 
 from procc_annotator.errors import CameraError
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
-from procc_annotator.io.frame_names import PICTURE_FOLDERS, folders_told, slashed
+from procc_annotator.io.frame_names import PICTURE_FOLDERS, picture_folders_of, posix_path
 from procc_annotator.io.json_text import printable
 
 _PICTURE_SUFFIXES = frozenset(
@@ -57,7 +57,7 @@ class CameraRecords:
         """From (picture's name, record) pairs in file order; frames are called by the last parts of
         these names, or by their paths where they lie in several folders."""
         pairs = list(found)
-        folders = folders_told(slashed(name) for name, _ in pairs)
+        folders = picture_folders_of(posix_path(name) for name, _ in pairs)
         by_path = len(folders) > 1
         only = next(iter(folders - {*PICTURE_FOLDERS}), "") if len(folders) == 1 else ""
         entries: dict[str, tuple[CameraRecord, ...]] = {}
@@ -99,6 +99,6 @@ class CameraRecords:
 def frame_of_image(name: str, by_path: bool = False) -> str:
     """The frame a picture's name stands for: without the suffix of a picture, and without folders
     unless it is called by its path."""
-    path = PurePosixPath(slashed(name))
+    path = PurePosixPath(posix_path(name))
     frame = path.stem if path.suffix.lower() in _PICTURE_SUFFIXES else path.name
     return str(path.parent / frame) if by_path else frame

@@ -17,18 +17,18 @@ from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.camera.matrices import calibration_matrix, translation
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.camera.projections import CameraOrProjections
-from procc_annotator.camera.scaling import ScaledCamera, scaled
+from procc_annotator.camera.scaling import ScaledCamera, scaled_camera
 from procc_annotator.errors import CameraError, UsageError
 from procc_annotator.io.atomic import make_folder, write_atomic
-from procc_annotator.io.camera_files.fitted_on import BESIDE, DIGEST, FIT_KEY, beside_content
+from procc_annotator.io.camera_files.fitted_on import SIDECAR_SUFFIX, DIGEST, FIT_KEY, sidecar_content
 from procc_annotator.io.camera_files.homography_file import CONVENTIONS, HOMOGRAPHY_SIZE
 from procc_annotator.io.camera_files.krt_camera import write_krt
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.camera_files.opencv_camera import write_opencv
 from procc_annotator.io.camera_files.soccernet_camera import write_camera
-from procc_annotator.io.frame_names import file_of_frame, is_file_name, leads_out
+from procc_annotator.io.frame_names import file_of_frame, is_file_name, escapes_folder
 from procc_annotator.io.json_text import printable
-from procc_annotator.metric.folds import folds_into_picture, official_tables
+from procc_annotator.metric.folds import folds_into_image, soccernet_tables
 
 OFFICIAL_SIZE = (960, 540)
 _ZIP_DATE = (1980, 1, 1, 0, 0, 0)  # the same cameras give the same archive
@@ -237,7 +237,7 @@ def write_cameras(
                 files = {_place(writer, frame, split): encoded}
                 digest = None if isinstance(loaded, CameraError) else loaded.fitted_on
                 if digest is not None and not writer.evaluated:  # the others say it themselves
-                    files[file_of_frame(frame, BESIDE)] = beside_content(digest)
+                    files[file_of_frame(frame, SIDECAR_SUFFIX)] = sidecar_content(digest)
                 for name, data in files.items():
                     if archived:
                         archive.writestr(_entry(name), data)
@@ -270,7 +270,7 @@ def _encoded(
         done.problems.append(str(loaded))
         return None
     shown = printable(frame)
-    if leads_out(frame) or not all(map(is_file_name, frame.split("/"))):
+    if escapes_folder(frame) or not all(map(is_file_name, frame.split("/"))):
         done.problems.append(f"{shown}: is no name for a file, expected one without \\ or the like")
         return None
     try:
@@ -280,8 +280,8 @@ def _encoded(
         done.problems.append(f"{shown}: {error}; not written")
         return None
     done.losses.update([*loaded.notices, *losses])
-    if writer.evaluated and folds_into_picture(
-        loaded.camera, official_tables(), loaded.size or OFFICIAL_SIZE
+    if writer.evaluated and folds_into_image(
+        loaded.camera, soccernet_tables(), loaded.size or OFFICIAL_SIZE
     ):
         done.folded.append(shown)
     if size is not None and loaded.size is None and writer.size is None:
@@ -292,7 +292,7 @@ def _encoded(
 def _for_size(loaded: LoadedCamera, size: Size | None) -> LoadedCamera:
     if size is None or loaded.size is None or loaded.size == size:
         return loaded
-    camera = scaled(loaded.camera, loaded.size, size)
+    camera = scaled_camera(loaded.camera, loaded.size, size)
     return replace(loaded, camera=camera, size=size)
 
 

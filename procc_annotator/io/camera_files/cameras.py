@@ -5,7 +5,7 @@ from __future__ import annotations
 from procc_annotator.camera.fisheye import FisheyeCamera
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.camera.projections import CameraOrProjections, ElementProjections
-from procc_annotator.camera.scaling import scaled
+from procc_annotator.camera.scaling import scaled_camera
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.camera_files.registry import CAMERA_FORMATS, format_of
 
@@ -47,14 +47,14 @@ def fit_to_size(
     camera = loaded.camera
     if isinstance(camera, ElementProjections):
         # Shares of the picture, which belong to any size: nothing to remark.
-        return scaled(camera, loaded.size or size, size), None
+        return scaled_camera(camera, loaded.size or size, size), None
     told = loaded.size_where(camera_size)
     own = told or unsized or size
     said = f"{own[0]}x{own[1]}"
     if loaded.size not in (None, own):
         said += f" (usual: {loaded.size[0]}x{loaded.size[1]})"
     if own != size:
-        return scaled(camera, own, size), f"scaled from {said} to {size[0]}x{size[1]}"
+        return scaled_camera(camera, own, size), f"scaled from {said} to {size[0]}x{size[1]}"
     if told is None:
         return camera, _doubt(camera, size)
     return camera, None if loaded.size in (None, own) else f"taken for {said}"

@@ -14,10 +14,10 @@ from procc_annotator.errors import CameraError
 from procc_annotator.io.camera_files.camera_records import CameraRecord, CameraRecords
 from procc_annotator.io.camera_files.krt_camera import KrtKeys, camera_of_matrices
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
-from procc_annotator.io.json_text import kind_of
+from procc_annotator.io.json_text import json_kind
 from procc_annotator.io.json_values import JsonValues
 
-KIND = "a K, R, T camera of DeepSportRadar"
+DEEPSPORTRADAR_KIND = "a K, R, T camera of DeepSportRadar"
 _CM = 0.01
 # The centre of a FIBA court, in the file's units from the corner that is its origin.
 COURT_CENTRE_CM = (1400.0, 750.0, 0.0)
@@ -47,12 +47,12 @@ def deepsportradar_records(content: object, path: str) -> CameraRecords:
     """
     if type(content) is not list:
         raise CameraError(
-            path, f"expected a list of cameras, found {kind_of(content)}", place="top level"
+            path, f"expected a list of cameras, found {json_kind(content)}", place="top level"
         )
     size = None
     entries = list(enumerate(content))
     if entries and type(content[0]) is dict and set(content[0]) == {"width", "height"}:
-        size = JsonValues(content[0], path, "[0]", KIND, nested=True).size()
+        size = JsonValues(content[0], path, "[0]", DEEPSPORTRADAR_KIND, nested=True).size()
         entries = entries[1:]
     if not entries:
         raise CameraError(path, "holds no camera, expected a list of cameras")
@@ -65,14 +65,14 @@ def deepsportradar_records(content: object, path: str) -> CameraRecords:
 
 def _from_entry(content: tuple[object, tuple[int, int] | None], path: str, at: str) -> LoadedCamera:
     entry, size = content
-    values = JsonValues.of(entry, path, at, KIND, nested=True)
+    values = JsonValues.of(entry, path, at, DEEPSPORTRADAR_KIND, nested=True)
     if "P" in values and list(values.numbers("P")) == _NO_CAMERA:
         raise values.error('stands for "no camera found"', "P", advice="")
     rotation, t = values.matrix("R", 3, 3), values.numbers("T")
     if len(t) != 3:
         raise values.error(f"expected 3 numbers, found {len(t)}", "T")
     moved = {**values.content, "T": _centred(rotation, t, values)}
-    own = JsonValues(moved, path, at, KIND, nested=True)
+    own = JsonValues(moved, path, at, DEEPSPORTRADAR_KIND, nested=True)
     return camera_of_matrices(own, _KEYS, own.size() or size)
 
 

@@ -15,7 +15,7 @@ from typing import Any
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation
-from procc_annotator.io.csv_text import formula_text
+from procc_annotator.io.csv_text import unescape_formula
 from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.language import word
 
@@ -28,7 +28,7 @@ FITTED_KEYS = ("fitted_on_these_clicks", "fitted_on_another_version")
 FIT_KEY = "fit"  # of a camera file: what it was fitted from
 DIGEST = "annotation_sha256"  # among that, and the column of the table
 TABLE_FILE = "calibration.csv"  # beside cameras of any format
-BESIDE = ".fit"  # says it of one camera, whose own file has no place for it
+SIDECAR_SUFFIX = ".fit"  # says it of one camera, whose own file has no place for it
 
 
 def annotation_digest(annotation: FrameAnnotation) -> str:
@@ -37,7 +37,7 @@ def annotation_digest(annotation: FrameAnnotation) -> str:
 
 
 @dataclass(frozen=True, slots=True)
-class Fitted:
+class FitCounts:
     """Number of cameras that were fitted to the annotations they are judged by, or to another
     version of these; false without any. No such source is ranked.
 
@@ -48,7 +48,7 @@ class Fitted:
     another: int = 0
 
     @classmethod
-    def of(cls, digest: str | None, annotation: FrameAnnotation) -> Fitted:
+    def of(cls, digest: str | None, annotation: FrameAnnotation) -> FitCounts:
         """One camera by the digest of what it was fitted to, judged by an annotation."""
         if digest is None:
             return NOT_FITTED
@@ -58,11 +58,11 @@ class Fitted:
     def __bool__(self) -> bool:
         return self.count > 0
 
-    def __add__(self, other: Fitted) -> Fitted:
-        return Fitted(self.these + other.these, self.another + other.another)
+    def __add__(self, other: FitCounts) -> FitCounts:
+        return FitCounts(self.these + other.these, self.another + other.another)
 
-    def __sub__(self, other: Fitted) -> Fitted:
-        return Fitted(self.these - other.these, self.another - other.another)
+    def __sub__(self, other: FitCounts) -> FitCounts:
+        return FitCounts(self.these - other.these, self.another - other.another)
 
     @property
     def count(self) -> int:
@@ -92,15 +92,15 @@ class Fitted:
         return f"{self.mark} in {self.count} of {with_camera} frames" if partly else self.mark
 
 
-NOT_FITTED = Fitted()
+NOT_FITTED = FitCounts()
 
 
-def marked(name: str, fitted: Fitted) -> str:
+def name_with_mark(name: str, fitted: FitCounts) -> str:
     """The name of a source as it stands beside others, with the mark if it was fitted so."""
     return f"{name} ({fitted.mark})" if fitted else name
 
 
-def beside_content(digest: str) -> bytes:
+def sidecar_content(digest: str) -> bytes:
     """What a file beside a camera says of the annotation it was fitted to."""
     return json.dumps({DIGEST: digest}).encode()
 
@@ -114,7 +114,7 @@ def folders_of(file: str) -> Iterator[str]:
         file = folder
 
 
-class FittedOn:
+class FitDigests:
     """What the cameras of a source were fitted to; files beside them are read once."""
 
     def __init__(self, read: Callable[[str], bytes | None]) -> None:
@@ -144,7 +144,7 @@ class FittedOn:
             table = self._tables[folder]
             if table and (found := table.get(frame) or table.get(beside[len(folder) :])):
                 return found
-        note = self._read(beside + BESIDE)
+        note = self._read(beside + SIDECAR_SUFFIX)
         return None if note is None else _digest_in(_object(note))
 
 
@@ -170,7 +170,7 @@ def _table(data: bytes | None) -> FrameTable[str]:
     except csv.Error:
         return FrameTable()
     return FrameTable(
-        (formula_text(row["name"]), row[DIGEST])
+        (unescape_formula(row["name"]), row[DIGEST])
         for row in rows
         if row.get("name") and row.get(DIGEST)
     )

@@ -9,7 +9,7 @@ from procc_annotator.io.camera_files.loaded_camera import LoadedCamera, with_not
 _FAR_M = 1000.0
 
 
-def with_doubt(loaded: LoadedCamera) -> LoadedCamera:
+def with_plausibility_remark(loaded: LoadedCamera) -> LoadedCamera:
     """The same with a remark where no camera stands: below the ground, or a kilometre away.
 
     Structure from motion finds a world up to its place, turn and size; only who laid it upon the

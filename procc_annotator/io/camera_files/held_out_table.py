@@ -13,9 +13,9 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 from procc_annotator.io.camera_files.fitted_on import folders_of
-from procc_annotator.io.csv_text import formula_text
+from procc_annotator.io.csv_text import unescape_formula
 
-HELD_OUT_FILE = "held_out.csv"
+LEFT_OUT_FILE = "held_out.csv"
 CAMERA_HASH = "camera_sha256"
 # Columns besides the frame's name, which is for people.
 COLUMNS = (
@@ -25,7 +25,7 @@ COLUMNS = (
 
 
 @dataclass(frozen=True, slots=True)
-class HeldOutElement:
+class LeftOutElement:
     """One element under the camera of the others, and under that of all.
 
     Attributes:
@@ -40,7 +40,7 @@ class HeldOutElement:
 
 
 @dataclass(frozen=True, slots=True)
-class HeldOutTerms:
+class LeftOutSettings:
     """What distances were taken with.
 
     Attributes:
@@ -55,11 +55,11 @@ class HeldOutTerms:
 
 
 @dataclass(frozen=True, slots=True)
-class HeldOut:
+class LeftOutResult:
     """The elements of a frame that were left out in turn, and what they were judged with."""
 
-    terms: HeldOutTerms
-    elements: tuple[HeldOutElement, ...]
+    terms: LeftOutSettings
+    elements: tuple[LeftOutElement, ...]
 
 
 def camera_hash(data: bytes) -> str:
@@ -67,7 +67,7 @@ def camera_hash(data: bytes) -> str:
     return hashlib.sha256(data).hexdigest()
 
 
-class HeldOutTables:
+class LeftOutTables:
     """What such tables say of the cameras beside them; each is read once."""
 
     def __init__(self, read: Callable[[str], bytes | None]) -> None:
@@ -77,9 +77,9 @@ class HeldOutTables:
             read: the content of a file of the source; None where there is none.
         """
         self._read = read
-        self._tables: dict[str, tuple[Mapping[str, HeldOut], str]] = {}
+        self._tables: dict[str, tuple[Mapping[str, LeftOutResult], str]] = {}
 
-    def of(self, file: str, data: bytes) -> tuple[HeldOut | None, str]:
+    def of(self, file: str, data: bytes) -> tuple[LeftOutResult | None, str]:
         """What is known of a camera, and a remark on a table that cannot be read.
 
         Args:
@@ -88,7 +88,7 @@ class HeldOutTables:
         remarks = []
         for folder in folders_of(file):  # of a tree it lies at the top
             if folder not in self._tables:
-                self._tables[folder] = _read_table(self._read(folder + HELD_OUT_FILE))
+                self._tables[folder] = _read_table(self._read(folder + LEFT_OUT_FILE))
             table, remark = self._tables[folder]
             remarks.append(remark)
             if table and (found := table.get(camera_hash(data))) is not None:
@@ -96,20 +96,20 @@ class HeldOutTables:
         return None, next(filter(None, remarks), "")
 
 
-def _read_table(data: bytes | None) -> tuple[Mapping[str, HeldOut], str]:
+def _read_table(data: bytes | None) -> tuple[Mapping[str, LeftOutResult], str]:
     """By the hash of the camera; nothing of a file that has not the columns of such a table."""
     if data is None:
         return {}, ""
     reader = csv.DictReader(io.StringIO(data.decode("utf-8-sig", "replace"), newline=""))
     # Frames that are annotated alike have the same camera, and the same rows: each counts once.
-    rows: dict[str, dict[str, HeldOutElement]] = {}
-    terms: dict[str, HeldOutTerms] = {}
+    rows: dict[str, dict[str, LeftOutElement]] = {}
+    terms: dict[str, LeftOutSettings] = {}
     try:
         if not set(COLUMNS) <= set(reader.fieldnames or ()):
             return {}, ""
         for row in reader:
             digest = row[CAMERA_HASH]
-            terms[digest] = HeldOutTerms(
+            terms[digest] = LeftOutSettings(
                 row["protocol"], (int(row["width"]), int(row["height"])), row["field_sha256"]
             )
             of_camera = rows.setdefault(digest, {})
@@ -118,17 +118,17 @@ def _read_table(data: bytes | None) -> tuple[Mapping[str, HeldOut], str]:
                 of_camera[element.name] = element
     except (csv.Error, ValueError, TypeError) as error:
         return {}, (
-            f"{HELD_OUT_FILE}, line {reader.line_num}: {error}; its figures are left out, calibrate"
+            f"{LEFT_OUT_FILE}, line {reader.line_num}: {error}; its figures are left out, calibrate"
             " --held-out writes it anew"
         )
     return {
-        digest: HeldOut(terms[digest], tuple(found.values())) for digest, found in rows.items()
+        digest: LeftOutResult(terms[digest], tuple(found.values())) for digest, found in rows.items()
     }, ""
 
 
-def _element(row: Mapping[str, str]) -> HeldOutElement:
+def _element(row: Mapping[str, str]) -> LeftOutElement:
     distances = (_distance(row[key]) for key in ("held_out_px", "in_sample_px"))
-    return HeldOutElement(formula_text(row["class"]), *distances)
+    return LeftOutElement(unescape_formula(row["class"]), *distances)
 
 
 def _distance(cell: str) -> float | None:

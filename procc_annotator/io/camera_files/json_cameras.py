@@ -43,7 +43,7 @@ from procc_annotator.io.camera_files.projection_camera import is_projection, pro
 from procc_annotator.io.camera_files.soccernet_camera import camera_from, is_soccernet
 from procc_annotator.io.camera_files.transforms_camera import is_transforms, transforms_records
 from procc_annotator.io.camera_files.tvcalib_camera import is_tvcalib, tvcalib_from, tvcalib_records
-from procc_annotator.io.json_text import decode_fast, kind_of, printable, without_bom
+from procc_annotator.io.json_text import decode_fast, json_kind, printable, strip_bom
 
 _ANNOTATION_ADVICE = (
     "annotations are no cameras; projected polylines are read with the camera format polylines"
@@ -190,7 +190,7 @@ def read_json(data: bytes, *, path: str, name: str | None = None) -> LoadedCamer
     content = _decoded(data, path)
     if name is None and is_storage(content):
         return read_opencv(data, path=path)
-    known = _BY_NAME[name] if name else _recognised(content, path)
+    known = _BY_NAME[name] if name else _detected(content, path)
     if known is TVCALIB:
         return tvcalib_from(content, path)
     records = known.many(content, path)
@@ -211,20 +211,20 @@ def json_records(data: bytes, *, path: str, name: str | None = None) -> CameraRe
     content = _decoded(data, path)
     if name is None and is_storage(content):
         return None
-    known = _BY_NAME[name] if name else _recognised(content, path)
+    known = _BY_NAME[name] if name else _detected(content, path)
     if known is TVCALIB:
         return tvcalib_records(data, path=path)
     return known.many(content, path)
 
 
-def recognised_title(data: bytes, path: str) -> str:
+def detected_title(data: bytes, path: str) -> str:
     """The title of the format a file of cameras is told to be by its content, as of `read_json`;
     empty for any other file, damaged ones too."""
     try:
         if _is_lines(data):
             return TVCALIB.title
         content = _decoded(data, path)
-        return "OpenCV FileStorage" if is_storage(content) else _recognised(content, path).title
+        return "OpenCV FileStorage" if is_storage(content) else _detected(content, path).title
     except CameraError:
         return ""
 
@@ -250,7 +250,7 @@ def _decoded(data: bytes, path: str) -> Any:
     return decode_fast(data, path=path, error=CameraError)
 
 
-def _recognised(content: object, path: str) -> JsonFormat:
+def _detected(content: object, path: str) -> JsonFormat:
     if type(content) is dict and is_soccernet(content) and not is_tvcalib(content):
         return SOCCERNET
     values = list(content.values()) if type(content) is dict else []
@@ -280,7 +280,7 @@ def _unknown(content: object, path: str) -> CameraError:
             "holds a homography, and nothing tells which ground and which units it is of",
             advice="save it as .npy, and choose a camera format: wc14, carwc or world",
         )
-    found = kind_of(content)
+    found = json_kind(content)
     if type(content) is dict and content:
         keys = ", ".join(printable(str(key), 30) for key in list(content)[:_SHOWN_KEYS])
         more = ", ..." if len(content) > _SHOWN_KEYS else ""
@@ -299,7 +299,7 @@ def _is_camera(content: object) -> bool:
 
 def _is_lines(data: bytes) -> bool:
     """Whether a file holds one TVCalib record a line, judged by its first."""
-    data = without_bom(data)
+    data = strip_bom(data)
     first, _, rest = data.lstrip().partition(b"\n")
     if not rest.strip() or not first.lstrip().startswith(b"{") or b'"image_ids"' not in first:
         return False

@@ -17,17 +17,17 @@ from procc_annotator.camera.fisheye import FisheyeCamera
 from procc_annotator.camera.matrices import (
     calibration_matrix,
     distortion_vector,
-    fisheye_of,
-    intrinsics_of,
-    pinhole_of,
-    pose_of,
+    fisheye_from_parts,
+    intrinsics_from_matrix,
+    pinhole_from_parts,
+    pose_from_rt,
     translation,
 )
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.json_values import JsonValues
 
-KIND = "a K, R, t camera"
+KRT_KIND = "a K, R, t camera"
 MODELS = ("pinhole", "fisheye")
 # Of 1 and of the largest number: files round. A lens may differ by 0.03 px.
 _SAME_POSE, _SAME_LENS = 1e-3, 1e-5
@@ -56,15 +56,15 @@ class KrtKeys:
         return tuple(key for part in vars(self).values() for key in part)
 
 
-KEYS = KrtKeys()
+KRT_KEYS = KrtKeys()
 
 
 def is_krt(content: object) -> bool:
     """Whether a decoded value has the keys of such a camera."""
     return (
         type(content) is dict
-        and any(key in content for key in KEYS.k)
-        and any(key in content for key in KEYS.r)
+        and any(key in content for key in KRT_KEYS.k)
+        and any(key in content for key in KRT_KEYS.r)
     )
 
 
@@ -74,7 +74,7 @@ def krt_from(content: object, path: str, inside: str = "") -> LoadedCamera:
     Raises:
         CameraError: names the place and what was expected.
     """
-    return camera_of_matrices(JsonValues.of(content, path, inside, KIND), KEYS)
+    return camera_of_matrices(JsonValues.of(content, path, inside, KRT_KIND), KRT_KEYS)
 
 
 def camera_of_matrices(
@@ -93,7 +93,7 @@ def camera_of_matrices(
     size = size or values.size()
     key, k = _agreeing(values, "3 x 3 numbers", keys.k, lambda key: values.matrix(key, 3, 3))
     try:
-        inside = intrinsics_of(k, size)
+        inside = intrinsics_from_matrix(k, size)
     except ValueError as problem:
         raise values.error(str(problem), key) from problem
     rotation_key, rotation = _agreeing(
@@ -105,7 +105,7 @@ def camera_of_matrices(
         _SAME_POSE,
     )  # fmt: skip
     try:
-        pose = pose_of(rotation, t)
+        pose = pose_from_rt(rotation, t)
     except ValueError as problem:
         place = t_key if str(problem).startswith("t ") else rotation_key
         raise values.error(str(problem), place) from problem
@@ -115,7 +115,7 @@ def camera_of_matrices(
         lens_key, distortion = _agreeing(
             values, "", keys.distortion, lambda key: np.array(values.numbers(key))
         )
-    make = fisheye_of if model == "fisheye" else pinhole_of
+    make = fisheye_from_parts if model == "fisheye" else pinhole_from_parts
     try:
         camera = make(inside, pose, distortion.tolist())
     except ValueError as problem:

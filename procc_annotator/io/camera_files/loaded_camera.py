@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from procc_annotator.camera.projections import CameraOrProjections
-from procc_annotator.io.camera_files.held_out_table import HeldOut
+from procc_annotator.io.camera_files.held_out_table import LeftOutResult
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,7 +39,7 @@ class LoadedCamera:
     notices: tuple[str, ...] = ()
     content: Mapping[str, Any] = field(default_factory=dict)
     fitted_on: str | None = None
-    held_out: HeldOut | None = None
+    held_out: LeftOutResult | None = None
     assumed_field: str = ""
     size_is_usual: bool = False
 

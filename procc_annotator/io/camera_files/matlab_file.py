@@ -78,7 +78,7 @@ class _File:
             raise _DamagedError("its header of 128 bytes is cut off or damaged")
         self._data = data
         self._order = order
-        self._left = _LARGEST
+        self._skipped_frames = _LARGEST
 
     def variables(self) -> dict[str, Any]:
         found: dict[str, Any] = {}
@@ -98,12 +98,12 @@ class _File:
     def _inflated(self, data: bytes) -> bytes:
         reader = zlib.decompressobj()
         try:
-            found = reader.decompress(data, self._left + 1)
+            found = reader.decompress(data, self._skipped_frames + 1)
         except zlib.error as error:
             raise _DamagedError(f"a compressed part is damaged ({error})") from error
-        self._left -= len(found)
-        if self._left < 0 or not reader.eof:
-            what = "is too large" if self._left < 0 else "is cut off"
+        self._skipped_frames -= len(found)
+        if self._skipped_frames < 0 or not reader.eof:
+            what = "is too large" if self._skipped_frames < 0 else "is cut off"
             raise _DamagedError(f"a compressed part {what}")
         return found
 

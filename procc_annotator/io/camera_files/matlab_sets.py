@@ -30,7 +30,7 @@ from procc_annotator.io.camera_files.krt_camera import krt_from
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera, with_notices
 from procc_annotator.io.json_values import JsonValues
 
-KIND = "an annotation of a MATLAB structure"
+MATLAB_SET_KIND = "an annotation of a MATLAB structure"
 _YARD_M = 0.9144
 # The field's centre in their axes, and those in ours: half a turn about x.
 _CENTRE = np.array([115 / 2 * _YARD_M, 74 / 2 * _YARD_M, 0.0])
@@ -86,7 +86,7 @@ def _records(content: object, path: str, read: Any) -> CameraRecords:
 
 
 def _homography(content: Any, path: str, inside: str) -> LoadedCamera:
-    values = JsonValues.of(content, path, inside, KIND)
+    values = JsonValues.of(content, path, inside, MATLAB_SET_KIND)
     image_from_ground = values.matrix("homography", 3, 3)
     try:
         matrix: FloatArray = np.linalg.inv(image_from_ground).astype(np.float64)
@@ -98,7 +98,7 @@ def _homography(content: Any, path: str, inside: str) -> LoadedCamera:
 
 
 def _ptz(content: Any, path: str, inside: str) -> LoadedCamera:
-    values = JsonValues.of(content, path, inside, KIND)
+    values = JsonValues.of(content, path, inside, MATLAB_SET_KIND)
     cx, cy, focal, *rest = values.vector("camera", 9)
     place = _TURN @ (np.array(rest[3:]) - _CENTRE)
     rotation = _matrix_of(np.array(rest[:3])) @ _TURN

@@ -17,7 +17,7 @@ from procc_annotator.io.camera_files.camera_records import (
     CameraRecords,
 )
 from procc_annotator.io.camera_files.krt_camera import (
-    KEYS,
+    KRT_KEYS,
     KrtKeys,
     camera_of_matrices,
     is_krt,
@@ -27,14 +27,14 @@ from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.camera_files.projection_camera import is_projection, projection_from
 from procc_annotator.io.json_values import JsonValues
 
-KIND = "a K, R, t camera"
+NESTED_KIND = "a K, R, t camera"
 NAME_KEYS = ("frames", "names", "image_names", "filenames", "images")
 _OWN_NAME = ("name", "image_name", "frame", "file_name", "id")
 _APART = ("intrinsics", "intrinsic", "extrinsics", "extrinsic")
-_STACKED = (*KEYS.r, "rvecs", *KEYS.t, "tvecs", "P", *KEYS.position)
+_STACKED = (*KRT_KEYS.r, "rvecs", *KRT_KEYS.t, "tvecs", "P", *KRT_KEYS.position)
 # What OpenCV's calibration tutorials call the same in their .npz files.
 _OPENCV_NAMES = {"mtx": "K", "rvecs": "rvec", "tvecs": "tvec"}
-_SHARED_LISTS = frozenset({*KEYS.k, "mtx", *KEYS.distortion})
+_SHARED_LISTS = frozenset({*KRT_KEYS.k, "mtx", *KRT_KEYS.distortion})
 _DOME = frozenset({"K", "R", "t", "distCoef", "resolution"})
 _DOME_KEYS = KrtKeys(
     k=("K",), r=("R",), t=("t",), position=(), distortion=("distCoef",), model=(),
@@ -65,7 +65,7 @@ def nested_records(content: object, path: str) -> CameraRecords:
     found = [(name, CameraRecord(place, entry)) for name, place, entry in _nested(content)]
     if not found:
         raise CameraError(path, "holds no camera, expected K, R and t under 'cameras'")
-    beside = JsonValues.of(content, path, kind=KIND).unused("cameras")
+    beside = JsonValues.of(content, path, kind=NESTED_KIND).unused("cameras")
     return CameraRecords.of(path, found, _nested_from, beside)
 
 
@@ -104,15 +104,15 @@ def _nested(content: object) -> Iterator[tuple[str, str, Any]]:
     cameras = content.get("cameras") if type(content) is dict else None
     if type(cameras) is dict:
         for name, entry in cameras.items():
-            yield name, f"cameras.{name}", _in_one(entry)
+            yield name, f"cameras.{name}", _flatten_entry(entry)
     elif type(cameras) is list:
         for i, entry in enumerate(cameras):
             own = entry if type(entry) is dict else {}
             name = next((own[key] for key in _OWN_NAME if key in own), i)
-            yield str(name), f"cameras[{i}]", _in_one(entry)
+            yield str(name), f"cameras[{i}]", _flatten_entry(entry)
 
 
-def _in_one(entry: Any) -> Any:
+def _flatten_entry(entry: Any) -> Any:
     """A camera without the objects that keep its intrinsics and its pose apart."""
     apart = [key for key in _APART if type(entry) is dict and type(entry.get(key)) is dict]
     if not apart:
@@ -139,7 +139,7 @@ def _dome_camera(content: dict[str, Any], path: str, inside: str) -> LoadedCamer
         "R": (rotation @ _DOME_FROM_WORLD).tolist(),
         "t": [_CM * number for number in t],
     }
-    turned = JsonValues(own, path, inside, KIND)
+    turned = JsonValues(own, path, inside, NESTED_KIND)
     return camera_of_matrices(turned, _DOME_KEYS, sized.size())
 
 
@@ -159,7 +159,7 @@ def _is_stacked(key: str, value: Any, count: int) -> bool:
     depth, inner = _depth(value)
     if key in ("R", "rotation_matrix", "P"):
         return depth == 3
-    if key in _SHARED_LISTS and key not in KEYS.distortion:
+    if key in _SHARED_LISTS and key not in KRT_KEYS.distortion:
         return depth == 3
     if key in _STACKED:  # vectors: (N, 3) or (N, 3, 1), but not one column of three
         return depth == 3 or (depth == 2 and inner == 3 and count > 1)

@@ -15,9 +15,9 @@ import numpy as np
 from procc_annotator.camera.fisheye import FisheyeCamera
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.errors import CameraError
-from procc_annotator.io.camera_files.krt_camera import KEYS, camera_of_matrices, krt_content
+from procc_annotator.io.camera_files.krt_camera import KRT_KEYS, camera_of_matrices, krt_content
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
-from procc_annotator.io.json_text import without_bom
+from procc_annotator.io.json_text import strip_bom
 from procc_annotator.io.json_values import SIZE_KEYS, JsonValues, is_camera_key
 
 KIND = "an OpenCV calibration"
@@ -38,7 +38,7 @@ def read_opencv(data: bytes, *, path: str) -> LoadedCamera:
         CameraError: names the key and what was expected.
     """
     content = _content(data, path)
-    return camera_of_matrices(JsonValues(content, path, kind=KIND), KEYS)
+    return camera_of_matrices(JsonValues(content, path, kind=KIND), KRT_KEYS)
 
 
 def is_storage(content: object) -> bool:
@@ -124,7 +124,7 @@ def _text(data: bytes, path: str) -> str:
             advice="is it this file?",
         )
     try:
-        text = without_bom(data).decode("utf-8")
+        text = strip_bom(data).decode("utf-8")
     except UnicodeDecodeError as error:
         raise CameraError(
             path, "is not UTF-8 text", place=f"byte {error.start}", advice="save it as UTF-8"
@@ -171,7 +171,7 @@ def _depth(text: str) -> int:
 
 def _content(data: bytes, path: str) -> dict[str, Any]:
     """The numbers of the keys that belong to a camera, matrices as lists of rows."""
-    wanted = {*KEYS.used, *chain(*SIZE_KEYS)}
+    wanted = {*KRT_KEYS.used, *chain(*SIZE_KEYS)}
     others: set[str] = set()
 
     def note(names: set[str]) -> set[str]:

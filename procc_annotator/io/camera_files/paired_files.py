@@ -117,7 +117,7 @@ def _pairs(
     return found
 
 
-def half_of_pair(data: bytes, *, path: str, known: PairedFormat) -> LoadedCamera:
+def raise_half_of_pair(data: bytes, *, path: str, known: PairedFormat) -> LoadedCamera:
     """No file of a pair is a camera alone.
 
     Raises:

@@ -20,12 +20,12 @@ from procc_annotator.camera.base import FloatArray
 from procc_annotator.errors import CameraError, InputError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.io.camera_files.cameras import read_camera_file
-from procc_annotator.io.camera_files.fitted_on import BESIDE
+from procc_annotator.io.camera_files.fitted_on import SIDECAR_SUFFIX
 from procc_annotator.io.camera_files.submission import IGNORED, LOWERS, REFUSED, SubmissionRemark
 from procc_annotator.io.collections import MANIFEST_FILE, CameraFiles, list_cameras
 from procc_annotator.io.json_text import decode_as, printable
 from procc_annotator.io.source import ZipSource
-from procc_annotator.words import count_of, first_of
+from procc_annotator.words import count_words, first_names
 
 FORMAT = "procc-annotator polylines 1"
 POLYLINES = "polylines"  # the format of the files
@@ -164,10 +164,10 @@ def check_polylines(
         found += _frames_remarks(files, frames)
         known = {*files.values(), MANIFEST_FILE, ""}
         others = [
-            n for n in archive.names() if not (n.removeprefix("./") in known or n.endswith(BESIDE))
+            n for n in archive.names() if not (n.removeprefix("./") in known or n.endswith(SIDECAR_SUFFIX))
         ]
         if others:
-            what = f"{count_of(len(others), 'file')} ({first_of(others)}) of no frame"
+            what = f"{count_words(len(others), 'file')} ({first_names(others)}) of no frame"
             found.append(SubmissionRemark(IGNORED, "", what))
         for name in files.values():
             found += _file_remarks(archive, name, field)
@@ -201,10 +201,10 @@ def _frames_remarks(
     if frames is None:
         return
     if missing := natsorted(frame for frame in frames if frame not in given):
-        what = f"{len(missing)} of {len(frames)} annotated frames are missing ({first_of(missing)})"
+        what = f"{len(missing)} of {len(frames)} annotated frames are missing ({first_names(missing)})"
         yield SubmissionRemark(LOWERS, "", what)
     if unknown := natsorted(set(given) - {given.name_there(frame) for frame in frames}):
-        what = f"{count_of(len(unknown), 'frame')} ({first_of(unknown)}) not annotated"
+        what = f"{count_words(len(unknown), 'frame')} ({first_names(unknown)}) not annotated"
         yield SubmissionRemark(IGNORED, "", what)
 
 
@@ -222,5 +222,5 @@ def _file_remarks(archive: ZipSource, name: str, field: Field) -> Iterator[Submi
     pieces: Mapping[str, object] = getattr(loaded.camera, "pieces", {})
     strange = [n for n in pieces if field.canonical_name(n) not in field.index]
     if strange:
-        what = f"no element of the field: {first_of([printable(n) for n in strange])}"
+        what = f"no element of the field: {first_names([printable(n) for n in strange])}"
         yield SubmissionRemark(IGNORED, place, what)

@@ -17,7 +17,7 @@ from procc_annotator.io.camera_files.camera_records import (
     CameraRecords,
 )
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
-from procc_annotator.io.json_text import is_finite_number, kind_of, printable, spelled
+from procc_annotator.io.json_text import is_finite_number, json_kind, printable, json_repr
 from procc_annotator.io.json_values import JsonValues
 
 KIND = "projected polylines (class -> points)"
@@ -71,7 +71,7 @@ def polylines_from(content: object, path: str, inside: str = "") -> LoadedCamera
 def _pieces(values: JsonValues, name: str) -> tuple[FloatArray, ...]:
     value = values.content[name]
     if type(value) is not list:
-        raise values.error(f"expected a list of points, found {kind_of(value)}", printable(name))
+        raise values.error(f"expected a list of points, found {json_kind(value)}", printable(name))
     if value and all(type(part) is list for part in value):
         return tuple(
             _points(values, part, f"{printable(name)}[{i}]") for i, part in enumerate(value)
@@ -84,14 +84,14 @@ def _points(values: JsonValues, value: list[Any], place: str) -> FloatArray:
     for i, point in enumerate(value):
         if type(point) is not dict or not {"x", "y"} <= point.keys():
             raise values.error(
-                f'expected a point {{"x": ..., "y": ...}}, found {spelled(point)}',
+                f'expected a point {{"x": ..., "y": ...}}, found {json_repr(point)}',
                 f"{place}[{i}]",
             )
         for axis, key in enumerate(("x", "y")):
             number = point[key]
             if not is_finite_number(number):
                 raise values.error(
-                    f"expected a finite number, found {spelled(number)}",
+                    f"expected a finite number, found {json_repr(number)}",
                     f"{place}[{i}].{key}",
                 )
             points[i, axis] = number

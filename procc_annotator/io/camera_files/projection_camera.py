@@ -10,23 +10,23 @@ from typing import Any
 
 from procc_annotator.camera.base import FloatArray
 from procc_annotator.camera.matrices import (
-    intrinsics_of,
-    pinhole_of,
-    pose_of,
-    taken_apart,
+    intrinsics_from_matrix,
+    pinhole_from_parts,
+    pose_from_rt,
+    decompose_projection,
 )
 from procc_annotator.errors import CameraError
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera, with_notices
 from procc_annotator.io.json_values import JsonValues
 
-KIND = "a projection matrix"
-KEYS = ("P", "projection_matrix", "projection", "proj", "camera_projection_matrix")
+PROJECTION_KIND = "a projection matrix"
+PROJECTION_KEYS = ("P", "projection_matrix", "projection", "proj", "camera_projection_matrix")
 
 
 def is_projection(content: object) -> bool:
     """Whether a decoded value is such a matrix, or an object with one and no K beside it."""
     if type(content) is dict:
-        found = [content[key] for key in KEYS if key in content]
+        found = [content[key] for key in PROJECTION_KEYS if key in content]
         return "K" not in content and any(_is_3x4(value) or _are_twelve(value) for value in found)
     return _is_3x4(content)
 
@@ -37,8 +37,8 @@ def projection_from(content: object, path: str, inside: str = "") -> LoadedCamer
     Raises:
         CameraError: names the place and what was expected.
     """
-    values = JsonValues.of({"P": content} if type(content) is list else content, path, inside, KIND)
-    key = values.need("3 x 4 numbers", *KEYS)
+    values = JsonValues.of({"P": content} if type(content) is list else content, path, inside, PROJECTION_KIND)
+    key = values.need("3 x 4 numbers", *PROJECTION_KEYS)
     size = values.size()
     loaded = camera_of_projection(values.matrix(key, 3, 4), size, values.error)
     return with_notices(loaded, values.unused(key))
@@ -58,9 +58,9 @@ def camera_of_projection(
         CameraError: no camera, or one with a skew.
     """
     try:
-        k, rotation, t = taken_apart(matrix)
-        inside, pose = intrinsics_of(k, size), pose_of(rotation, t)
-        camera = pinhole_of(inside, pose, ())
+        k, rotation, t = decompose_projection(matrix)
+        inside, pose = intrinsics_from_matrix(k, size), pose_from_rt(rotation, t)
+        camera = pinhole_from_parts(inside, pose, ())
     except ValueError as problem:
         raised: CameraError = error(str(problem))
         raise raised from problem

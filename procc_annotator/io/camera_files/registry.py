@@ -29,7 +29,7 @@ from procc_annotator.io.camera_files.json_cameras import (
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.camera_files.matrix_file import matrix_records, read_matrix_file
 from procc_annotator.io.camera_files.opencv_camera import read_opencv
-from procc_annotator.io.camera_files.paired_files import PAIRED_FORMATS, half_of_pair
+from procc_annotator.io.camera_files.paired_files import PAIRED_FORMATS, raise_half_of_pair
 from procc_annotator.language import word
 
 
@@ -94,7 +94,7 @@ FORMATS: tuple[CameraFormat, ...] = (
             known.title,
             (os.path.splitext(known.poses)[1],),
             (),
-            partial(half_of_pair, known=known),
+            partial(raise_half_of_pair, known=known),
         )
         for known in PAIRED_FORMATS
     ),

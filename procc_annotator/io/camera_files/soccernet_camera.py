@@ -7,7 +7,7 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from procc_annotator.camera.matrices import focal_notices
+from procc_annotator.camera.matrices import focal_warnings
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.errors import CameraError
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
@@ -20,7 +20,7 @@ _DISTORTIONS = {"radial_distortion": 6, "tangential_distortion": 2, "thin_prism_
 _KEYS = frozenset((*_ANGLES, *_FOCALS, "position_meters", "principal_point", *_DISTORTIONS))
 # What PnLCalib and NBJW write again, and what this program says of a fit.
 _BESIDE = ("rotation_matrix", "fit")
-KIND = "a SoccerNet camera"
+SOCCERNET_KIND = "a SoccerNet camera"
 
 
 def read_camera(data: bytes, *, path: str) -> LoadedCamera:
@@ -45,7 +45,7 @@ def camera_from(
         inside: where in the file it stands.
         nested: whether values may stand in lists of one.
     """
-    values = JsonValues.of(content, path, inside, KIND, nested)
+    values = JsonValues.of(content, path, inside, SOCCERNET_KIND, nested)
     pan, tilt, roll = degrees(values, _ANGLES)
     fx, fy = [values.focal(key) for key in _FOCALS]
     position = values.vector("position_meters", 3)
@@ -61,7 +61,7 @@ def camera_from(
     )
     extra = {k: v for k, v in values.content.items() if k not in _KEYS}
     size = values.size() if extra else None
-    notices = (*focal_notices(fx, fy), *values.unused(*_KEYS, *_BESIDE))
+    notices = (*focal_warnings(fx, fy), *values.unused(*_KEYS, *_BESIDE))
     return LoadedCamera(camera, "pinhole", size, extra, notices, values.content)
 
 

@@ -22,8 +22,8 @@ from procc_annotator.io.camera_files.soccernet_camera import camera_from
 from procc_annotator.io.collections import CAMERA_PREFIX
 from procc_annotator.io.json_text import printable
 from procc_annotator.io.source import ZipSource
-from procc_annotator.metric.folds import folds_into_picture, folds_remark, official_tables
-from procc_annotator.words import count_of
+from procc_annotator.metric.folds import folds_into_image, fold_back_warnings, soccernet_tables
+from procc_annotator.words import count_words
 
 OFFICIAL_SIZE = (960, 540)
 KEYS = (
@@ -91,11 +91,11 @@ def check_submission(
         folded = []
         for frame, name in cameras.items():
             if frames is None or frame in frames:
-                camera, found = _look_into(archive, name)
+                camera, found = _check_camera(archive, name)
                 findings += found
                 if camera is not None and _folds(camera):
                     folded.append(printable(frame))
-        findings += [SubmissionRemark(LOWERS, "", line) for line in folds_remark(natsorted(folded))]
+        findings += [SubmissionRemark(LOWERS, "", line) for line in fold_back_warnings(natsorted(folded))]
     return findings
 
 
@@ -148,7 +148,7 @@ def _frames_findings(
         yield SubmissionRemark(IGNORED, "", f"{_listed(unknown)}: no such frame is annotated")
 
 
-def _look_into(
+def _check_camera(
     archive: ZipSource, name: str
 ) -> tuple[CameraOrProjections | None, list[SubmissionRemark]]:
     """A camera, where it can be read, and what is to say of it alone."""
@@ -183,7 +183,7 @@ def _look_into(
 
 
 def _folds(camera: CameraOrProjections) -> bool:
-    return folds_into_picture(camera, official_tables(), OFFICIAL_SIZE)
+    return folds_into_image(camera, soccernet_tables(), OFFICIAL_SIZE)
 
 
 def _size_findings(
@@ -212,7 +212,7 @@ def _has_no_end(value: Any) -> bool:
 
 
 def _listed(names: list[str]) -> str:
-    return f"{count_of(len(names), 'file')} ({_names(names)})"
+    return f"{count_words(len(names), 'file')} ({_names(names)})"
 
 
 def _names(names: list[str]) -> str:

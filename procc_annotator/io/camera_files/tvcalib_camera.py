@@ -16,10 +16,10 @@ from procc_annotator.io.camera_files.camera_records import (
 from procc_annotator.io.camera_files.homography_file import camera_from_homography
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera, with_notices
 from procc_annotator.io.camera_files.soccernet_camera import camera_from, is_soccernet
-from procc_annotator.io.json_text import decode_fast, kind_of, printable, without_bom
+from procc_annotator.io.json_text import decode_fast, json_kind, printable, strip_bom
 from procc_annotator.io.json_values import JsonValues
 
-KIND = "a TVCalib record"
+TVCALIB_KIND = "a TVCalib record"
 _NAME_KEYS = ("image_ids", "image_id")
 _SHOWN_PROBLEMS = 3
 _ASSUMED = (960, 540)
@@ -59,7 +59,7 @@ def tvcalib_from(content: object, path: str, inside: str = "") -> LoadedCamera:
     Raises:
         CameraError: names the place and what was expected.
     """
-    values = JsonValues.of(content, path, inside, KIND, nested=True)
+    values = JsonValues.of(content, path, inside, TVCALIB_KIND, nested=True)
     if is_soccernet(values.content):
         loaded = camera_from(content, path=path, inside=inside, nested=True)
         return replace(loaded, extra={}, content={})
@@ -83,7 +83,7 @@ def _unnested(values: JsonValues) -> Any:
 
 def _parts(data: bytes, path: str) -> list[tuple[str, Any]]:
     """(place, decoder) of each record."""
-    data = without_bom(data)
+    data = strip_bom(data)
     if data.lstrip()[:1] == b"[":
         records = decode_fast(data, path=path, error=CameraError)
         return [(f"[{i}]", lambda r=record: r) for i, record in enumerate(records)]
@@ -105,12 +105,12 @@ def _decoded(line: bytes, path: str, number: int) -> object:
 
 
 def _picture(content: object, path: str, place: str) -> str:
-    values = JsonValues.of(content, path, place, KIND)
+    values = JsonValues.of(content, path, place, TVCALIB_KIND)
     name = values.content[values.need("the name of a picture", *_NAME_KEYS)]
     while type(name) is list and len(name) == 1:
         name = name[0]
     if type(name) is not str or not frame_of_image(name):
-        raise values.error(f"expected the name of a picture, found {kind_of(name)}", _NAME_KEYS[0])
+        raise values.error(f"expected the name of a picture, found {json_kind(name)}", _NAME_KEYS[0])
     return name
 
 

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from procc_annotator.metric.chance.distributions import normal_quantile
-from procc_annotator.metric.chance.intervals import reach
-from procc_annotator.metric.chance.sampling import Draws, Sampled
+from procc_annotator.metric.chance.distributions import normal_ppf
+from procc_annotator.metric.chance.intervals import critical_value
+from procc_annotator.metric.chance.sampling import BootstrapSettings, BootstrapSample
 from procc_annotator.metric.polylines import FloatArray
 
 
@@ -33,7 +33,7 @@ class CurveBand:
 
 
 def curve_band(
-    sampled: Sampled, draws: Draws, least: float = -np.inf, most: float = np.inf
+    sampled: BootstrapSample, draws: BootstrapSettings, least: float = -np.inf, most: float = np.inf
 ) -> CurveBand:
     """The band of a curve whose places are the figures sampled.
 
@@ -53,8 +53,8 @@ def curve_band(
     if there.any():
         off = np.abs(drawn[:, there] - sampled.values[there]) / spread[there]
         largest = float(np.quantile(off.max(axis=1), draws.level))
-        few = reach(float(sampled.effective[there].min()), draws.level)
-        few /= normal_quantile((1 + draws.level) / 2)
+        few = critical_value(float(sampled.effective[there].min()), draws.level)
+        few /= normal_ppf((1 + draws.level) / 2)
         half[there] = largest * few * deviation[there]
     low, high = (np.clip(sampled.values + side * half, least, most) for side in (-1, 1))
     return CurveBand(sampled.values, low, high)

@@ -10,11 +10,11 @@ from procc_annotator.metric.polylines import FloatArray
 
 # The median distance between two annotators, over the standard deviation of one's clicks across a
 # line: the difference of two normal errors is root two times as wide, half of it within 0.6745.
-_MEDIAN_OF_TWO = 0.6744897501960817 * 2**0.5
+_MEDIAN_OF_DIFFERENCE = 0.6744897501960817 * 2**0.5
 
 
 @dataclass(frozen=True, eq=False)
-class ClickSpread:
+class AnnotationNoiseSensitivity:
     """K means over frames that were judged R times with every point moved at random.
 
     Attributes:
@@ -31,7 +31,7 @@ class ClickSpread:
     shares: FloatArray
 
 
-def click_spread(moved: FloatArray, deviations: FloatArray) -> ClickSpread:
+def annotation_noise_sensitivity(moved: FloatArray, deviations: FloatArray) -> AnnotationNoiseSensitivity:
     """Compare what clicks alone change with what sets of other frames change.
 
     Frames are clicked each for itself, so that the variance of their mean is the sum of theirs over
@@ -48,9 +48,9 @@ def click_spread(moved: FloatArray, deviations: FloatArray) -> ClickSpread:
     with np.errstate(divide="ignore", invalid="ignore"):
         shares = np.where(deviations > 0, np.minimum(1.0, (own / deviations) ** 2), np.nan)
     means = moved.mean(axis=(0, 1)) if frames else np.full(moved.shape[2], np.nan)
-    return ClickSpread(means, own, shares)
+    return AnnotationNoiseSensitivity(means, own, shares)
 
 
-def noise_of_floor(median_px: float) -> float:
+def noise_from_median_distance(median_px: float) -> float:
     """The standard deviation of one annotator's clicks from the median distance of two, px."""
-    return median_px / _MEDIAN_OF_TWO
+    return median_px / _MEDIAN_OF_DIFFERENCE

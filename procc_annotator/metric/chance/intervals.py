@@ -17,15 +17,15 @@ from typing import Literal, get_args
 import numpy as np
 
 from procc_annotator.metric.chance.distributions import (
-    normal_quantile,
-    normal_share,
-    student_quantile,
+    normal_ppf,
+    normal_cdf,
+    student_t_ppf,
 )
-from procc_annotator.metric.chance.sampling import Draws, Sampled
+from procc_annotator.metric.chance.sampling import BootstrapSettings, BootstrapSample
 from procc_annotator.metric.polylines import FloatArray
 
-Method = Literal["t", "percentile", "bca"]
-METHODS: tuple[Method, ...] = get_args(Method)
+IntervalMethodName = Literal["t", "percentile", "bca"]
+INTERVAL_METHODS: tuple[IntervalMethodName, ...] = get_args(IntervalMethodName)
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,15 +41,15 @@ class Interval:
     low: float
     high: float
     level: float
-    method: Method
+    method: IntervalMethodName
 
     def excludes(self, value: float) -> bool:
         """Whether a value lies outside."""
         return not self.low <= value <= self.high
 
 
-def intervals(
-    sampled: Sampled, draws: Draws, method: Method = "t", *, expanded: bool = True
+def confidence_intervals(
+    sampled: BootstrapSample, draws: BootstrapSettings, method: IntervalMethodName = "t", *, expanded: bool = True
 ) -> list[Interval | None]:
     """One interval a figure; None where fewer than two clusters count.
 
@@ -63,29 +63,29 @@ def intervals(
         if not math.isfinite(value) or not math.isfinite(deviations[k]):
             found.append(None)
             continue
-        far = reach(float(sampled.effective[k]), draws.level)
+        far = critical_value(float(sampled.effective[k]), draws.level)
         if method == "t":
             half = far * float(deviations[k])
             found.append(Interval(float(value) - half, float(value) + half, draws.level, method))
             continue
-        tail = far if expanded else normal_quantile((1 + draws.level) / 2)
+        tail = far if expanded else normal_ppf((1 + draws.level) / 2)
         if expanded:  # sets drawn vary as if one cluster less told of it
             count = int(sampled.counted[:, k].sum())
             tail *= math.sqrt(count / (count - 1))
         drawn = sampled.drawn[:, k]
         ascending = np.sort(drawn[np.isfinite(drawn)])
         without = sampled.without[sampled.counted[:, k], k]
-        found.append(_of_drawn(float(value), ascending, without, tail, draws.level, method))
+        found.append(_interval_from_resamples(float(value), ascending, without, tail, draws.level, method))
     return found
 
 
-def reach(effective: float, level: float) -> float:
+def critical_value(effective: float, level: float) -> float:
     """How many deviations an interval reaches to either side: Student's quantile for as many
     clusters as there effectively are, less one."""
-    return student_quantile((1 + level) / 2, max(1.0, round(effective - 1, 6)))
+    return student_t_ppf((1 + level) / 2, max(1.0, round(effective - 1, 6)))
 
 
-def acceleration(without: FloatArray) -> float:
+def bca_acceleration(without: FloatArray) -> float:
     """How fast a figure's deviation changes with it (Efron 1987).
 
     Args:
@@ -96,13 +96,13 @@ def acceleration(without: FloatArray) -> float:
     return float((off**3).sum()) / (6 * squares**1.5) if squares > 0 else 0.0
 
 
-def _of_drawn(
+def _interval_from_resamples(
     value: float,
     ascending: FloatArray,
     without: FloatArray,
     tail: float,
     level: float,
-    method: Method,
+    method: IntervalMethodName,
 ) -> Interval | None:
     if not len(ascending):
         return None
@@ -110,8 +110,8 @@ def _of_drawn(
     if method == "bca":
         below = np.searchsorted(ascending, value) + np.searchsorted(ascending, value, "right")
         least = 0.5 / len(ascending)  # where all sets lie on one side of the figure
-        bias = normal_quantile(min(max(below / (2 * len(ascending)), least), 1 - least))
-        faster = acceleration(without[np.isfinite(without)])
+        bias = normal_ppf(min(max(below / (2 * len(ascending)), least), 1 - least))
+        faster = bca_acceleration(without[np.isfinite(without)])
         ends = tuple(bias + (bias + z) / (1 - faster * (bias + z)) for z in ends)  # type: ignore[assignment]
-    low, high = np.quantile(ascending, [normal_share(z) for z in ends])
+    low, high = np.quantile(ascending, [normal_cdf(z) for z in ends])
     return Interval(float(low), float(high), level, method)

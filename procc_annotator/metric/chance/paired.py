@@ -9,11 +9,11 @@ from itertools import product
 
 import numpy as np
 
-from procc_annotator.metric.chance.intervals import Interval, Method, intervals
-from procc_annotator.metric.chance.sampling import Draws, Ratios, Sampled, in_parts
+from procc_annotator.metric.chance.intervals import Interval, IntervalMethodName, confidence_intervals
+from procc_annotator.metric.chance.sampling import BootstrapSettings, RatioMetrics, BootstrapSample, random_batches
 from procc_annotator.metric.polylines import FloatArray, IntArray
 
-_SAME = 1e-9  # of a difference: sums of floats in another order
+_TIE_TOLERANCE = 1e-9  # of a difference: sums of floats in another order
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,12 +51,12 @@ class PairedDifference:
 
 
 def paired_differences(
-    a: Ratios,
-    b: Ratios,
-    sampled: tuple[Sampled, Sampled],
+    a: RatioMetrics,
+    b: RatioMetrics,
+    sampled: tuple[BootstrapSample, BootstrapSample],
     clusters: IntArray,
-    draws: Draws,
-    method: Method = "t",
+    draws: BootstrapSettings,
+    method: IntervalMethodName = "t",
 ) -> list[PairedDifference]:
     """One difference a figure, not yet corrected for several comparisons.
 
@@ -67,9 +67,9 @@ def paired_differences(
         method: of the intervals.
     """
     off = sampled[0].minus(sampled[1])
-    deviations, ends = off.deviation, intervals(off, draws, method)
-    shares = exchanged(a, b, clusters, draws)
-    frames = ((a.wholes > 0) & (b.wholes > 0)).sum(axis=0)
+    deviations, ends = off.deviation, confidence_intervals(off, draws, method)
+    shares = permutation_p_values(a, b, clusters, draws)
+    frames = ((a.denominators > 0) & (b.denominators > 0)).sum(axis=0)
     found = []
     for k, value in enumerate(off.values):
         known = math.isfinite(value)
@@ -89,7 +89,7 @@ def paired_differences(
     return found
 
 
-def fewest_clusters(level: float) -> int:
+def min_clusters_for_significance(level: float) -> int:
     """How many it takes before any exchange of the sources is as rare as a difference must be: one
     and its opposite always differ as much."""
     return math.floor(1 - math.log2(1 - level)) + 1
@@ -108,14 +108,14 @@ def corrected_for(several: Sequence[PairedDifference]) -> list[PairedDifference]
     Raises:
         AttributeError: one is no difference.
     """
-    shares = holm([1.0 if one.p is None else one.p for one in several])
+    shares = holm_correction([1.0 if one.p is None else one.p for one in several])
     return [
         one if one.p is None else replace(one, corrected=share)
         for one, share in zip(several, shares, strict=True)
     ]
 
 
-def holm(shares: Sequence[float]) -> list[float]:
+def holm_correction(shares: Sequence[float]) -> list[float]:
     """Corrected shares of several tests (Holm, Scandinavian Journal of Statistics 1979).
 
     Each is what the whole family errs at most in, were this one called a difference with all that
@@ -130,7 +130,7 @@ def holm(shares: Sequence[float]) -> list[float]:
     return corrected
 
 
-def exchanged(a: Ratios, b: Ratios, clusters: IntArray, draws: Draws) -> FloatArray:
+def permutation_p_values(a: RatioMetrics, b: RatioMetrics, clusters: IntArray, draws: BootstrapSettings) -> FloatArray:
     """(K,) the share of exchanges of the sources that differ at least as much as they do.
 
     If the two were alike, each cluster's frames could as well be the other source's. All exchanges
@@ -139,9 +139,9 @@ def exchanged(a: Ratios, b: Ratios, clusters: IntArray, draws: Draws) -> FloatAr
     have 32 exchanges.
     """
     of_a, of_b = a.by_cluster(clusters), b.by_cluster(clusters)
-    counted = ((of_a.wholes > 0) | (of_b.wholes > 0)).any(axis=1)
-    sums_a = np.hstack((of_a.parts, of_a.wholes))[counted]
-    sums_b = np.hstack((of_b.parts, of_b.wholes))[counted]
+    counted = ((of_a.denominators > 0) | (of_b.denominators > 0)).any(axis=1)
+    sums_a = np.hstack((of_a.parts, of_a.denominators))[counted]
+    sums_b = np.hstack((of_b.parts, of_b.denominators))[counted]
     middle, half = (sums_a + sums_b).sum(axis=0) / 2, (sums_a - sums_b) / 2
     figures = a.parts.shape[1]
 
@@ -152,11 +152,11 @@ def exchanged(a: Ratios, b: Ratios, clusters: IntArray, draws: Draws) -> FloatAr
             other = second[..., :figures] / second[..., figures:]
         return np.asarray(np.abs(mine - other), dtype=np.float64)
 
-    least = differences(half.sum(axis=0)) * (1 - _SAME)
+    least = differences(half.sum(axis=0)) * (1 - _TIE_TOLERANCE)
     reached = np.zeros(figures)
     tried = 0
     exact = len(half) <= math.log2(draws.count)
-    for signs in _every_sign(len(half)) if exact else _signs_drawn(len(half), draws):
+    for signs in _all_sign_flips(len(half)) if exact else _random_sign_flips(len(half), draws):
         found = differences(signs @ half)
         # Where an exchange leaves one source nothing, it tells of no difference and of none less.
         reached += (~(found < least)).sum(axis=0)
@@ -165,13 +165,13 @@ def exchanged(a: Ratios, b: Ratios, clusters: IntArray, draws: Draws) -> FloatAr
     return np.asarray(shares, dtype=np.float64)
 
 
-def _every_sign(clusters: int) -> Iterator[FloatArray]:
+def _all_sign_flips(clusters: int) -> Iterator[FloatArray]:
     yield np.array(list(product((1.0, -1.0), repeat=clusters))).reshape(-1, clusters)
 
 
-def _signs_drawn(clusters: int, draws: Draws) -> Iterator[FloatArray]:
+def _random_sign_flips(clusters: int, draws: BootstrapSettings) -> Iterator[FloatArray]:
     def drawn(rng: np.random.Generator, rows: int) -> FloatArray:
         octets = rng.integers(0, 256, (rows, -(-clusters // 8)), dtype=np.uint8)
         return np.where(np.unpackbits(octets, axis=1)[:, :clusters], 1.0, -1.0)
 
-    return in_parts(clusters, draws, drawn)
+    return random_batches(clusters, draws, drawn)

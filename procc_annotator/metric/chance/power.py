@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 
-from procc_annotator.metric.chance.distributions import student_quantile
-from procc_annotator.metric.chance.intervals import reach
+from procc_annotator.metric.chance.distributions import student_t_ppf
+from procc_annotator.metric.chance.intervals import critical_value
 
-_FEWEST_CLUSTERS = 2.0
+_MIN_CLUSTERS = 2.0
 
 
-def frames_needed(
+def required_frames(
     difference: float,
     deviation: float,
     frames: int,
@@ -35,11 +35,11 @@ def frames_needed(
     """
 
     def suffice(count: int) -> bool:
-        clusters = max(_FEWEST_CLUSTERS, effective * count / frames)
-        reached = deviation * math.sqrt(frames / count) * _reach(clusters, level, power)
+        clusters = max(_MIN_CLUSTERS, effective * count / frames)
+        reached = deviation * math.sqrt(frames / count) * _detection_multiplier(clusters, level, power)
         return reached <= difference * (1 + 1e-9)
 
-    fewest = max(fewest, math.ceil(_FEWEST_CLUSTERS * frames / effective))
+    fewest = max(fewest, math.ceil(_MIN_CLUSTERS * frames / effective))
     if suffice(fewest):
         return fewest
     # More frames never reach farther: the bounds are doubled, then halved.
@@ -52,13 +52,13 @@ def frames_needed(
     return most
 
 
-def least_difference(
+def minimum_detectable_difference(
     deviation: float, effective: float, *, level: float = 0.95, power: float = 0.8
 ) -> float:
     """The true difference that these very frames would find in such a share of sets."""
-    return deviation * _reach(max(_FEWEST_CLUSTERS, effective), level, power)
+    return deviation * _detection_multiplier(max(_MIN_CLUSTERS, effective), level, power)
 
 
-def _reach(clusters: float, level: float, power: float) -> float:
+def _detection_multiplier(clusters: float, level: float, power: float) -> float:
     freedom = max(1.0, round(clusters - 1, 6))
-    return reach(clusters, level) + student_quantile(power, freedom)
+    return critical_value(clusters, level) + student_t_ppf(power, freedom)

@@ -10,13 +10,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from procc_annotator.metric.chance.intervals import Interval, intervals
-from procc_annotator.metric.chance.sampling import Draws, Ratios, sample
+from procc_annotator.metric.chance.intervals import Interval, confidence_intervals
+from procc_annotator.metric.chance.sampling import BootstrapSettings, RatioMetrics, bootstrap
 from procc_annotator.metric.polylines import FloatArray, IntArray
 
 
-def quantile_interval(
-    values: FloatArray, frames: IntArray, clusters: IntArray, share: float, draws: Draws
+def quantile_confidence_interval(
+    values: FloatArray, frames: IntArray, clusters: IntArray, share: float, draws: BootstrapSettings
 ) -> Interval | None:
     """The interval of a quantile; None without values, or of fewer than two clusters.
 
@@ -31,11 +31,11 @@ def quantile_interval(
         return None
     below = values <= np.quantile(values, share)
     count = len(clusters)
-    ratios = Ratios(
+    ratios = RatioMetrics(
         np.bincount(frames, below, count)[:, None].astype(np.float64),
         np.bincount(frames, minlength=count)[:, None].astype(np.float64),
     )
-    of_share = intervals(sample(ratios, clusters, None), draws)[0]
+    of_share = confidence_intervals(bootstrap(ratios, clusters, None), draws)[0]
     if of_share is None:
         return None
     ends = np.clip((of_share.low, of_share.high), 0.0, 1.0)

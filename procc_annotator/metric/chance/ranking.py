@@ -10,7 +10,7 @@ from procc_annotator.metric.chance.paired import PairedDifference
 from procc_annotator.metric.polylines import FloatArray
 
 
-def ranks(
+def significant_ranks(
     count: int, differences: Mapping[tuple[int, int], PairedDifference], better: int
 ) -> list[int]:
     """The place of each source: one more than those that are better beyond chance.
@@ -27,7 +27,7 @@ def ranks(
     return [1 + n for n in beaten]
 
 
-def sole_best(
+def significantly_best(
     count: int, differences: Mapping[tuple[int, int], PairedDifference], better: int
 ) -> int | None:
     """The source that is better than every other beyond chance; None if there is none."""
@@ -45,7 +45,7 @@ def sole_best(
     return None
 
 
-def chances_of_being_best(drawn: Sequence[FloatArray], better: int) -> list[float]:
+def probability_of_best(drawn: Sequence[FloatArray], better: int) -> list[float]:
     """In which share of the sets drawn each source is the best; ties are shared out.
 
     Args:

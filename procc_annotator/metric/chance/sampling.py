@@ -20,12 +20,12 @@ from numpy.typing import NDArray
 
 from procc_annotator.metric.polylines import FloatArray, IntArray
 
-_AT_ONCE = 1 << 20  # entries of a matrix of counts
-_KEPT = 1 << 22  # entries of all matrices that are kept, two bytes each
+_BATCH_ENTRIES = 1 << 20  # entries of a matrix of counts
+_CACHED_ENTRIES = 1 << 22  # entries of all matrices that are kept, two bytes each
 
 
 @dataclass(frozen=True)
-class Draws:
+class BootstrapSettings:
     """How chance is asked.
 
     Attributes:
@@ -40,7 +40,7 @@ class Draws:
 
 
 @dataclass(frozen=True, eq=False)
-class Ratios:
+class RatioMetrics:
     """K figures over F frames, each a sum of parts over a sum of wholes.
 
     Attributes:
@@ -48,27 +48,27 @@ class Ratios:
     """
 
     parts: FloatArray
-    wholes: FloatArray
+    denominators: FloatArray
 
     @classmethod
-    def mean(cls, values: FloatArray) -> Ratios:
+    def mean(cls, values: FloatArray) -> RatioMetrics:
         """The plain mean of (F,) or (F, K) values; NaN does not count."""
         columns = values.reshape(len(values), -1).astype(np.float64)
         there = np.isfinite(columns)
         return cls(np.where(there, columns, 0.0), there.astype(np.float64))
 
     @classmethod
-    def beside(cls, several: Sequence[Ratios]) -> Ratios:
+    def beside(cls, several: Sequence[RatioMetrics]) -> RatioMetrics:
         """The figures of several over the same frames, one after the other."""
-        return cls(np.hstack([r.parts for r in several]), np.hstack([r.wholes for r in several]))
+        return cls(np.hstack([r.parts for r in several]), np.hstack([r.denominators for r in several]))
 
-    def of(self, frames: NDArray[np.bool_]) -> Ratios:
+    def of(self, frames: NDArray[np.bool_]) -> RatioMetrics:
         """The same over some of the frames alone; (F,)."""
         chosen = frames[:, None]
         # Not by multiplying: what is undefined in the others would remain.
-        return Ratios(np.where(chosen, self.parts, 0.0), np.where(chosen, self.wholes, 0.0))
+        return RatioMetrics(np.where(chosen, self.parts, 0.0), np.where(chosen, self.denominators, 0.0))
 
-    def by_cluster(self, clusters: IntArray) -> Ratios:
+    def by_cluster(self, clusters: IntArray) -> RatioMetrics:
         """The sums of each cluster, (G, K).
 
         Args:
@@ -78,13 +78,13 @@ class Ratios:
         starts = np.flatnonzero(np.diff(clusters[order], prepend=-1))
         if not len(starts):
             return self
-        return Ratios(
-            np.add.reduceat(self.parts[order], starts), np.add.reduceat(self.wholes[order], starts)
+        return RatioMetrics(
+            np.add.reduceat(self.parts[order], starts), np.add.reduceat(self.denominators[order], starts)
         )
 
 
 @dataclass(frozen=True, eq=False)
-class Sampled:
+class BootstrapSample:
     """K figures of a set and how they vary; G clusters, B sets drawn. NaN where undefined.
 
     Attributes:
@@ -103,16 +103,16 @@ class Sampled:
     counted: NDArray[np.bool_]
     effective: FloatArray
 
-    def at(self, columns: slice | Sequence[int]) -> Sampled:
+    def at(self, columns: slice | Sequence[int]) -> BootstrapSample:
         """Some of the figures."""
-        return Sampled(
+        return BootstrapSample(
             self.values[columns], self.without[:, columns], self.drawn[:, columns],
             self.counted[:, columns], self.effective[columns],
         )  # fmt: skip
 
-    def minus(self, other: Sampled) -> Sampled:
+    def minus(self, other: BootstrapSample) -> BootstrapSample:
         """The differences of figures of the same sets, column by column."""
-        return Sampled(
+        return BootstrapSample(
             self.values - other.values,
             self.without - other.without,
             self.drawn - other.drawn,
@@ -136,7 +136,7 @@ class Sampled:
         return np.where(count > 1, found, np.nan)
 
 
-def sample(ratios: Ratios, clusters: IntArray, draws: Draws | None) -> Sampled:
+def bootstrap(ratios: RatioMetrics, clusters: IntArray, draws: BootstrapSettings | None) -> BootstrapSample:
     """Draw sets of as many clusters, with replacement.
 
     Args:
@@ -146,36 +146,36 @@ def sample(ratios: Ratios, clusters: IntArray, draws: Draws | None) -> Sampled:
         draws: None to draw nothing: the deviation and an interval ``t`` need no more.
     """
     sums = ratios.by_cluster(clusters)
-    parts, wholes = sums.parts.sum(axis=0), sums.wholes.sum(axis=0)
-    both = np.hstack((sums.parts, sums.wholes))
+    parts, denominators = sums.parts.sum(axis=0), sums.denominators.sum(axis=0)
+    both = np.hstack((sums.parts, sums.denominators))
     figures = len(parts)
     drawn = np.empty((0, 2 * figures))
     if draws is not None:
-        drawn = np.concatenate([counts @ both for counts in counts_drawn(len(sums.parts), draws)])
-    squares = (sums.wholes**2).sum(axis=0)
-    return Sampled(
-        _divided(parts, wholes),
-        _divided(parts - sums.parts, wholes - sums.wholes),
-        _divided(drawn[:, :figures], drawn[:, figures:]),
-        sums.wholes > 0,
-        _divided(wholes**2, squares),
+        drawn = np.concatenate([counts @ both for counts in resample_counts(len(sums.parts), draws)])
+    squares = (sums.denominators**2).sum(axis=0)
+    return BootstrapSample(
+        _ratio_or_nan(parts, denominators),
+        _ratio_or_nan(parts - sums.parts, denominators - sums.denominators),
+        _ratio_or_nan(drawn[:, :figures], drawn[:, figures:]),
+        sums.denominators > 0,
+        _ratio_or_nan(denominators**2, squares),
     )
 
 
-def counts_drawn(clusters: int, draws: Draws) -> Iterator[FloatArray]:
+def resample_counts(clusters: int, draws: BootstrapSettings) -> Iterator[FloatArray]:
     """How often each cluster is in each set drawn, (b, G), until all sets are drawn."""
-    if clusters * draws.count > _KEPT or clusters > np.iinfo(np.uint16).max:
-        return _counts(clusters, draws)
-    return (counts.astype(np.float64) for counts in _counts_kept(clusters, draws))
+    if clusters * draws.count > _CACHED_ENTRIES or clusters > np.iinfo(np.uint16).max:
+        return _resample_counts(clusters, draws)
+    return (counts.astype(np.float64) for counts in _cached_resample_counts(clusters, draws))
 
 
 @lru_cache(maxsize=1)
-def _counts_kept(clusters: int, draws: Draws) -> tuple[NDArray[np.uint16], ...]:
+def _cached_resample_counts(clusters: int, draws: BootstrapSettings) -> tuple[NDArray[np.uint16], ...]:
     """The same of a set of usual size: a command draws the same sets for every source and curve."""
-    return tuple(counts.astype(np.uint16) for counts in _counts(clusters, draws))
+    return tuple(counts.astype(np.uint16) for counts in _resample_counts(clusters, draws))
 
 
-def _counts(clusters: int, draws: Draws) -> Iterator[FloatArray]:
+def _resample_counts(clusters: int, draws: BootstrapSettings) -> Iterator[FloatArray]:
     def drawn(rng: np.random.Generator, rows: int) -> FloatArray:
         chosen = rng.integers(0, clusters, (rows, clusters), dtype=np.uint32)
         counts = np.empty((rows, clusters))
@@ -183,20 +183,20 @@ def _counts(clusters: int, draws: Draws) -> Iterator[FloatArray]:
             row[:] = np.bincount(own, minlength=clusters)
         return counts
 
-    return in_parts(clusters, draws, drawn)
+    return random_batches(clusters, draws, drawn)
 
 
-def in_parts(
-    clusters: int, draws: Draws, make: Callable[[np.random.Generator, int], FloatArray]
+def random_batches(
+    clusters: int, draws: BootstrapSettings, make: Callable[[np.random.Generator, int], FloatArray]
 ) -> Iterator[FloatArray]:
     """Random matrices of some rows at once, until there are as many as are drawn."""
     rng = np.random.default_rng(draws.seed)
-    rows = max(1, _AT_ONCE // max(clusters, 1))
+    rows = max(1, _BATCH_ENTRIES // max(clusters, 1))
     for begin in range(0, draws.count, rows):
         yield make(rng, min(rows, draws.count - begin))
 
 
-def _divided(parts: FloatArray, wholes: FloatArray) -> FloatArray:
+def _ratio_or_nan(parts: FloatArray, denominators: FloatArray) -> FloatArray:
     # Sums of floats in another order leave a remainder where nothing is left.
     with np.errstate(divide="ignore", invalid="ignore"):
-        return np.where(wholes > 1e-9, parts / wholes, np.nan)
+        return np.where(denominators > 1e-9, parts / denominators, np.nan)

@@ -6,10 +6,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from procc_annotator.metric.chance.sampling import Draws
+from procc_annotator.metric.chance.sampling import BootstrapSettings
 from procc_annotator.metric.polylines import FloatArray
 
-_FEWEST = 4  # of fewer values no order is rare
+_MIN_VALUES = 4  # of fewer values no order is rare
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,10 +27,10 @@ class Trend:
     p: float
 
 
-def trend(values: FloatArray, draws: Draws) -> Trend | None:
+def trend_test(values: FloatArray, draws: BootstrapSettings) -> Trend | None:
     """The trend of (n,) values in their order; None of fewer than four."""
     count = len(values)
-    if count < _FEWEST:
+    if count < _MIN_VALUES:
         return None
     first, second = np.triu_indices(count, 1)
     slope = float(np.median((values[second] - values[first]) / (second - first)))

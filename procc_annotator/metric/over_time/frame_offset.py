@@ -13,10 +13,10 @@ import numpy as np
 
 from procc_annotator.metric.polylines import FloatArray, IntArray
 
-LARGEST_SHIFT = 5
-FEWEST_FRAMES = 3
-_SURE = 3.0  # standard errors by which the best shift is better than any other
-_LEAST_MARGIN_PX = 0.05
+MAX_SHIFT = 5
+MIN_FRAMES = 3
+_MIN_MARGIN_SE = 3.0  # standard errors by which the best shift is better than any other
+_MIN_MARGIN_PX = 0.05
 
 
 @dataclass(frozen=True)
@@ -43,8 +43,8 @@ class FrameOffset:
     @property
     def is_sure(self) -> bool:
         """Whether no other shift could be the right one: never where nothing moves."""
-        least = max(_LEAST_MARGIN_PX, _SURE * self.margin_se_px)
-        return self.frames >= FEWEST_FRAMES and self.margin_px > least
+        least = max(_MIN_MARGIN_PX, _MIN_MARGIN_SE * self.margin_se_px)
+        return self.frames >= MIN_FRAMES and self.margin_px > least
 
     @property
     def in_words(self) -> str:
@@ -57,7 +57,7 @@ class FrameOffset:
         return f"cameras are {frames} {'late' if self.shift > 0 else 'early'}"
 
 
-def shifts(largest: int = LARGEST_SHIFT) -> IntArray:
+def shift_range(largest: int = MAX_SHIFT) -> IntArray:
     """(2 K + 1,) from -K to K."""
     return np.arange(-largest, largest + 1)
 
@@ -76,12 +76,12 @@ def frame_offset(costs_px: FloatArray) -> FrameOffset | None:
     for largest in range(half, 0, -1):
         table = costs_px[:, half - largest : half + largest + 1]
         whole = table[np.isfinite(table).all(axis=1)]
-        if len(whole) >= max(FEWEST_FRAMES, len(costs_px) // 2):
-            return _best(whole, largest)
+        if len(whole) >= max(MIN_FRAMES, len(costs_px) // 2):
+            return _best_shift(whole, largest)
     return None
 
 
-def _best(table: FloatArray, largest: int) -> FrameOffset:
+def _best_shift(table: FloatArray, largest: int) -> FrameOffset:
     mean = table.mean(axis=0)
     best = int(mean.argmin())
     worse = table - table[:, best : best + 1]

@@ -9,17 +9,17 @@ import numpy as np
 
 from procc_annotator.camera.base import Camera
 from procc_annotator.metric.over_time.steadiness import (
-    OF_ONE_FRAME,
-    Steadiness,
-    usual_step,
+    SECOND_DIFFERENCE_SCALE,
+    ShotJitter,
+    typical_frame_step,
 )
 from procc_annotator.metric.polylines import BoolArray, FloatArray
 
 # A leap: what is off by so many px, and so many times as much as is usual in the shot.
-LEAST_JUMP_PX = 3.0
-_TIMES_THE_USUAL = 8.0
-_LOOKED_AHEAD = 50  # frames within which a camera that leapt may be back
-_ALLOWED_A_FRAME = 0.1  # of the limit, for what nobody can foretell
+MIN_JUMP_PX = 3.0
+_JUMP_RATIO = 8.0
+_LOOKAHEAD_FRAMES = 50  # frames within which a camera that leapt may be back
+_GROWTH_PER_FRAME = 0.1  # of the limit, for what nobody can foretell
 
 
 @dataclass(frozen=True)
@@ -54,7 +54,7 @@ class Outage:
 
 
 @dataclass(frozen=True, eq=False)
-class Interruptions:
+class Discontinuities:
     """Of one shot.
 
     Attributes:
@@ -69,13 +69,13 @@ class Interruptions:
     limit_px: float
 
 
-def interruptions(
+def find_discontinuities(
     cameras: Sequence[Camera | None],
     numbers: Sequence[int],
     points_world: FloatArray,
     size: tuple[int, int],
-    steady: Steadiness,
-) -> Interruptions:
+    steady: ShotJitter,
+) -> Discontinuities:
     """Find the jumps and the outages of a shot.
 
     Args:
@@ -87,25 +87,25 @@ def interruptions(
     """
     known = steady.px[np.isfinite(steady.px)]
     usual = float(np.median(known)) if len(known) else 0.0
-    limit = max(LEAST_JUMP_PX, _TIMES_THE_USUAL * usual)
+    limit = max(MIN_JUMP_PX, _JUMP_RATIO * usual)
     with np.errstate(invalid="ignore"):
         unsteady = steady.px > limit
     gone = np.array([camera is None for camera in cameras], dtype=bool)
-    shot = _Shot(cameras, numbers, points_world, size, limit)
-    return Interruptions(
-        _jumps(shot, _runs(unsteady), steady), _outages(gone, unsteady), unsteady, limit
+    shot = _ShotProjections(cameras, numbers, points_world, size, limit)
+    return Discontinuities(
+        _find_jumps(shot, _true_runs(unsteady), steady), _find_outages(gone, unsteady), unsteady, limit
     )
 
 
-def _runs(marked: BoolArray) -> list[tuple[int, int]]:
+def _true_runs(marked: BoolArray) -> list[tuple[int, int]]:
     """First and last of each run of marked places."""
     edges = np.flatnonzero(np.diff(np.concatenate(([False], marked, [False]))))
     return [(int(a), int(b) - 1) for a, b in zip(edges[::2], edges[1::2], strict=True)]
 
 
-def _outages(gone: BoolArray, unsteady: BoolArray) -> tuple[Outage, ...]:
+def _find_outages(gone: BoolArray, unsteady: BoolArray) -> tuple[Outage, ...]:
     found = []
-    for first, last in _runs(gone):
+    for first, last in _true_runs(gone):
         back = next(
             (i for i in range(last + 1, len(gone)) if not gone[i] and not unsteady[i]), None
         )
@@ -114,7 +114,7 @@ def _outages(gone: BoolArray, unsteady: BoolArray) -> tuple[Outage, ...]:
 
 
 @dataclass(frozen=True, eq=False)
-class _Shot:
+class _ShotProjections:
     cameras: Sequence[Camera | None]
     numbers: Sequence[int]
     points_world: FloatArray
@@ -130,16 +130,16 @@ class _Shot:
         if a is None or b is None or not around:
             return float("inf")
         speeds = [self._moved(*step) for step in around]
-        count = (self.numbers[after] - self.numbers[before]) / usual_step(self.numbers)
+        count = (self.numbers[after] - self.numbers[before]) / typical_frame_step(self.numbers)
         inside = ((a >= 0) & (a <= np.array(self.size) - 1)).all(axis=1)
         off = (b - a - count * np.mean(speeds, axis=0))[inside]
         squares = (off**2).sum(axis=1)
         squares = squares[np.isfinite(squares)]
-        return float(np.sqrt(squares.mean())) / OF_ONE_FRAME if len(squares) else float("inf")
+        return float(np.sqrt(squares.mean())) / SECOND_DIFFERENCE_SCALE if len(squares) else float("inf")
 
     def _follow(self, one: int, other: int) -> bool:
         return (
-            self.numbers[other] - self.numbers[one] == usual_step(self.numbers)
+            self.numbers[other] - self.numbers[one] == typical_frame_step(self.numbers)
             and self.cameras[one] is not None
             and self.cameras[other] is not None
         )
@@ -158,22 +158,22 @@ class _Shot:
         return np.where(valid[:, None], px, np.nan)
 
 
-def _jumps(shot: _Shot, runs: list[tuple[int, int]], steady: Steadiness) -> tuple[Jump, ...]:
+def _find_jumps(shot: _ShotProjections, runs: list[tuple[int, int]], steady: ShotJitter) -> tuple[Jump, ...]:
     """Each run of unsteady frames begins and ends beside a leap; two may be one there and back."""
     found = []
     number = 0
     while number < len(runs):
         before = runs[number][0]
-        largest = float(np.nanmax(steady.px[before : runs[number][1] + 1])) * OF_ONE_FRAME
+        largest = float(np.nanmax(steady.px[before : runs[number][1] + 1])) * SECOND_DIFFERENCE_SCALE
         back = None
         following = number + 1
         for later in range(number, len(runs)):
             after = runs[later][1]
-            if after - before > _LOOKED_AHEAD:
+            if after - before > _LOOKAHEAD_FRAMES:
                 break
             if after - before < 2:
                 continue  # a single step: nothing between that could have been off
-            allowed = shot.limit_px * (1 + _ALLOWED_A_FRAME * (after - before))
+            allowed = shot.limit_px * (1 + _GROWTH_PER_FRAME * (after - before))
             if shot.off_px(before, after) <= allowed:
                 back, following = after - before - 1, later + 1
                 break

@@ -10,18 +10,18 @@ import numpy as np
 from procc_annotator.camera.base import Camera
 from procc_annotator.camera.fisheye import FisheyeCamera
 from procc_annotator.camera.homography import HomographyCamera
-from procc_annotator.camera.implied import implied_pinhole
+from procc_annotator.camera.implied import pinhole_from_homography
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.camera.projections import CameraOrProjections
-from procc_annotator.metric.over_time.steadiness import of_shot, second_differences
+from procc_annotator.metric.over_time.steadiness import shot_rms, second_differences
 from procc_annotator.metric.polylines import BoolArray, FloatArray
 
-_FEWEST = 5  # frames that say anything of a relation
-_LEAST_WAY_M, _LEAST_ZOOM = 0.01, 1e-3  # below them nothing is traded
+_MIN_FRAMES = 5  # frames that say anything of a relation
+_MIN_TRAVEL_M, _MIN_ZOOM = 0.01, 1e-3  # below them nothing is traded
 
 
 @dataclass(frozen=True, eq=False)
-class Poses:
+class ShotPoses:
     """Of the n frames of a shot; NaN where there is no pose.
 
     Attributes:
@@ -54,7 +54,7 @@ class PoseJitter:
 
 
 @dataclass(frozen=True)
-class Wander:
+class PositionDrift:
     """How far the position moves about over a shot, metres from its median.
 
     Attributes:
@@ -67,7 +67,7 @@ class Wander:
 
 
 @dataclass(frozen=True)
-class Vertigo:
+class FocalDistanceAmbiguity:
     """Position against focal length: an error in one is made up for by the other.
 
     Attributes:
@@ -77,10 +77,10 @@ class Vertigo:
     """
 
     correlation: float
-    metres_a_percent: float
+    metres_per_percent: float
 
 
-def poses_of(cameras: Sequence[CameraOrProjections | None], size: tuple[int, int]) -> Poses:
+def shot_poses(cameras: Sequence[CameraOrProjections | None], size: tuple[int, int]) -> ShotPoses:
     """The poses of a shot's cameras.
 
     Args:
@@ -92,17 +92,17 @@ def poses_of(cameras: Sequence[CameraOrProjections | None], size: tuple[int, int
     for row, camera in zip(found, cameras, strict=True):
         if isinstance(camera, HomographyCamera):
             implied = True
-            camera = implied_pinhole(camera, size)
+            camera = pinhole_from_homography(camera, size)
         if isinstance(camera, PinholeCamera | FisheyeCamera):
             angles = camera.pan_rad, camera.tilt_rad, camera.roll_rad
             row[:] = (*angles, np.log(camera.focal_px[0]), *camera.position_world)
     for column in range(3):
         known = np.isfinite(found[:, column])
         found[known, column] = np.rad2deg(np.unwrap(found[known, column]))
-    return Poses(found[:, 0], found[:, 1], found[:, 2], found[:, 3], found[:, 4:], implied)
+    return ShotPoses(found[:, 0], found[:, 1], found[:, 2], found[:, 3], found[:, 4:], implied)
 
 
-def pose_jitter(poses: Poses, numbers: Sequence[int], left_out: BoolArray) -> PoseJitter:
+def pose_jitter(poses: ShotPoses, numbers: Sequence[int], left_out: BoolArray) -> PoseJitter:
     """How unsteadily pan, tilt, roll, zoom and position go over a shot.
 
     Args:
@@ -112,7 +112,7 @@ def pose_jitter(poses: Poses, numbers: Sequence[int], left_out: BoolArray) -> Po
     """
 
     def of(values: FloatArray) -> float | None:
-        return of_shot(second_differences(values, numbers), left_out)
+        return shot_rms(second_differences(values, numbers), left_out)
 
     return PoseJitter(
         of(poses.pan_deg),
@@ -123,16 +123,16 @@ def pose_jitter(poses: Poses, numbers: Sequence[int], left_out: BoolArray) -> Po
     )
 
 
-def wander(poses: Poses) -> Wander | None:
+def position_drift(poses: ShotPoses) -> PositionDrift | None:
     """How far the position moves about; None where no frame has one."""
     known = poses.position_world[np.isfinite(poses.position_world).all(axis=1)]
     if not len(known):
         return None
     off = np.linalg.norm(known - np.median(known, axis=0), axis=1)
-    return Wander(float(np.sqrt(np.mean(off**2))), float(off.max()))
+    return PositionDrift(float(np.sqrt(np.mean(off**2))), float(off.max()))
 
 
-def way_back(poses: Poses) -> FloatArray:
+def offsets_along_axis(poses: ShotPoses) -> FloatArray:
     """(n,) metres that each camera stands behind the shot's median position, along its axis."""
     pan, tilt = np.deg2rad(poses.pan_deg), np.deg2rad(poses.tilt_deg)
     axis = np.stack((np.sin(pan) * np.sin(tilt), -np.cos(pan) * np.sin(tilt), np.cos(tilt)), axis=1)
@@ -143,20 +143,20 @@ def way_back(poses: Poses) -> FloatArray:
     return np.asarray(-(off * axis).sum(axis=1), dtype=np.float64)
 
 
-def vertigo(poses: Poses) -> Vertigo | None:
+def focal_distance_ambiguity(poses: ShotPoses) -> FocalDistanceAmbiguity | None:
     """How position and focal length make up for each other; None where one of them stays."""
-    back, zoom = way_back(poses), poses.log_focal
+    back, zoom = offsets_along_axis(poses), poses.log_focal
     known = np.isfinite(back) & np.isfinite(zoom)
-    if known.sum() < _FEWEST:
+    if known.sum() < _MIN_FRAMES:
         return None
     back, zoom = back[known] - back[known].mean(), zoom[known] - zoom[known].mean()
     way, zoomed = float(back.std()), float(zoom.std())
-    if way < _LEAST_WAY_M or zoomed < _LEAST_ZOOM:
+    if way < _MIN_TRAVEL_M or zoomed < _MIN_ZOOM:
         return None
     together = float((back * zoom).mean())
-    return Vertigo(together / (way * zoomed), together / zoomed**2 / 100)
+    return FocalDistanceAmbiguity(together / (way * zoomed), together / zoomed**2 / 100)
 
 
-def only_cameras(cameras: Sequence[CameraOrProjections | None]) -> list[Camera | None]:
+def without_bare_projections(cameras: Sequence[CameraOrProjections | None]) -> list[Camera | None]:
     """The same without those that are known by their projections alone."""
     return [camera if isinstance(camera, Camera) else None for camera in cameras]

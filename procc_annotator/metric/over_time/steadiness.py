@@ -19,17 +19,17 @@ from numpy.typing import NDArray
 from procc_annotator.camera.backproject import ground_from_px
 from procc_annotator.camera.base import Camera
 from procc_annotator.field.model import Field
-from procc_annotator.field.sample import sample_every
+from procc_annotator.field.sample import sample_evenly
 from procc_annotator.metric.ground import field_rectangle
 from procc_annotator.metric.polylines import BoolArray, FloatArray, IntArray
 
-OF_ONE_FRAME = math.sqrt(6.0)  # a second difference is so many times one frame's error
-_PIECES = 120  # that the field's diagonal is cut into
-_FEWEST_POINTS = 4
+SECOND_DIFFERENCE_SCALE = math.sqrt(6.0)  # a second difference is so many times one frame's error
+_SAMPLE_STEPS = 120  # that the field's diagonal is cut into
+_MIN_POINTS = 4
 
 
 @dataclass(frozen=True, eq=False)
-class Steadiness:
+class ShotJitter:
     """Of each of the n frames of a shot; NaN where it or a neighbour has no camera.
 
     Attributes:
@@ -44,7 +44,7 @@ class Steadiness:
     step_px: FloatArray
 
 
-def neighbours(numbers: Sequence[int]) -> BoolArray:
+def consecutive_neighbours(numbers: Sequence[int]) -> BoolArray:
     """Which frames have one just before and one just after them.
 
     Args:
@@ -57,18 +57,18 @@ def neighbours(numbers: Sequence[int]) -> BoolArray:
     found = np.zeros(len(numbers), dtype=bool)
     if len(numbers) > 2:
         steps = np.diff(numbers)
-        follows = steps == usual_step(numbers)
+        follows = steps == typical_frame_step(numbers)
         found[1:-1] = follows[:-1] & follows[1:]
     return found
 
 
-def usual_step(numbers: Sequence[int]) -> int:
+def typical_frame_step(numbers: Sequence[int]) -> int:
     """By how much the numbers of a shot's frames go up, as a rule."""
     steps, counts = np.unique(np.diff(numbers), return_counts=True)
     return int(steps[counts.argmax()]) if len(steps) else 1
 
 
-def ground_points(field: Field) -> FloatArray:
+def field_ground_points(field: Field) -> FloatArray:
     """Places along everything that a field has on the ground, optional elements left out.
 
     Returns:
@@ -78,51 +78,51 @@ def ground_points(field: Field) -> FloatArray:
         UsageError: it has nothing on the ground.
     """
     around = field_rectangle(field)
-    spacing = math.hypot(around.right - around.left, around.bottom - around.top) / _PIECES
-    samples = sample_every(field, spacing)
+    spacing = math.hypot(around.right - around.left, around.bottom - around.top) / _SAMPLE_STEPS
+    samples = sample_evenly(field, spacing)
     rows = [i for i, e in enumerate(field.elements) if e.on_ground and not e.optional]
     every = range(len(field.elements))
     kept = rows or [i for i in every if field.elements[i].on_ground]
     return np.concatenate([samples.of(i) for i in kept])
 
 
-def steadiness(
+def projection_jitter(
     cameras: Sequence[Camera | None],
     numbers: Sequence[int],
     points_world: FloatArray,
     size: tuple[int, int],
-) -> Steadiness:
+) -> ShotJitter:
     """Second differences of where the cameras of a shot show the field.
 
     Args:
         cameras: (n,) in px of ``size``, None for a frame without one.
         numbers: (n,) of the frames, ascending.
-        points_world: (P, 3) metres, see `ground_points`.
+        points_world: (P, 3) metres, see `field_ground_points`.
         size: (width, height) px; the points that lie in the picture count.
     """
     count = len(cameras)
     px, ground, steps = (np.full(count, np.nan) for _ in range(3))
-    seen = [_shown(camera, points_world) for camera in cameras]
-    between = neighbours(numbers)
-    follows: BoolArray = np.diff(np.array(numbers), prepend=numbers[0]) == usual_step(numbers)
+    seen = [_projected_in_front(camera, points_world) for camera in cameras]
+    between = consecutive_neighbours(numbers)
+    follows: BoolArray = np.diff(np.array(numbers), prepend=numbers[0]) == typical_frame_step(numbers)
     for i in range(1, count):
         if not follows[i]:
             continue
-        steps[i] = _rms(_in_sight(seen[i], size) - seen[i - 1])
+        steps[i] = _rms_or_nan(_nan_outside_image(seen[i], size) - seen[i - 1])
         camera = cameras[i]
         if not between[i] or camera is None:
             continue
-        here = _in_sight(seen[i], size)
-        off = (seen[i - 1] - 2 * here + seen[i + 1]) / OF_ONE_FRAME
-        px[i] = _rms(off)
+        here = _nan_outside_image(seen[i], size)
+        off = (seen[i - 1] - 2 * here + seen[i + 1]) / SECOND_DIFFERENCE_SCALE
+        px[i] = _rms_or_nan(off)
         known = np.isfinite(off[:, 0])
-        if known.sum() >= _FEWEST_POINTS:
+        if known.sum() >= _MIN_POINTS:
             meant = ground_from_px(camera, here[known] - off[known])
-            ground[i] = _rms(meant - points_world[known, :2])
-    return Steadiness(px, ground, steps)
+            ground[i] = _rms_or_nan(meant - points_world[known, :2])
+    return ShotJitter(px, ground, steps)
 
 
-def of_shot(values: FloatArray, left_out: BoolArray | None = None) -> float | None:
+def shot_rms(values: FloatArray, left_out: BoolArray | None = None) -> float | None:
     """The root mean square over the frames of a shot; None where no frame has a value.
 
     Args:
@@ -145,28 +145,28 @@ def second_differences(values: FloatArray, numbers: Sequence[int]) -> FloatArray
     """
     found: NDArray[np.float64] = np.full(len(values), np.nan)
     table = values.reshape(len(values), -1)
-    at: IntArray = np.flatnonzero(neighbours(numbers))
-    off = (table[at - 1] - 2 * table[at] + table[at + 1]) / OF_ONE_FRAME
+    at: IntArray = np.flatnonzero(consecutive_neighbours(numbers))
+    off = (table[at - 1] - 2 * table[at] + table[at + 1]) / SECOND_DIFFERENCE_SCALE
     found[at] = np.sqrt((off**2).sum(axis=1))
     return found
 
 
-def _shown(camera: Camera | None, points_world: FloatArray) -> FloatArray:
+def _projected_in_front(camera: Camera | None, points_world: FloatArray) -> FloatArray:
     if camera is None:
         return np.full((len(points_world), 2), np.nan)
     px, valid = camera.project(points_world)
     return np.where(valid[:, None], px, np.nan)
 
 
-def _in_sight(px: FloatArray, size: tuple[int, int]) -> FloatArray:
+def _nan_outside_image(px: FloatArray, size: tuple[int, int]) -> FloatArray:
     """(P, 2) the same, NaN outside the picture."""
     with np.errstate(invalid="ignore"):
         outside = ((px < 0) | (px > np.array(size) - 1)).any(axis=1, keepdims=True)
     return np.where(outside, np.nan, px)
 
 
-def _rms(off: FloatArray) -> float:
+def _rms_or_nan(off: FloatArray) -> float:
     """Of lengths of (P, 2) differences; NaN where fewer than four are known."""
     squares = (off**2).sum(axis=1)
     known = squares[np.isfinite(squares)]
-    return float(np.sqrt(known.mean())) if len(known) >= _FEWEST_POINTS else math.nan
+    return float(np.sqrt(known.mean())) if len(known) >= _MIN_POINTS else math.nan

@@ -13,15 +13,15 @@ import numpy as np
 
 from procc_annotator.errors import UsageError
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
-from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, Fitted, marked
+from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, FitCounts, name_with_mark
 from procc_annotator.io.source import FileSource
 from procc_annotator.metric.polylines import FloatArray
 from procc_annotator.metric.score import FrameScore
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.report.scores.chance import ChanceTerms, ToldOfSet, told_of_set
+from procc_annotator.report.scores.chance import InferenceSettings, StatisticalResult, statistical_result
 from procc_annotator.session.runs.audit import FrameAudit, audit_frame
-from procc_annotator.session.runs.certainty import Certainty
+from procc_annotator.session.runs.certainty import Inference
 from procc_annotator.session.runs.evaluation_run import (
     Evaluated,
     EvaluationRun,
@@ -29,7 +29,7 @@ from procc_annotator.session.runs.evaluation_run import (
 )
 from procc_annotator.session.runs.execution.executor import Executor
 from procc_annotator.session.runs.frame_sums import FrameSums, SourceSums, frame_sums
-from procc_annotator.session.runs.held_out import HeldOutFigures
+from procc_annotator.session.runs.held_out import LeftOutMetrics
 from procc_annotator.session.runs.moved_clicks import ClickNoise
 
 # Colours, dashes and markers tell so many lines apart, and a page holds as many pictures.
@@ -45,7 +45,7 @@ class NamedCameras:
 
 
 @dataclass(frozen=True, slots=True)
-class FrameFigures:
+class FrameMetrics:
     """The figures of one frame at one threshold, as `FrameScore` has them."""
 
     jac: float
@@ -59,7 +59,7 @@ class FrameFigures:
     mean_error: float | None
 
     @classmethod
-    def of(cls, score: FrameScore) -> FrameFigures:
+    def of(cls, score: FrameScore) -> FrameMetrics:
         return cls(
             score.jac,
             score.tp,
@@ -88,7 +88,7 @@ class ReportedFrame:
     """
 
     name: str
-    figures: Mapping[float, FrameFigures]
+    figures: Mapping[float, FrameMetrics]
     audit: FrameAudit | None
     error: str | None
     counted: bool
@@ -125,13 +125,13 @@ class ReportedSource:
     unmatched: tuple[str, ...] = ()
     failure: str = ""
     annotation_notes: tuple[str, ...] = ()
-    fitted: Fitted = NOT_FITTED
-    held_out: HeldOutFigures = field(default_factory=HeldOutFigures)
+    fitted: FitCounts = NOT_FITTED
+    held_out: LeftOutMetrics = field(default_factory=LeftOutMetrics)
 
     @property
     def marked_name(self) -> str:
         """Its name as tables and charts tell it beside others."""
-        return marked(self.name, self.fitted)
+        return name_with_mark(self.name, self.fitted)
 
     @cached_property
     def audits(self) -> dict[str, FrameAudit]:
@@ -146,7 +146,7 @@ class ReportedSource:
             return next(iter(models), "")
         return ", ".join(f"{model} ({count})" for model, count in models.most_common())
 
-    def figures(self, frame: str, threshold: float) -> FrameFigures | None:
+    def figures(self, frame: str, threshold: float) -> FrameMetrics | None:
         """A frame's figures; None where it has no score."""
         found = self._by_name.get(frame)
         return None if found is None else found.figures.get(threshold)
@@ -172,7 +172,7 @@ class AuditReport:
     setup: EvaluationSetup
     thresholds: tuple[float, ...]
     sources: tuple[ReportedSource, ...]
-    chance: ChanceTerms = field(default_factory=ChanceTerms)
+    chance: InferenceSettings = field(default_factory=InferenceSettings)
 
     @property
     def tau(self) -> float:
@@ -196,7 +196,7 @@ class AuditReport:
         return np.array([np.nan if of_frame is None else of_frame.jac for of_frame in figures])
 
     @cached_property
-    def certainty(self) -> Certainty:
+    def certainty(self) -> Inference:
         """How surely the figures of the sources that have any are known."""
         return self.chance.certainty(
             self.dataset,
@@ -214,9 +214,9 @@ class AuditReport:
         return tuple(self.evaluated[at] for at in self.certainty.highest(MOST_DETAILED))
 
     @cached_property
-    def told(self) -> ToldOfSet:
+    def told(self) -> StatisticalResult:
         """What chance leaves of their figures."""
-        return told_of_set(
+        return statistical_result(
             self.certainty,
             [source.summaries for source in self.evaluated],
             self.chance,
@@ -248,7 +248,7 @@ def _no_progress(
 
 
 @dataclass(frozen=True, slots=True)
-class Work:
+class ReportWork:
     """How the frames are evaluated: who shares the work (None: nobody), who watches, and how points
     are moved where it is asked what clicks leave open."""
 
@@ -264,8 +264,8 @@ def gather_report(
     sources: Sequence[NamedCameras],
     setup: EvaluationSetup,
     thresholds: tuple[float, ...],
-    work: Work | None = None,
-    chance: ChanceTerms | None = None,
+    work: ReportWork | None = None,
+    chance: InferenceSettings | None = None,
 ) -> AuditReport:
     """Evaluate every source, exactly as `evaluate` does.
 
@@ -281,8 +281,8 @@ def gather_report(
         UsageError: no source has anything to evaluate.
         InputError: a folder or archive that cannot be listed.
     """
-    chance = chance or ChanceTerms()
-    work = replace(work if work is not None else Work(), noise=chance.noise)
+    chance = chance or InferenceSettings()
+    work = replace(work if work is not None else ReportWork(), noise=chance.noise)
     reported = [_gather(annotations, source, setup, thresholds, work) for source in sources]
     if not any(source.summaries for source in reported):
         raise UsageError(reported[0].failure if reported else "a report needs cameras: --cameras")
@@ -308,7 +308,7 @@ def reported_frame(
         )
     return ReportedFrame(
         result.name,
-        {tau: FrameFigures.of(score) for tau, score in result.scores.items()},
+        {tau: FrameMetrics.of(score) for tau, score in result.scores.items()},
         audit,
         result.error,
         result.counted,
@@ -322,7 +322,7 @@ def _evaluate(
     source: NamedCameras,
     setup: EvaluationSetup,
     thresholds: tuple[float, ...],
-    work: Work,
+    work: ReportWork,
 ) -> EvaluationRun[ReportedFrame]:
     """The one place where the evaluation is called."""
     return run_digested(
@@ -341,7 +341,7 @@ def _gather(
     source: NamedCameras,
     setup: EvaluationSetup,
     thresholds: tuple[float, ...],
-    work: Work,
+    work: ReportWork,
 ) -> ReportedSource:
     folder, fmt = source.cameras.path.name, source.cameras.format
     try:

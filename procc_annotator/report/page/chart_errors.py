@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.field.landmarks import titles_of_all_frames
+from procc_annotator.field.landmarks import element_titles
 from procc_annotator.report.page.audit_report import AuditReport
 from procc_annotator.report.page.chart_panels import PanelGrid
 from procc_annotator.report.page.chart_parts import (
-    Charted,
+    ChartedMethod,
     chart_label,
     legend_above,
     line_style,
@@ -31,7 +31,7 @@ Floats = NDArray[np.floating[Any]]
 _SECTORS = 24
 
 
-def error_charts(report: AuditReport, charted: list[Charted]) -> list[Chart]:
+def error_charts(report: AuditReport, charted: list[ChartedMethod]) -> list[Chart]:
     """The charts of reprojection errors."""
     return [
         _histogram(report, charted),
@@ -41,7 +41,7 @@ def error_charts(report: AuditReport, charted: list[Charted]) -> list[Chart]:
     ]
 
 
-def _histogram(report: AuditReport, charted: list[Charted]) -> Chart:
+def _histogram(report: AuditReport, charted: list[ChartedMethod]) -> Chart:
     bars = histogram([c.points.errors_px for c in charted])
 
     def draw(figure: Figure) -> None:
@@ -64,7 +64,7 @@ def _histogram(report: AuditReport, charted: list[Charted]) -> Chart:
     )
 
 
-def _radius(report: AuditReport, charted: list[Charted]) -> Chart:
+def _radius(report: AuditReport, charted: list[ChartedMethod]) -> Chart:
     def draw(figure: Figure) -> None:
         axes = only_panel(figure)
         for one in charted:
@@ -92,8 +92,8 @@ def _radius(report: AuditReport, charted: list[Charted]) -> Chart:
     )
 
 
-def _class_histograms(report: AuditReport, charted: list[Charted]) -> Chart:
-    names = list(titles_of_all_frames(report.setup.field).values())
+def _class_histograms(report: AuditReport, charted: list[ChartedMethod]) -> Chart:
+    names = list(element_titles(report.setup.field).values())
     rows = sorted({int(r) for c in charted for r in np.unique(c.points.class_rows)})
     bars = histogram([c.points.errors_px for c in charted])
     coarse = bars.edges[:: 2 if len(bars.edges) % 2 else 1]
@@ -127,7 +127,7 @@ def _class_histograms(report: AuditReport, charted: list[Charted]) -> Chart:
     )
 
 
-def _class_shares(one: Charted, rows: list[int], edges: Floats) -> tuple[list[int], Floats]:
+def _class_shares(one: ChartedMethod, rows: list[int], edges: Floats) -> tuple[list[int], Floats]:
     """Places of the classes that a source has errors of, and their histograms in percent."""
     places, shares = [], []
     for place, row in enumerate(rows):
@@ -139,7 +139,7 @@ def _class_shares(one: Charted, rows: list[int], edges: Floats) -> tuple[list[in
     return places, np.array(shares).reshape(-1, len(edges) - 1)
 
 
-def _directions(report: AuditReport, charted: list[Charted]) -> Chart:
+def _directions(report: AuditReport, charted: list[ChartedMethod]) -> Chart:
     size = report.setup.size
     arrows = {c.look.name: cell_arrows(c.points, size) for c in charted}
     lengths = np.concatenate([np.hypot(*a.vectors_px.T) for a in arrows.values()])
@@ -181,7 +181,7 @@ def _directions(report: AuditReport, charted: list[Charted]) -> Chart:
     )
 
 
-def _rose(figure: Figure, box_in: Floats, one: Charted) -> None:
+def _rose(figure: Figure, box_in: Floats, one: ChartedMethod) -> None:
     """The shares of directions in a box (left, bottom, width, height), inches, and the bias above:
     as axes with polar coordinates show them, which take thirty times as long."""
     from matplotlib.patches import PathPatch
@@ -232,7 +232,7 @@ _SIDES = (
 )
 
 
-def _reaches(one: Charted) -> Floats:
+def _reaches(one: ChartedMethod) -> Floats:
     """How far the bar of each sector reaches, shares of the radius; the first one is to the right,
     the others follow anticlockwise."""
     residuals = one.points.residuals_px

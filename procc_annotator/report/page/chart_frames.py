@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.report.page.audit_report import AuditReport
-from procc_annotator.report.page.chart_parts import Charted, chart_label, line_style
+from procc_annotator.report.page.chart_parts import ChartedMethod, chart_label, line_style
 from procc_annotator.report.page.chart_svg import FAINT, Chart, draw_chart
 from procc_annotator.report.page.report_tables import terms
 
@@ -18,11 +18,11 @@ if TYPE_CHECKING:
 
 Floats = NDArray[np.floating[Any]]
 
-_MOST_PAIRS = 3  # of sources; more would fill a page
+_MAX_FRAME_PAIRS = 3  # of sources; more would fill a page
 _ONE_FRAME, _SMALLEST_MARK, _LARGEST_MARK = 6.0, 2.0, 120.0  # areas, points squared
 
 
-def frame_charts(report: AuditReport, charted: list[Charted]) -> list[Chart]:
+def frame_charts(report: AuditReport, charted: list[ChartedMethod]) -> list[Chart]:
     """The distribution for every source, and pairs of sources where there are several."""
     jacs: list[Floats] = [100 * report.jac_of_frames(one.source) for one in charted]
     charts = [_distribution(report, charted, jacs)]
@@ -31,7 +31,7 @@ def frame_charts(report: AuditReport, charted: list[Charted]) -> list[Chart]:
     return charts
 
 
-def _distribution(report: AuditReport, charted: list[Charted], jacs: list[Floats]) -> Chart:
+def _distribution(report: AuditReport, charted: list[ChartedMethod], jacs: list[Floats]) -> Chart:
     known = [values[~np.isnan(values)] for values in jacs]
 
     def draw(figure: Figure) -> None:
@@ -66,8 +66,8 @@ def _distribution(report: AuditReport, charted: list[Charted], jacs: list[Floats
     )
 
 
-def _pairs(report: AuditReport, charted: list[Charted], jacs: list[Floats]) -> Chart:
-    pairs = list(combinations(range(len(charted)), 2))[:_MOST_PAIRS]
+def _pairs(report: AuditReport, charted: list[ChartedMethod], jacs: list[Floats]) -> Chart:
+    pairs = list(combinations(range(len(charted)), 2))[:_MAX_FRAME_PAIRS]
 
     def draw(figure: Figure) -> None:
         for row, (i, j) in enumerate(pairs):

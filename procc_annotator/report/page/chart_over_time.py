@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from procc_annotator.report.over_time import SourceOverTime, terms_over_time
-from procc_annotator.report.page.chart_parts import chart_label, on_either_page, panels
+from procc_annotator.report.over_time import TemporalMetrics, terms_over_time
+from procc_annotator.report.page.chart_parts import chart_label, readable_on_both_themes, panels
 from procc_annotator.report.page.chart_svg import FAINT, INK, Chart, draw_chart
 from procc_annotator.session.runs.audit_figures import envelope
 
@@ -20,7 +20,7 @@ _MOST_PLACES = 1500  # of a line; more could not be told apart on paper
 _LEAST_SPAN_PX = 1.0
 
 
-def jitter_chart(found: Sequence[SourceOverTime], colours: Sequence[str]) -> Chart:
+def jitter_chart(found: Sequence[TemporalMetrics], colours: Sequence[str]) -> Chart:
     """Jitter of every frame, a panel a source; shots one after the other.
 
     Args:
@@ -36,7 +36,7 @@ def jitter_chart(found: Sequence[SourceOverTime], colours: Sequence[str]) -> Cha
     def draw(figure: Figure) -> None:
         rows = panels(figure, len(found), between_in=0.26)
         for at, (axes, one) in enumerate(zip(rows, found, strict=True)):
-            colour = on_either_page(colours[at % len(colours)])
+            colour = readable_on_both_themes(colours[at % len(colours)])
             places, shown = envelope(values[at], 0, len(values[at]), _MOST_PLACES)
             axes.plot(places + 1, np.minimum(shown, most), color=colour, lw=0.9)
             (leapt,) = np.nonzero(jumps[at])

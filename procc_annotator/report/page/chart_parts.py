@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.field.colours import hex_of, linear_rgb
+from procc_annotator.field.colours import hex_colour, linear_rgb
 from procc_annotator.io.camera_files.fitted_on import MARKS
 from procc_annotator.report.page.audit_report import AuditReport, ReportedSource
 from procc_annotator.session.runs.audit_figures import Points, gather
@@ -28,7 +28,7 @@ _MARKERS = ("o", "s", "^", "D", "v", "P")
 
 
 @dataclass(frozen=True, slots=True)
-class SourceStyle:
+class MethodStyle:
     """How a source is drawn, whichever chart: never by colour alone."""
 
     name: str
@@ -38,22 +38,22 @@ class SourceStyle:
 
 
 @dataclass(frozen=True, eq=False)
-class Charted:
+class ChartedMethod:
     """A source that has numbers to draw."""
 
     source: ReportedSource
-    look: SourceStyle
+    look: MethodStyle
     points: Points
 
 
-def charted_sources(report: AuditReport, colours: Sequence[str]) -> list[Charted]:
+def charted_sources(report: AuditReport, colours: Sequence[str]) -> list[ChartedMethod]:
     """The sources with scores; dashes and markers go by their place among all."""
     return [
-        Charted(
+        ChartedMethod(
             source,
-            SourceStyle(
+            MethodStyle(
                 source.marked_name,
-                on_either_page(colours[i % len(colours)]),
+                readable_on_both_themes(colours[i % len(colours)]),
                 _DASHES[i % len(_DASHES)],
                 _MARKERS[i % len(_MARKERS)],
             ),
@@ -64,7 +64,7 @@ def charted_sources(report: AuditReport, colours: Sequence[str]) -> list[Charted
     ]
 
 
-def on_either_page(colour: str) -> str:
+def readable_on_both_themes(colour: str) -> str:
     """A colour ``#rrggbb`` as it is seen on the light and on the dark page, lines being thin.
 
     One that is too light or too dark is mixed with black or white as far as it takes.
@@ -76,7 +76,7 @@ def on_either_page(colour: str) -> str:
     elif luminance < _DARKEST:
         share = (_DARKEST - luminance) / (1 - luminance)
         linear = linear + share * (1 - linear)
-    return hex_of(linear)
+    return hex_colour(linear)
 
 
 def panels(figure: Figure, rows: int, *, between_in: float, top_in: float = 0.28) -> list[Axes]:
@@ -121,7 +121,7 @@ def panel_boxes(
     )
 
 
-def legend_above(figure: Figure, charted: Sequence[Charted]) -> None:
+def legend_above(figure: Figure, charted: Sequence[ChartedMethod]) -> None:
     """One legend for all panels."""
     from matplotlib.lines import Line2D
 
@@ -129,7 +129,7 @@ def legend_above(figure: Figure, charted: Sequence[Charted]) -> None:
     figure.legend(handles=lines, loc="upper center", ncols=4, handlelength=4, borderaxespad=0.1)
 
 
-def line_style(look: SourceStyle) -> dict[str, Any]:
+def line_style(look: MethodStyle) -> dict[str, Any]:
     """How matplotlib is to draw the source's lines."""
     return {"color": look.colour, "ls": look.dash, "lw": 1.4, "label": chart_label(look.name)}
 

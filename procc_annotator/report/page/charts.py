@@ -13,12 +13,12 @@ from procc_annotator.report.page.audit_report import AuditReport
 from procc_annotator.report.page.chart_errors import error_charts
 from procc_annotator.report.page.chart_frames import frame_charts
 from procc_annotator.report.page.chart_parts import (
-    Charted,
+    ChartedMethod,
     chart_label,
     charted_sources,
     legend_above,
     line_style,
-    on_either_page,
+    readable_on_both_themes,
     only_panel,
     panels,
 )
@@ -69,7 +69,7 @@ def draw_charts(report: AuditReport, colours: Sequence[str]) -> list[Chart]:
     return charts
 
 
-def _curves(report: AuditReport, charted: list[Charted]) -> Chart:
+def _curves(report: AuditReport, charted: list[ChartedMethod]) -> Chart:
     def draw(figure: Figure) -> None:
         axes = only_panel(figure)
         shown = _LARGEST_TAU >= TAU_GRID
@@ -107,7 +107,7 @@ def _differences(report: AuditReport, colours: Sequence[str]) -> Chart:
         rows = panels(figure, len(pairs), between_in=0.26)
         for at, (axes, pair) in enumerate(zip(rows, pairs, strict=True)):
             band = report.certainty.curve_of_difference(pair.a, pair.b)
-            colour = on_either_page(colours[at % len(colours)])
+            colour = readable_on_both_themes(colours[at % len(colours)])
             axes.axhline(0, color=INK, lw=0.8)
             axes.plot(TAU_GRID[shown], 100 * band.values[shown], color=colour, lw=1.4)
             _shade(axes, band, shown, colour)
@@ -141,7 +141,7 @@ def _band_words(report: AuditReport) -> str:
     return f"{level}; {certainty.clusters.described}"
 
 
-def _timelines(report: AuditReport, charted: list[Charted]) -> Chart:
+def _timelines(report: AuditReport, charted: list[ChartedMethod]) -> Chart:
     def draw(figure: Figure) -> None:
         rows = panels(figure, len(charted), between_in=0.26)
         for axes, one in zip(rows, charted, strict=True):
@@ -171,7 +171,7 @@ def _timelines(report: AuditReport, charted: list[Charted]) -> Chart:
     )
 
 
-def _poses(report: AuditReport, charted: list[Charted]) -> Chart:
+def _poses(report: AuditReport, charted: list[ChartedMethod]) -> Chart:
     found = [(c, poses(report.frames, c.source.audits)) for c in charted]
     many = len(report.frames) > _MOST_IN_A_ROW
 

@@ -15,7 +15,7 @@ from procc_annotator.regular_file import read_head
 from procc_annotator.report.page.audit_report import AuditReport
 from procc_annotator.report.page.chart_svg import Chart
 from procc_annotator.report.page.report_pairs import ReportedPair
-from procc_annotator.report.page.report_pictures import OverlayFigure
+from procc_annotator.report.page.report_pictures import OverlayPicture
 from procc_annotator.report.page.report_tables import (
     classes_section,
     comparison_table,
@@ -28,9 +28,9 @@ from procc_annotator.report.page.report_tables import (
 from procc_annotator.report.sheet.as_html import html_table
 from procc_annotator.report.sheet.definitions import definitions
 from procc_annotator.report.sheet.figures import FN, FP, JAC, TP
-from procc_annotator.report.sheet.sheet import Sheet
+from procc_annotator.report.sheet.sheet import MetricTable
 from procc_annotator.resources import resources_dir
-from procc_annotator.words import few_of
+from procc_annotator.words import condensed
 
 if TYPE_CHECKING:
     from jinja2 import Template
@@ -74,16 +74,16 @@ class Page:
     """
 
     charts: Sequence[Chart] = ()
-    worst: Sequence[tuple[str, Sequence[OverlayFigure]]] = ()
-    lot: Sequence[tuple[str, Sequence[OverlayFigure]]] = ()
+    worst: Sequence[tuple[str, Sequence[OverlayPicture]]] = ()
+    lot: Sequence[tuple[str, Sequence[OverlayPicture]]] = ()
     pairs: Sequence[ReportedPair] = ()
-    pair_tables: Sequence[Sheet] = ()
+    pair_tables: Sequence[MetricTable] = ()
     failures: Sequence[str] = ()
-    over_time: Sequence[Sheet] = ()
+    over_time: Sequence[MetricTable] = ()
     over_time_charts: Sequence[Chart] = ()
 
 
-def is_of_others(path: Path) -> bool:
+def is_foreign_file(path: Path) -> bool:
     """Whether there is a file, and no report wrote it."""
     try:
         return f'"{_GENERATOR}"'.encode() not in read_head(path, _HEAD)
@@ -99,7 +99,7 @@ def report_html(report: AuditReport, heading: Heading, page: Page) -> bytes:
     notices = [
         (source.name, text, count)
         for source in report.sources
-        for text, count in few_of(source.notices).items()
+        for text, count in condensed(source.notices).items()
     ]
     tables = [comparison_table(report), fits_table(report), frames_table(report)]
     tables.append(errors_table(report))

@@ -10,46 +10,46 @@ import msgspec
 from procc_annotator.io.camera_files.fitted_on import FITTED_KEYS
 from procc_annotator.metric.sets import ClassSummary, SetSummary
 from procc_annotator.report.field_terms import field_terms
-from procc_annotator.report.over_time import SourceOverTime, over_time_entries
+from procc_annotator.report.over_time import TemporalMetrics, over_time_entries
 from procc_annotator.report.page.audit_report import AuditReport, ReportedSource
 from procc_annotator.report.page.report_pairs import ReportedPair
-from procc_annotator.report.scores.chance import chance_entries
+from procc_annotator.report.scores.chance import inference_entries
 from procc_annotator.report.scores.chance_sheets import (
     WITH_INTERVAL,
     interval_columns,
     interval_ends,
 )
-from procc_annotator.report.scores.held_out_sheet import held_out_entry
+from procc_annotator.report.scores.held_out_sheet import left_out_entry
 from procc_annotator.report.scores.score_columns import COUNTS
 from procc_annotator.report.scores.score_files import frame_entry, summary_entry
 from procc_annotator.report.sheet.as_csv import csv_bytes
 from procc_annotator.report.sheet.as_json import json_bytes
-from procc_annotator.report.sheet.figure import shortest, values_of
+from procc_annotator.report.sheet.figure import shortest_number, metric_values
 from procc_annotator.report.sheet.figures import (
-    HELD_OUT,
+    LEFT_OUT_SCORE,
     IN_SAMPLE,
     MEAN_JAC,
     MEAN_PRECISION,
     MEAN_RECALL,
     OF_SET,
 )
-from procc_annotator.report.sheet.sheet import TAU, Column, Row, Sheet, of, whole
+from procc_annotator.report.sheet.sheet import TAU, Column, Row, MetricTable, metric_column, count_column
 
 _COLUMNS = (
-    Column("source"), Column("model"), Column("protocol"), Column("options"), whole("width"),
-    whole("height"), TAU, Column("class"), whole("images"), whole("evaluated"), *map(of, OF_SET),
-    *(whole(count.key) for count in COUNTS), Column("field"),
-    *(end for figure in WITH_INTERVAL for end in interval_columns(figure)), whole("rank"),
+    Column("source"), Column("model"), Column("protocol"), Column("options"), count_column("width"),
+    count_column("height"), TAU, Column("class"), count_column("images"), count_column("evaluated"), *map(metric_column, OF_SET),
+    *(count_column(count.key) for count in COUNTS), Column("field"),
+    *(end for figure in WITH_INTERVAL for end in interval_columns(figure)), count_column("rank"),
     Column("clusters"),
-    *map(whole, FITTED_KEYS),  # of the cameras: so many
-    whole("held_out_elements"), of(HELD_OUT), of(IN_SAMPLE),
+    *map(count_column, FITTED_KEYS),  # of the cameras: so many
+    count_column("held_out_elements"), metric_column(LEFT_OUT_SCORE), metric_column(IN_SAMPLE),
 )  # fmt: skip
 
 
 def report_json(
     report: AuditReport,
     pairs: tuple[ReportedPair, ...] = (),
-    over_time: Sequence[SourceOverTime] = (),
+    over_time: Sequence[TemporalMetrics] = (),
 ) -> bytes:
     """Everything that is a number, in the words of `evaluate`'s score files."""
     setup = report.setup
@@ -62,7 +62,7 @@ def report_json(
         "sources": [_source_entry(source) for source in report.sources],
         "pairs": [_pair_entry(pair) for pair in pairs],
         "failures": report.failures(),
-        **chance_entries([report.told]),
+        **inference_entries([report.told]),
         **(over_time_entries(over_time) if over_time else {}),
     }
     return json_bytes(content)
@@ -75,15 +75,15 @@ def _source_entry(source: ReportedSource) -> dict[str, Any]:
         "model": source.model or None,
         "described": source.described,
         **source.fitted.entry(),
-        **held_out_entry(source, list(source.summaries)),
+        **left_out_entry(source, list(source.summaries)),
         "failure": source.failure or None,
-        "summary": {shortest(t): summary_entry(s) for t, s in source.summaries.items()},
+        "summary": {shortest_number(t): summary_entry(s) for t, s in source.summaries.items()},
         "unmatched_cameras": list(source.unmatched),
         "images": [
             {
                 "name": frame.name,
                 "error": frame.error,
-                "results": {shortest(t): frame_entry(f) for t, f in frame.figures.items()},
+                "results": {shortest_number(t): frame_entry(f) for t, f in frame.figures.items()},
             }
             for frame in source.frames
         ],
@@ -125,7 +125,7 @@ def report_csv(report: AuditReport) -> bytes:
                         None,
                     )
                 )
-    return csv_bytes(Sheet("report", "", _COLUMNS, tuple(rows)))
+    return csv_bytes(MetricTable("report", "", _COLUMNS, tuple(rows)))
 
 
 def _row(
@@ -140,9 +140,9 @@ def _row(
     terms = (source.name, source.model, setup.protocol, options, *setup.size, tau, class_name)
     if isinstance(found, SetSummary):
         images = (found.images, found.evaluated)
-        figures = (*images, *values_of(OF_SET, found), None, None, None)
+        figures = (*images, *metric_values(OF_SET, found), None, None, None)
     else:
         of_class = {MEAN_JAC: found.jac, MEAN_PRECISION: found.precision, MEAN_RECALL: found.recall}
         shared = (of_class.get(figure) for figure in OF_SET)
-        figures = (None, None, *shared, *values_of(COUNTS, found))
+        figures = (None, None, *shared, *metric_values(COUNTS, found))
     return (*terms, *figures, setup.field.described)

@@ -8,14 +8,14 @@ from pathlib import Path
 
 from procc_annotator.errors import ImageError, InputError, UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.field.stadiums import field_of_frame
+from procc_annotator.field.stadiums import field_for_frame
 from procc_annotator.metric.contours import OFFSIDE_ACCURACY_M
-from procc_annotator.metric.legacy import Average
+from procc_annotator.metric.legacy import MetricAverage
 from procc_annotator.report.comparison import ComparisonScene
 from procc_annotator.report.sheet.counts import FRAMES, HAVING
-from procc_annotator.report.sheet.figure import Figure, values_of
+from procc_annotator.report.sheet.figure import Metric, metric_values
 from procc_annotator.report.sheet.figures import LEGACY, METRES, PIXELS, WITHIN
-from procc_annotator.report.sheet.sheet import Column, Sheet, Value, counted, of
+from procc_annotator.report.sheet.sheet import Column, MetricTable, Value, defined_count_column, metric_column
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.runs.comparison_run import (
     ComparedFrame,
@@ -40,7 +40,7 @@ class PairPainters:
 
 
 @dataclass(frozen=True, slots=True)
-class PairFigure:
+class PairPicture:
     """A disagreement picture (encoded, with its MIME type) with its words."""
 
     frame: str
@@ -64,7 +64,7 @@ class ReportedPair:
     b: str
     summary: ComparisonSummary | None
     described: str = ""
-    pictures: tuple[PairFigure, ...] = ()
+    pictures: tuple[PairPicture, ...] = ()
     failure: str = ""
     problems: tuple[str, ...] = ()
 
@@ -107,7 +107,7 @@ class Pairs:
 
     def pictures(
         self, a: str, b: str, count: int, paint: PairPainters, pictures: Mapping[str, Path]
-    ) -> tuple[PairFigure, ...]:
+    ) -> tuple[PairPicture, ...]:
         """Pictures of the frames that disagree most, largest median first."""
         found = self._run(a, b)
         if isinstance(found, str):
@@ -126,7 +126,7 @@ class Pairs:
         names: tuple[str, str],
         paint: PairPainters,
         pictures: Mapping[str, Path],
-    ) -> PairFigure | None:
+    ) -> PairPicture | None:
         try:
             cameras = comparison.cameras(frame.name)
             found = comparison.map_for_picture(frame.name, cameras)
@@ -136,12 +136,12 @@ class Pairs:
                 names,
                 cameras,
                 found,
-                field_of_frame(self._field, frame.name),
+                field_for_frame(self._field, frame.name),
             )
             picture, kind = _encoded(scene, paint)
         except InputError:  # listed when the set was compared
             return None
-        return PairFigure(frame.name, picture, kind, _words(frame))
+        return PairPicture(frame.name, picture, kind, _words(frame))
 
     def _run(self, a: str, b: str) -> tuple[ComparisonRun, list[ComparedFrame]] | str:
         if (a, b) not in self._done:
@@ -183,56 +183,56 @@ def _words(frame: ComparedFrame) -> str:
     )
 
 
-def disagreement_section(pairs: Sequence[ReportedPair]) -> Sheet:
+def disagreement_section(pairs: Sequence[ReportedPair]) -> MetricTable:
     """One row a pair: metres on the ground, px in the picture."""
     columns = (
         Column("sources", "Sources"),
-        counted(FRAMES),
+        defined_count_column(FRAMES),
         *(_spread_column(f, "metres", "on the ground, m") for f in METRES),
-        of(WITHIN),
+        metric_column(WITHIN),
         *(_spread_column(f, "pixels", "in the picture, px") for f in PIXELS),
     )
     rows = []
     for pair in pairs:
         found = pair.summary
-        metres = values_of(METRES, found and found.metres)
-        pixels = values_of(PIXELS, found and found.pixels)
+        metres = metric_values(METRES, found and found.metres)
+        pixels = metric_values(PIXELS, found and found.pixels)
         within, frames = (found.within, found.frames) if found else (None, None)
         rows.append((f"{pair.a}, {pair.b}", frames, *metres, within, *pixels))
-    return Sheet(
+    return MetricTable(
         "disagreement", "Disagreement of camera sources", columns, tuple(rows), _described(pairs)
     )
 
 
-def _spread_column(figure: Figure, what: str, group: str) -> Column:
-    return of(figure, key=f"{what}_{figure.key}", heading=figure.title, group=group)
+def _spread_column(figure: Metric, what: str, group: str) -> Column:
+    return metric_column(figure, key=f"{what}_{figure.key}", heading=figure.title, group=group)
 
 
-def legacy_section(reference: str, pairs: Sequence[ReportedPair]) -> Sheet:
+def legacy_section(reference: str, pairs: Sequence[ReportedPair]) -> MetricTable:
     """One row a source: the metrics of earlier papers against the reference, mean and median; and
     of how many frames, where a figure is not of all of the row."""
-    columns = [Column("source", "Source"), counted(FRAMES)]
+    columns = [Column("source", "Source"), defined_count_column(FRAMES)]
     compared = [None if pair.summary is None else pair.summary.frames for pair in pairs]
     rows: list[list[Value]] = [[p.b, frames] for p, frames in zip(pairs, compared, strict=True)]
     for figure in LEGACY:
         group = f"{figure.title}, {figure.unit}"
         for average in ("mean", "median"):
             key = f"{figure.key}_{average}"
-            columns.append(of(figure, key=key, heading=average, group=group))
+            columns.append(metric_column(figure, key=key, heading=average, group=group))
         found = [_average(pair, figure) for pair in pairs]
         fewer = any(f.frames != (n or 0) for f, n in zip(found, compared, strict=True))
         if fewer:
             key = f"{figure.key}_frames"
-            columns.append(counted(HAVING, key=key, heading="frames", group=group))
+            columns.append(defined_count_column(HAVING, key=key, heading="frames", group=group))
         for row, one in zip(rows, found, strict=True):
             row += [one.mean, one.median, *([one.frames] if fewer else [])]
     title = f"Metrics of earlier papers against {reference}"
-    return Sheet("legacy", title, tuple(columns), tuple(map(tuple, rows)), _described(pairs))
+    return MetricTable("legacy", title, tuple(columns), tuple(map(tuple, rows)), _described(pairs))
 
 
-def _average(pair: ReportedPair, figure: Figure) -> Average:
+def _average(pair: ReportedPair, figure: Metric) -> MetricAverage:
     legacy = {} if pair.summary is None else pair.summary.legacy
-    return legacy.get(figure.key, Average(None, None, 0))
+    return legacy.get(figure.key, MetricAverage(None, None, 0))
 
 
 def _described(pairs: Sequence[ReportedPair]) -> str:

@@ -13,7 +13,7 @@ from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.source import FileSource
 from procc_annotator.metric.explain import explain_score, worst_elements_first
 from procc_annotator.metric.measure import measure
-from procc_annotator.metric.score import score, score_to_read
+from procc_annotator.metric.score import score, display_score
 from procc_annotator.report.page.audit_report import AuditReport, ReportedSource
 from procc_annotator.report.scenes import Paint, Scene
 from procc_annotator.report.scores.tables import percent_text, pixels
@@ -31,7 +31,7 @@ class Painters:
 
 
 @dataclass(frozen=True, slots=True)
-class OverlayFigure:
+class OverlayPicture:
     """An overlay picture with its words.
 
     Attributes:
@@ -59,7 +59,7 @@ class OverlayFigure:
 
 
 @dataclass(frozen=True, slots=True)
-class Chosen:
+class ChosenFrames:
     """Frames to draw.
 
     Attributes:
@@ -76,7 +76,7 @@ class Chosen:
         return sum(len(names) for names in self.worst.values()) + len(self.random) * len(self.worst)
 
 
-def choose_frames(report: AuditReport, worst: int, lot: int, seed: int) -> Chosen:
+def choose_frames(report: AuditReport, worst: int, lot: int, seed: int) -> ChosenFrames:
     """The worst frames of every source, and some drawn by lot from all that have a score.
 
     Args:
@@ -86,7 +86,7 @@ def choose_frames(report: AuditReport, worst: int, lot: int, seed: int) -> Chose
     """
     scored = [name for name in report.frames if any(name in s.audits for s in report.evaluated)]
     drawn = set(random.Random(seed).sample(scored, min(lot, len(scored))))
-    return Chosen(
+    return ChosenFrames(
         {source.name: _worst(source, report.tau, worst) for source in report.detailed},
         tuple(name for name in scored if name in drawn),
     )
@@ -129,7 +129,7 @@ class OverlayDrawer:
         self._painters = painters
         self.problems: list[str] = []
 
-    def draw(self, source: str, frame: str) -> OverlayFigure:
+    def draw(self, source: str, frame: str) -> OverlayPicture:
         """One picture."""
         try:
             scene = self._scene(source, frame)
@@ -137,7 +137,7 @@ class OverlayDrawer:
             self.problems.append(str(error))
             scene = None
         if scene is None:
-            return OverlayFigure(source, frame, b"", "", "no camera for this frame")
+            return OverlayPicture(source, frame, b"", "", "no camera for this frame")
         return self._painted(source, frame, scene)
 
     def _scene(self, source: str, frame: str) -> Scene | None:
@@ -150,10 +150,10 @@ class OverlayDrawer:
             self._annotations.read(file), path=self._annotations.display(file), field=setup.field
         )
         measurement = measure(annotation, loaded.camera, setup)
-        judged = score_to_read(measurement, self._report.tau)
+        judged = display_score(measurement, self._report.tau)
         return Scene(self._pictures.get(frame), annotation, setup, measurement, judged, frame)
 
-    def _painted(self, source: str, frame: str, scene: Scene) -> OverlayFigure:
+    def _painted(self, source: str, frame: str, scene: Scene) -> OverlayPicture:
         picture, kind, remark = self._encoded(scene)
         judged, measurement = scene.score, scene.measurement
         if judged is None or measurement is None:
@@ -173,7 +173,7 @@ class OverlayDrawer:
         figures = (
             f"JaC@{judged.threshold:g} {percent_text(judged.jac)} %, {error} ({terms}{labels})"
         )
-        return OverlayFigure(
+        return OverlayPicture(
             source, frame, picture, kind, figures, tuple(sentences), judged.tp, remark
         )
 

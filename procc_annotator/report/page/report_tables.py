@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from procc_annotator.field.landmarks import titles_of_all_frames
+from procc_annotator.field.landmarks import element_titles
 from procc_annotator.io.camera_files.fitted_on import SOME_OTHER_VERSION
 from procc_annotator.report.page.audit_report import AuditReport, ReportedSource
-from procc_annotator.report.scores.held_out_sheet import held_out_sheet
+from procc_annotator.report.scores.held_out_sheet import left_out_table
 from procc_annotator.report.sheet.counts import (
     ERROR_POINTS,
     EVALUATED,
@@ -17,7 +17,7 @@ from procc_annotator.report.sheet.counts import (
     UNMATCHED,
     WITHOUT,
 )
-from procc_annotator.report.sheet.figure import shortest
+from procc_annotator.report.sheet.figure import shortest_number
 from procc_annotator.report.sheet.figures import (
     BIAS_DOWN,
     BIAS_RIGHT,
@@ -30,29 +30,29 @@ from procc_annotator.report.sheet.figures import (
     MEDIAN_PX,
     P95_PX,
 )
-from procc_annotator.report.sheet.sheet import Column, Sheet, counted, of
+from procc_annotator.report.sheet.sheet import Column, MetricTable, defined_count_column, metric_column
 from procc_annotator.session.runs.audit_figures import bias, gather
 
 SOURCE = Column("source", "Source")
 
 
-def comparison_table(report: AuditReport) -> Sheet:
+def comparison_table(report: AuditReport) -> MetricTable:
     """The sources side by side, as the paper compares camera models."""
     taus = sorted(report.thresholds)
     columns = (
         SOURCE,
         Column("model", "Camera model"),
-        *(of(MEAN_JAC, f"@{tau:g}", key=f"mean_jac@{shortest(tau)}") for tau in taus),
-        of(MEAN_ERROR, f"@{taus[-1]:g}"),
-        of(COMPLETENESS),
-        of(FINAL_SCORE, f"@{report.tau:g}"),
+        *(metric_column(MEAN_JAC, f"@{tau:g}", key=f"mean_jac@{shortest_number(tau)}") for tau in taus),
+        metric_column(MEAN_ERROR, f"@{taus[-1]:g}"),
+        metric_column(COMPLETENESS),
+        metric_column(FINAL_SCORE, f"@{report.tau:g}"),
     )
     rows = tuple(
         (s.marked_name, s.model or None, *_figures(s, taus, report.tau)) for s in report.sources
     )
-    return Sheet(
+    return MetricTable(
         "comparison", "Comparison of camera sources", columns, rows, terms(report),
-        (_rests_on(report),), _best_beyond_chance(report, taus),
+        (_rests_on(report),), _significantly_best(report, taus),
     )  # fmt: skip
 
 
@@ -68,7 +68,7 @@ def _figures(source: ReportedSource, taus: list[float], leading: float) -> list[
     ]
 
 
-def _best_beyond_chance(report: AuditReport, taus: list[float]) -> frozenset[tuple[int, int]]:
+def _significantly_best(report: AuditReport, taus: list[float]) -> frozenset[tuple[int, int]]:
     """Places of the values that are better than those of every other source beyond chance."""
     keys = [(MEAN_JAC.key, tau) for tau in taus]
     keys += [(MEAN_ERROR.key, taus[-1]), (COMPLETENESS.key, report.tau)]
@@ -104,20 +104,20 @@ def _rests_on(report: AuditReport) -> str:
     )
 
 
-def fits_table(report: AuditReport) -> Sheet | None:
+def fits_table(report: AuditReport) -> MetricTable | None:
     """The fits among the sources by elements left out; None without fits."""
     sources = [(source.name, source) for source in report.evaluated]
-    return held_out_sheet(sources, sorted(report.thresholds), report.setup)
+    return left_out_table(sources, sorted(report.thresholds), report.setup)
 
 
-def frames_table(report: AuditReport) -> Sheet:
+def frames_table(report: AuditReport) -> MetricTable:
     """How many frames each source was evaluated on."""
     columns = (
         SOURCE,
         Column("folder", "Folder"),
-        *map(counted, (IMAGES, EVALUATED, WITHOUT)),
-        counted(MIRRORED, f"@{report.tau:g}"),
-        counted(UNMATCHED),
+        *map(defined_count_column, (IMAGES, EVALUATED, WITHOUT)),
+        defined_count_column(MIRRORED, f"@{report.tau:g}"),
+        defined_count_column(UNMATCHED),
     )
     rows = []
     for source in report.sources:
@@ -130,17 +130,17 @@ def frames_table(report: AuditReport) -> Sheet:
             missing = figures.images - figures.evaluated
             counts = (figures.images, figures.evaluated, missing, mirrored)
         rows.append((source.marked_name, source.folder, *counts, len(source.unmatched)))
-    return Sheet("frames", "Frames behind the figures", columns, tuple(rows))
+    return MetricTable("frames", "Frames behind the figures", columns, tuple(rows))
 
 
-def classes_section(report: AuditReport) -> Sheet:
+def classes_section(report: AuditReport) -> MetricTable:
     """Per class and source: JaC counted in points, and the median error."""
     sources = report.evaluated
     columns = [Column("class", "Class")]
     for source in sources:
-        jac = of(JAC, f"@{report.tau:g}", key=f"jac:{source.name}", group=source.marked_name)
-        columns += [jac, of(MEDIAN_PX, key=f"median:{source.name}", group=source.marked_name)]
-    titles = titles_of_all_frames(report.setup.field)
+        jac = metric_column(JAC, f"@{report.tau:g}", key=f"jac:{source.name}", group=source.marked_name)
+        columns += [jac, metric_column(MEDIAN_PX, key=f"median:{source.name}", group=source.marked_name)]
+    titles = element_titles(report.setup.field)
     medians = [_class_medians(source) for source in sources]
     figures = [source.summaries[report.tau].per_class for source in sources]
     known = list(titles)
@@ -154,7 +154,7 @@ def classes_section(report: AuditReport) -> Sheet:
             row += [None if found_here is None else found_here.jac, median.get(index)]
         rows.append(tuple(row))
     title = "Classes, counted in points"
-    return Sheet("classes", title, tuple(columns), tuple(rows), terms(report))
+    return MetricTable("classes", title, tuple(columns), tuple(rows), terms(report))
 
 
 def _class_medians(source: ReportedSource) -> dict[int, float]:
@@ -163,12 +163,12 @@ def _class_medians(source: ReportedSource) -> dict[int, float]:
     return {r: float(np.median(points.errors_px[rows == r])) for r in np.unique(rows).tolist()}
 
 
-def errors_table(report: AuditReport) -> Sheet:
+def errors_table(report: AuditReport) -> MetricTable:
     """How the distances of points are spread, and whether they lean to one side."""
     columns = (
         SOURCE,
-        *map(counted, (ERROR_POINTS, UNDEFINED)),
-        *map(of, (MEDIAN_PX, P95_PX, LARGEST_PX, BIAS_RIGHT, BIAS_DOWN)),
+        *map(defined_count_column, (ERROR_POINTS, UNDEFINED)),
+        *map(metric_column, (MEDIAN_PX, P95_PX, LARGEST_PX, BIAS_RIGHT, BIAS_DOWN)),
     )
     rows = []
     for source in report.evaluated:
@@ -179,22 +179,22 @@ def errors_table(report: AuditReport) -> Sheet:
             spread = (*np.percentile(errors, (50, 95)).tolist(), float(errors.max()))
         row = (source.marked_name, len(errors), points.undefined, *spread, *(lean or (None, None)))
         rows.append(row)
-    return Sheet("errors", "Reprojection errors", columns, tuple(rows), terms(report))
+    return MetricTable("errors", "Reprojection errors", columns, tuple(rows), terms(report))
 
 
-def every_frame_table(report: AuditReport) -> Sheet:
+def every_frame_table(report: AuditReport) -> MetricTable:
     """JaC of every frame under every source."""
     sources = report.evaluated
     columns = (
         Column("frame", "Frame"),
-        *(of(JAC, key=f"jac:{source.name}", heading=source.marked_name) for source in sources),
+        *(metric_column(JAC, key=f"jac:{source.name}", heading=source.marked_name) for source in sources),
     )
     rows = []
     for name in report.frames:
         found = [source.figures(name, report.tau) for source in sources]
         rows.append((name, *(None if f is None else f.jac for f in found)))
     title = f"JaC@{report.tau:g} of every frame, %"
-    return Sheet("every_frame", title, columns, tuple(rows), terms(report))
+    return MetricTable("every_frame", title, columns, tuple(rows), terms(report))
 
 
 def terms(report: AuditReport) -> str:

@@ -12,12 +12,12 @@ from procc_annotator.errors import UsageError
 from procc_annotator.io.atomic import write_atomic
 from procc_annotator.io.source import FileSource
 from procc_annotator.report.over_time import (
-    SourceOverTime,
-    breaks_sheet,
-    shots_sheet,
-    shown_sheets,
+    TemporalMetrics,
+    breaks_table,
+    shots_over_time_table,
+    terminal_tables,
 )
-from procc_annotator.report.page.audit_report import AuditReport, Work
+from procc_annotator.report.page.audit_report import AuditReport, ReportWork
 from procc_annotator.report.page.chart_over_time import jitter_chart
 from procc_annotator.report.page.charts import draw_charts
 from procc_annotator.report.page.html_report import Heading, Page, report_html
@@ -31,13 +31,13 @@ from procc_annotator.report.page.report_pairs import (
 )
 from procc_annotator.report.page.report_pictures import (
     OverlayDrawer,
-    OverlayFigure,
+    OverlayPicture,
     Painters,
     choose_frames,
 )
 from procc_annotator.report.page.report_tables import comparison_table, fits_table, terms
 from procc_annotator.report.sheet.as_latex import COLUMN_PT, latex_tables
-from procc_annotator.report.sheet.sheet import Sheet
+from procc_annotator.report.sheet.sheet import MetricTable
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.version import __version__
 
@@ -72,7 +72,7 @@ class ReportRequest:
 
 
 @dataclass(frozen=True)
-class Drawing:
+class ReportPainters:
     """Who paints what, and in which colours.
 
     Attributes:
@@ -87,7 +87,7 @@ class Drawing:
 
 
 @dataclass(frozen=True)
-class Material:
+class ReportInputs:
     """What figures and pictures are made from.
 
     Attributes:
@@ -100,7 +100,7 @@ class Material:
     annotations: FileSource
     cameras: Sequence[CameraSet]
     pictures: Mapping[str, Path]
-    over_time: tuple[SourceOverTime, ...] = ()
+    over_time: tuple[TemporalMetrics, ...] = ()
 
 
 def report_kind(path: Path) -> str:
@@ -133,11 +133,11 @@ def check_request(request: ReportRequest, names: Sequence[str]) -> None:
 
 def write_report(
     report: AuditReport,
-    material: Material,
+    material: ReportInputs,
     request: ReportRequest,
-    drawing: Drawing | None,
+    drawing: ReportPainters | None,
     outputs: Sequence[Path],
-    work: Work,
+    work: ReportWork,
 ) -> list[str]:
     """Write every file; each appears when it is complete.
 
@@ -160,13 +160,13 @@ def write_report(
     )
     legacy = _legacy_pairs(request, report, pairs)
     disagreeing = tuple(pairs.compared(a, b) for a, b in request.disagreement)
-    tables: list[Sheet] = []
+    tables: list[MetricTable] = []
     if disagreeing:
         tables.append(disagreement_section(_marked(disagreeing, report)))
     if legacy:
         told = _marked(legacy, report)
         tables.append(legacy_section(told[0].a, told))
-    steady = shown_sheets(shots_sheet(material.over_time)) if material.over_time else []
+    steady = terminal_tables(shots_over_time_table(material.over_time)) if material.over_time else []
     every_pair = tuple({(p.a, p.b): p for p in (*disagreeing, *legacy)}.values())
     problems = [problem for pair in every_pair for problem in pair.problems]
     problems += [f"{pair.a}, {pair.b}: {pair.failure}" for pair in every_pair if pair.failure]
@@ -201,9 +201,9 @@ def _marked(pairs: Sequence[ReportedPair], report: AuditReport) -> list[Reported
     return [replace(p, a=names.get(p.a, p.a), b=names.get(p.b, p.b)) for p in pairs]
 
 
-def _breaks(material: Material) -> list[Sheet]:
+def _breaks(material: ReportInputs) -> list[MetricTable]:
     """The jumps and outages, where there are any and not too many to be read."""
-    found = breaks_sheet(material.over_time, shown=True)
+    found = breaks_table(material.over_time, shown=True)
     return [found] if 0 < len(found.rows) <= _MOST_BREAKS else []
 
 
@@ -234,12 +234,12 @@ def heading(report: AuditReport, request: ReportRequest) -> Heading:
 
 def _page(
     report: AuditReport,
-    material: Material,
+    material: ReportInputs,
     request: ReportRequest,
-    drawing: Drawing,
+    drawing: ReportPainters,
     pairs: Pairs,
-    tables: Sequence[Sheet],
-    work: Work,
+    tables: Sequence[MetricTable],
+    work: ReportWork,
     problems: Sequence[str],
 ) -> Page:
     charts = draw_charts(report, drawing.colours)
@@ -252,7 +252,7 @@ def _page(
     lot = [(source, frame) for frame in chosen.random for source in sources]
     drawn_now = (drawer.draw(*one) for one in [*worst, *lot])
     total = len(worst) + len(lot)
-    figures: list[OverlayFigure] = list(work.progress(drawn_now, total, "drawing"))
+    figures: list[OverlayPicture] = list(work.progress(drawn_now, total, "drawing"))
     shown = [
         ReportedPair(
             a,
@@ -285,7 +285,7 @@ def _legacy_pairs(
     return tuple(pairs.compared(request.reference, other) for other in others)
 
 
-def _without_paths(problems: Iterable[str], material: Material) -> list[str]:
+def _without_paths(problems: Iterable[str], material: ReportInputs) -> list[str]:
     """Names instead of paths: the page is sent to people who do not have these folders."""
     known = {str(material.annotations.path), *(str(c.path) for c in material.cameras)}
     known |= {str(path.parent) for path in material.pictures.values()}

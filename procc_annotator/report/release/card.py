@@ -23,7 +23,7 @@ from procc_annotator.report.release.released import (
 )
 from procc_annotator.session.dataset.dataset_folder import STADIUMS_FILE
 from procc_annotator.version import __version__
-from procc_annotator.words import count_of
+from procc_annotator.words import count_words
 
 _SIZES = ((1_000, "n<1K"), (10_000, "1K<n<10K"), (100_000, "10K<n<100K"), (10**6, "100K<n<1M"))
 _HUB_LICENCE = re.compile(r"[a-z0-9][a-z0-9.\-]*")
@@ -136,7 +136,7 @@ def _files(release: Release) -> str:
 def _quality(release: Release) -> str:
     lines = []
     if release.findings is not None:
-        found = ", ".join(count_of(n, severity) for severity, n in release.findings.items() if n)
+        found = ", ".join(count_words(n, severity) for severity, n in release.findings.items() if n)
         lines.append(f"- Label check, still open: {found or 'nothing'}.")
     if release.agreement:
         lines.append(f"- Two annotators: {release.agreement}")

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.words import count_of
+from procc_annotator.words import count_words
 
 _WIDTH_PX, _HEIGHT_PX = 959, 539  # that moves are told in
 _LISTED = 200
@@ -97,9 +97,9 @@ def _lines(changes: Changes) -> Sequence[str]:
         ("with another picture", changes.pictures),
     ):
         if names:
-            found.append(f"- {count_of(len(names), 'frame')} {what}: {_listed(names)}")
+            found.append(f"- {count_words(len(names), 'frame')} {what}: {_listed(names)}")
     if changes.changed:
-        found.append(f"- elements of {count_of(len(changes.changed), 'frame')} changed:")
+        found.append(f"- elements of {count_words(len(changes.changed), 'frame')} changed:")
         found += [f"  - {one.name}: {one.in_words}" for one in changes.changed[:_LISTED]]
         if (more := len(changes.changed) - _LISTED) > 0:
             found.append(f"  - and {more} more frames")

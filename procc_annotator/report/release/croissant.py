@@ -38,7 +38,7 @@ _TYPES = {
     "elements": "sc:Integer", "points": "sc:Integer", "picture_bytes": "sc:Integer",
     "width": "sc:Integer", "height": "sc:Integer",
 }  # fmt: skip
-_SAID = {
+_MAINTAINER_KEYS = {
     "frame": "Name of the frame.",
     "split": "Split it belongs to.",
     "annotation": "Its annotation file.",
@@ -69,14 +69,14 @@ def croissant_bytes(release: Release, index: bytes, index_sha256: str) -> bytes:
         "datePublished": terms.date,
         "version": _semantic(terms.version),
         "isLiveDataset": False,
-        **_said_by_keeper(release),
+        **_maintainer_entries(release),
         "distribution": _distribution(release, len(index), index_sha256),
         "recordSet": [_frames(release)],
     }
     return json_bytes(content)
 
 
-def _said_by_keeper(release: Release) -> Mapping[str, Any]:
+def _maintainer_entries(release: Release) -> Mapping[str, Any]:
     terms = release.terms
     found: dict[str, Any] = {
         "url": terms.url,
@@ -136,7 +136,7 @@ def _frames(release: Release) -> dict[str, Any]:
                 "dataType": _TYPES.get(column, "sc:Text"),
                 "source": {"fileObject": {"@id": INDEX_FILE}, "extract": {"column": column}},
             }
-            for column, said in _SAID.items()
+            for column, said in _MAINTAINER_KEYS.items()
         ],
     }
 

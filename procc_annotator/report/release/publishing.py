@@ -18,7 +18,7 @@ from procc_annotator.io.annotation_files.annotation_formats import read_plain
 from procc_annotator.io.atomic import remove
 from procc_annotator.io.collections import list_annotations
 from procc_annotator.io.csv_text import read_table
-from procc_annotator.io.frame_names import FrameTable, leads_out
+from procc_annotator.io.frame_names import FrameTable, escapes_folder
 from procc_annotator.io.json_text import decode_as, is_unicode, printable
 from procc_annotator.io.source import RELEASE_FILE, FileSource, read_file
 from procc_annotator.report.release.card import dataset_card, markdown_bytes
@@ -32,7 +32,7 @@ from procc_annotator.report.release.released import (
     CROISSANT_FILE,
     FIELD_COPY,
     FINDINGS_FILE,
-    FORMAT,
+    RELEASE_FORMAT,
     INDEX_FILE,
     ONE_SPLIT,
     PICTURES,
@@ -41,7 +41,7 @@ from procc_annotator.report.release.released import (
     Release,
     ReleasedFrame,
     ReleasedPicture,
-    index_sheet,
+    index_table,
 )
 from procc_annotator.report.sheet.as_csv import csv_bytes
 from procc_annotator.report.sheet.as_json import json_bytes
@@ -145,7 +145,7 @@ def write_release(
     terms = release.terms
     changes = None if before is None else changes_since(before, release)
     earlier = "" if before is None else _earlier_changes(before)
-    index = csv_bytes(index_sheet(release.frames))
+    index = csv_bytes(index_table(release.frames))
     older = () if is_archive(out) else _files_of_release(out)
     with open_target(out) as target:
         for number, frame in enumerate(release.frames, 1):
@@ -192,8 +192,8 @@ def _files_of_release(folder: Path) -> set[str]:
     pictures = [row.get("picture", "") for _, row in rows]
     return {
         *(f"{ANNOTATIONS}/{name}.json" for name in frames),
-        *(f"{PICTURES}/{file}" for file in pictures if file and not leads_out(file)),
-        *(f"{SPLITS}/{one.split}.txt" for one in frames.values() if not leads_out(one.split)),
+        *(f"{PICTURES}/{file}" for file in pictures if file and not escapes_folder(file)),
+        *(f"{SPLITS}/{one.split}.txt" for one in frames.values() if not escapes_folder(one.split)),
         *(FINDINGS_FILE, AGREEMENT_FILE, PROVENANCE_FILE, FIELD_COPY, STADIUMS_FILE),
     }
 
@@ -274,7 +274,7 @@ def _release_bytes(release: Release) -> bytes:
     }
     terms = release.terms
     known = _Known(
-        FORMAT, terms.name, terms.version, terms.date, release.field.described,
+        RELEASE_FORMAT, terms.name, terms.version, terms.date, release.field.described,
         release.fingerprint, frames, f"procc-annotator {__version__}",
     )  # fmt: skip
     return json_bytes(msgspec.to_builtins(known))
@@ -283,10 +283,10 @@ def _release_bytes(release: Release) -> bytes:
 def _read_release(folder: Path) -> _Known:
     path = folder / RELEASE_FILE
     known = decode_as(read_file(path), _Known, "release", path=path)
-    if known.format != FORMAT:
-        raise InputError(path, f"is of format {known.format[:60]!r}, expected {FORMAT!r}")
+    if known.format != RELEASE_FORMAT:
+        raise InputError(path, f"is of format {known.format[:60]!r}, expected {RELEASE_FORMAT!r}")
     for name in known.frames:
-        if not name or leads_out(name):
+        if not name or escapes_folder(name):
             raise InputError(path, f"{name[:60]!r} is no name of a frame")
     return known
 

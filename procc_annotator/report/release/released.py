@@ -9,19 +9,19 @@ from functools import cached_property
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
-from procc_annotator.report.sheet.sheet import Column, Sheet, whole
+from procc_annotator.report.sheet.sheet import Column, MetricTable, count_column
 
 INDEX_FILE, CARD_FILE = "index.csv", "README.md"
 CHANGES_FILE, CROISSANT_FILE = "CHANGELOG.md", "croissant.json"
 FINDINGS_FILE, AGREEMENT_FILE = "findings.csv", "agreement.json"
 PROVENANCE_FILE, FIELD_COPY = "provenance.json", "field.toml"
 ANNOTATIONS, PICTURES, SPLITS = "annotations", "images", "splits"
-FORMAT = "procc-annotator release 1"
+RELEASE_FORMAT = "procc-annotator release 1"
 ONE_SPLIT = "all"
 
 
 @dataclass(frozen=True)
-class ReleaseTerms:
+class ReleaseDescription:
     """What its keeper says of a dataset.
 
     Attributes:
@@ -97,7 +97,7 @@ class Release:
         files: further files: name -> content.
     """
 
-    terms: ReleaseTerms
+    terms: ReleaseDescription
     frames: tuple[ReleasedFrame, ...]
     field: Field
     fingerprint: str
@@ -130,12 +130,12 @@ class Release:
         return Counter(f"{one.width}x{one.height}" for one in sizes)
 
 
-def index_sheet(frames: Sequence[ReleasedFrame]) -> Sheet:
+def index_table(frames: Sequence[ReleasedFrame]) -> MetricTable:
     """A row a frame: its files by their SHA-256."""
     columns = (
         Column("frame"), Column("split"), Column("annotation"), Column("annotation_sha256"),
-        whole("elements"), whole("points"), Column("picture"), Column("picture_sha256"),
-        whole("picture_bytes"), whole("width"), whole("height"),
+        count_column("elements"), count_column("points"), Column("picture"), Column("picture_sha256"),
+        count_column("picture_bytes"), count_column("width"), count_column("height"),
     )  # fmt: skip
     rows = []
     for frame in frames:
@@ -147,4 +147,4 @@ def index_sheet(frames: Sequence[ReleasedFrame]) -> Sheet:
         rows.append(
             (frame.name, frame.split, file, frame.sha256, frame.elements, frame.points, *known)
         )
-    return Sheet("index", "Frames", columns, tuple(rows))
+    return MetricTable("index", "Frames", columns, tuple(rows))

@@ -7,20 +7,20 @@ from dataclasses import dataclass, field
 from typing import Any, Protocol
 
 from procc_annotator.field.model import Field
-from procc_annotator.metric.chance.intervals import Method
-from procc_annotator.metric.chance.sampling import Draws
+from procc_annotator.metric.chance.intervals import IntervalMethodName
+from procc_annotator.metric.chance.sampling import BootstrapSettings
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.report.scores.chance_sheets import chance_sheets, curves_sheet
-from procc_annotator.report.scores.click_sheets import clicks_sheets
+from procc_annotator.report.scores.chance_sheets import inference_tables, curves_table
+from procc_annotator.report.scores.click_sheets import annotation_noise_tables
 from procc_annotator.report.scores.strata_sheet import (
-    figures_sheet,
-    strata_differences_sheet,
-    strata_sheet,
+    strata_metrics_table,
+    strata_differences_table,
+    strata_table,
 )
-from procc_annotator.report.sheet.as_json import sheet_entry
-from procc_annotator.report.sheet.sheet import Sheet
-from procc_annotator.session.runs.certainty import Certainty, same_frames
+from procc_annotator.report.sheet.as_json import table_entry
+from procc_annotator.report.sheet.sheet import MetricTable
+from procc_annotator.session.runs.certainty import Inference, restrict_to_common_frames
 from procc_annotator.session.runs.clusters import clusters_of
 from procc_annotator.session.runs.frame_order import FrameOrder
 from procc_annotator.session.runs.frame_sums import SourceSums
@@ -30,7 +30,7 @@ from procc_annotator.session.runs.tags import Tags
 
 
 @dataclass(frozen=True)
-class ChanceTerms:
+class InferenceSettings:
     """What is asked of chance.
 
     Attributes:
@@ -46,8 +46,8 @@ class ChanceTerms:
     cluster: str | None = None
     tags: Tags | None = None
     orders: Mapping[str, FrameOrder] = field(default_factory=dict)
-    draws: Draws = field(default_factory=Draws)
-    method: Method = "t"
+    draws: BootstrapSettings = field(default_factory=BootstrapSettings)
+    method: IntervalMethodName = "t"
     power: bool = False
     noise: ClickNoise | None = None
     by: tuple[str, ...] = ()
@@ -56,20 +56,20 @@ class ChanceTerms:
         """The values of a tag, by frame."""
         return {} if self.tags is None else self.tags.values(name, of_set)
 
-    def certainty(self, of_set: str, sources: Sequence[SourceSums]) -> Certainty:
+    def certainty(self, of_set: str, sources: Sequence[SourceSums]) -> Inference:
         """Of sources over the same set.
 
         Raises:
             UsageError: frames cannot be clustered as asked.
         """
-        same = same_frames(sources)
+        same = restrict_to_common_frames(sources)
         clusters = clusters_of(
             same[0].names, self.cluster, self.tag(of_set, self.cluster), self.orders.get(of_set)
         )
-        return Certainty(same, clusters, self.draws, self.method)
+        return Inference(same, clusters, self.draws, self.method)
 
 
-class Judged(Protocol):
+class EvaluatedMethod(Protocol):
     """A source over a set, as it was scored."""
 
     @property
@@ -85,19 +85,19 @@ class Judged(Protocol):
 
 
 @dataclass(frozen=True)
-class ToldOfSet:
+class StatisticalResult:
     """What chance leaves of the sources of one set at one size; curves, and differences in parts of
     it, are for files alone and take long."""
 
     set_name: str
     described: str
-    sheets: tuple[Sheet, ...]
-    curves: Callable[[], tuple[Sheet, ...]] = tuple
+    sheets: tuple[MetricTable, ...]
+    curves: Callable[[], tuple[MetricTable, ...]] = tuple
 
 
-def chance_told(scored: Sequence[Judged], terms: ChanceTerms) -> list[ToldOfSet]:
+def statistical_results(scored: Sequence[EvaluatedMethod], terms: InferenceSettings) -> list[StatisticalResult]:
     """The sources of each set and size side by side."""
-    groups: dict[tuple[str, tuple[int, int]], list[Judged]] = {}
+    groups: dict[tuple[str, tuple[int, int]], list[EvaluatedMethod]] = {}
     for one in scored:
         groups.setdefault((one.set_name, one.setup.size), []).append(one)
     found = []
@@ -106,17 +106,17 @@ def chance_told(scored: Sequence[Judged], terms: ChanceTerms) -> list[ToldOfSet]
         described = min((one.described for one in own), key=len)
         summaries = [one.summaries for one in own]
         of_field = own[0].setup.field
-        found.append(told_of_set(certainty, summaries, terms, (set_name, of_field), described))
+        found.append(statistical_result(certainty, summaries, terms, (set_name, of_field), described))
     return found
 
 
-def told_of_set(
-    certainty: Certainty,
+def statistical_result(
+    certainty: Inference,
     summaries: Sequence[Mapping[float, SetSummary]],
-    terms: ChanceTerms,
+    terms: InferenceSettings,
     of_set: tuple[str, Field],
     described: str,
-) -> ToldOfSet:
+) -> StatisticalResult:
     """What chance leaves of some sources.
 
     Args:
@@ -127,29 +127,29 @@ def told_of_set(
     Raises:
         UsageError: it is to be broken down by what is known of no frame.
     """
-    sheets = chance_sheets(certainty, summaries, described, power=terms.power)
+    sheets = inference_tables(certainty, summaries, described, power=terms.power)
     if terms.noise is not None:
-        sheets += clicks_sheets(certainty, terms.noise, described)
+        sheets += annotation_noise_tables(certainty, terms.noise, described)
     tau = certainty.thresholds[0]
     parted: list[list[Stratum]] = []
     for by in terms.by:
         known = terms.tag(of_set[0], by), terms.orders.get(of_set[0])
         values = values_of_frames(by, certainty.sources, of_set[1], *known)
         parts = strata(certainty, by, values)
-        sheets.append(strata_sheet(parts, certainty, tau, described))
-        sheets.append(figures_sheet(parts, certainty, described))
+        sheets.append(strata_table(parts, certainty, tau, described))
+        sheets.append(strata_metrics_table(parts, certainty, described))
         parted.append(parts)
 
-    def curves() -> tuple[Sheet, ...]:
+    def curves() -> tuple[MetricTable, ...]:
         if not certainty.pairs:
             return ()
-        more = (strata_differences_sheet(parts, certainty, described) for parts in parted)
-        return (*more, curves_sheet(certainty, described))
+        more = (strata_differences_table(parts, certainty, described) for parts in parted)
+        return (*more, curves_table(certainty, described))
 
-    return ToldOfSet(of_set[0], described, tuple(sheets), curves)
+    return StatisticalResult(of_set[0], described, tuple(sheets), curves)
 
 
-def chance_entries(told: Sequence[ToldOfSet]) -> dict[str, Any]:
+def inference_entries(told: Sequence[StatisticalResult]) -> dict[str, Any]:
     """As files of figures hold it; nothing where nothing was asked."""
     if not told:
         return {}
@@ -158,7 +158,7 @@ def chance_entries(told: Sequence[ToldOfSet]) -> dict[str, Any]:
             {
                 "set": one.set_name,
                 "described": one.described,
-                **{sheet.name: sheet_entry(sheet) for sheet in (*one.sheets, *one.curves())},
+                **{sheet.name: table_entry(sheet) for sheet in (*one.sheets, *one.curves())},
             }
             for one in told
         ]

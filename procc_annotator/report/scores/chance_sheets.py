@@ -8,27 +8,27 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from procc_annotator.metric.chance.intervals import Interval
-from procc_annotator.metric.chance.paired import PairedDifference, fewest_clusters
-from procc_annotator.metric.chance.power import frames_needed, least_difference
+from procc_annotator.metric.chance.paired import PairedDifference, min_clusters_for_significance
+from procc_annotator.metric.chance.power import required_frames, minimum_detectable_difference
 from procc_annotator.metric.sets import SetSummary
-from procc_annotator.report.sheet.counts import FRAMES, FRAMES_FOR, ONLY_A, ONLY_B, RANK, SHARED
-from procc_annotator.report.sheet.figure import Figure
+from procc_annotator.report.sheet.counts import FRAMES, FRAMES_FOR, FRAMES_ONLY_A, FRAMES_ONLY_B, RANK, SHARED
+from procc_annotator.report.sheet.figure import Metric
 from procc_annotator.report.sheet.figures import (
     BEST_IN,
     COMPLETENESS,
     ERROR_DIFFERENCE,
     FINAL_SCORE,
     JAC_DIFFERENCE,
-    LEAST_DIFFERENCE,
+    MINIMUM_DETECTABLE_DIFFERENCE,
     MEAN_ERROR,
     MEAN_JAC,
     P_CORRECTED,
     P_VALUE,
     SCORE_DIFFERENCE,
 )
-from procc_annotator.report.sheet.sheet import TAU, Column, Sheet, Value, counted, of
+from procc_annotator.report.sheet.sheet import TAU, Column, MetricTable, Value, defined_count_column, metric_column
 from procc_annotator.session.runs.audit import TAU_GRID
-from procc_annotator.session.runs.certainty import Certainty
+from procc_annotator.session.runs.certainty import Inference
 
 WITH_INTERVAL = (MEAN_JAC, COMPLETENESS, FINAL_SCORE, MEAN_ERROR)
 DIFFERENCES = (
@@ -41,13 +41,13 @@ _POWER = 0.8
 _CURVE_STEP = 5  # of `TAU_GRID`, in a file
 
 
-def chance_sheets(
-    certainty: Certainty,
+def inference_tables(
+    certainty: Inference,
     summaries: Sequence[Mapping[float, SetSummary]],
     described: str,
     *,
     power: bool = False,
-) -> list[Sheet]:
+) -> list[MetricTable]:
     """Everything that can be told of some sources; of a single one there is nothing to compare.
 
     Args:
@@ -55,21 +55,21 @@ def chance_sheets(
         described: protocol, size and options.
         power: whether to say how many frames are needed.
     """
-    sheets = [intervals_sheet(certainty, summaries, described)]
+    sheets = [intervals_table(certainty, summaries, described)]
     if certainty.pairs:
-        sheets += [differences_sheet(certainty, described), ranks_sheet(certainty, described)]
+        sheets += [differences_table(certainty, described), ranks_table(certainty, described)]
     if power:
-        sheets.append(power_sheet(certainty, described))
+        sheets.append(power_table(certainty, described))
     return sheets
 
 
-def intervals_sheet(
-    certainty: Certainty, summaries: Sequence[Mapping[float, SetSummary]], described: str
-) -> Sheet:
+def intervals_table(
+    certainty: Inference, summaries: Sequence[Mapping[float, SetSummary]], described: str
+) -> MetricTable:
     """Every mean of every source with its interval."""
     columns = [Column("source", "source"), TAU]
     for figure in WITH_INTERVAL:
-        columns += [of(figure), *interval_columns(figure)]
+        columns += [metric_column(figure), *interval_columns(figure)]
     rows = []
     for source, found, summary in zip(
         certainty.sources, certainty.intervals, summaries, strict=True
@@ -80,26 +80,26 @@ def intervals_sheet(
                 row += [figure.of(summary[tau]), *interval_ends(found[figure.key, tau])]
             rows.append(tuple(row))
     notes = (f"In brackets {certainty.described}.", *certainty.cautions)
-    return Sheet("intervals", "Intervals", tuple(columns), tuple(rows), described, notes)
+    return MetricTable("intervals", "Intervals", tuple(columns), tuple(rows), described, notes)
 
 
-def interval_columns(figure: Figure) -> tuple[Column, Column]:
+def interval_columns(figure: Metric) -> tuple[Column, Column]:
     """The ends of a figure's interval, in brackets behind it."""
     return (
-        of(figure, key=f"{figure.key}_low", heading="low", joined=" [{}, "),
-        of(figure, key=f"{figure.key}_high", heading="high", joined="{}]"),
+        metric_column(figure, key=f"{figure.key}_low", heading="low", joined=" [{}, "),
+        metric_column(figure, key=f"{figure.key}_high", heading="high", joined="{}]"),
     )
 
 
-def differences_sheet(certainty: Certainty, described: str) -> Sheet:
+def differences_table(certainty: Inference, described: str) -> MetricTable:
     """Every two sources on the frames both have, at every threshold. The verdict stands before the
     figures, where a narrow page shows it."""
     columns = [TAU, Column("a", "A"), Column("b", "B"), Column("verdict", "JaC")]
     for figure, _ in DIFFERENCES:
         points = figure.unit.replace("%", "points")
         heading = f"{figure.title}, {points}"
-        columns += [of(figure, heading=heading), *interval_columns(figure)]
-    columns += [of(P_VALUE), of(P_CORRECTED), *map(counted, (SHARED, ONLY_A, ONLY_B))]
+        columns += [metric_column(figure, heading=heading), *interval_columns(figure)]
+    columns += [metric_column(P_VALUE), metric_column(P_CORRECTED), *map(defined_count_column, (SHARED, FRAMES_ONLY_A, FRAMES_ONLY_B))]
     rows: list[tuple[Value, ...]] = []
     bold: set[tuple[int, int]] = set()
     for tau in certainty.thresholds:
@@ -109,7 +109,7 @@ def differences_sheet(certainty: Certainty, described: str) -> Sheet:
             row: list[Value] = [tau, *names, verdict(jac)]
             for _, key in DIFFERENCES:
                 found = pair.differences[key, tau]
-                if found.beyond_chance and certainty.may_be_bold(pair.a, pair.b, key):
+                if found.beyond_chance and certainty.can_be_bold(pair.a, pair.b, key):
                     bold.add((len(rows), len(row)))
                 row += [found.value, *interval_ends(found.interval)]
             frames = (pair.shared, len(pair.only_a), len(pair.only_b))
@@ -121,7 +121,7 @@ def differences_sheet(certainty: Certainty, described: str) -> Sheet:
         " whose errors are of the same points.",
         *certainty.cautions,
     )
-    return Sheet(
+    return MetricTable(
         "differences", "Is the difference real", tuple(columns), tuple(rows), described, notes,
         frozenset(bold),
     )  # fmt: skip
@@ -134,13 +134,13 @@ def verdict(found: PairedDifference) -> str:
     return "beyond chance" if found.beyond_chance else "undecided"
 
 
-def ranks_sheet(certainty: Certainty, described: str) -> Sheet:
+def ranks_table(certainty: Inference, described: str) -> MetricTable:
     """The place of each source at each threshold, shared where the data cannot tell."""
     columns = [Column("source", "source")]
     for tau in certainty.thresholds:
         group = f"at {tau:g} px"
-        columns.append(counted(RANK, key=f"rank_{tau:g}", group=group))
-        columns.append(of(BEST_IN, key=f"best_in_{tau:g}", group=group))
+        columns.append(defined_count_column(RANK, key=f"rank_{tau:g}", group=group))
+        columns.append(metric_column(BEST_IN, key=f"best_in_{tau:g}", group=group))
     places = {tau: certainty.ranks("mean_jac", tau) for tau in certainty.thresholds}
     chances = certainty.chances_of_being_best
     rows = tuple(
@@ -151,16 +151,16 @@ def ranks_sheet(certainty: Certainty, described: str) -> Sheet:
         for n, source in enumerate(certainty.sources)
     )
     note = f"By JaC. Rank: {RANK.definition[0].lower()}{RANK.definition[1:]} {BEST_IN.definition}"
-    return Sheet("ranks", "Ranks", tuple(columns), rows, described, (note,))
+    return MetricTable("ranks", "Ranks", tuple(columns), rows, described, (note,))
 
 
-def power_sheet(certainty: Certainty, described: str) -> Sheet:
+def power_table(certainty: Inference, described: str) -> MetricTable:
     """How many frames a set like this one needs to find differences of 1, 2 and 5 points of JaC; of
     a single source, to know it to 1, 2 and 5 points."""
-    columns = [TAU, Column("a", "A"), Column("b", "B"), counted(FRAMES)]
-    columns.append(of(LEAST_DIFFERENCE, heading=f"{LEAST_DIFFERENCE.title}, points"))
+    columns = [TAU, Column("a", "A"), Column("b", "B"), defined_count_column(FRAMES)]
+    columns.append(metric_column(MINIMUM_DETECTABLE_DIFFERENCE, heading=f"{MINIMUM_DETECTABLE_DIFFERENCE.title}, points"))
     columns += [
-        counted(
+        defined_count_column(
             FRAMES_FOR,
             key=f"frames_for_{100 * p:g}",
             heading=f"{100 * p:g}",
@@ -188,11 +188,11 @@ def power_sheet(certainty: Certainty, described: str) -> Sheet:
         if certainty.pairs
         else f"The frames of which JaC is known to plus or minus so many points, {alike}."
     )
-    return Sheet("power", "Frames needed", tuple(columns), tuple(rows), described, (note,))
+    return MetricTable("power", "Frames needed", tuple(columns), tuple(rows), described, (note,))
 
 
 def _needed(
-    certainty: Certainty,
+    certainty: Inference,
     deviation: float | None,
     frames: int,
     effective: float,
@@ -204,18 +204,18 @@ def _needed(
     if not deviation or not np.isfinite(deviation):
         return (None,) * (1 + len(POINTS))
     level = certainty.draws.level
-    fewest = 1 if tested is None else math.ceil(fewest_clusters(level) * frames / tested)
+    fewest = 1 if tested is None else math.ceil(min_clusters_for_significance(level) * frames / tested)
     needed = (
-        frames_needed(p, deviation, frames, effective, level=level, power=power, fewest=fewest)
+        required_frames(p, deviation, frames, effective, level=level, power=power, fewest=fewest)
         for p in POINTS
     )
-    least = least_difference(deviation, effective, level=level, power=power)
+    least = minimum_detectable_difference(deviation, effective, level=level, power=power)
     return (least if fewest <= frames else None, *needed)
 
 
-def curves_sheet(certainty: Certainty, described: str) -> Sheet:
+def curves_table(certainty: Inference, described: str) -> MetricTable:
     """The difference of every two sources over tau, with a band for all of tau at once."""
-    columns = [Column("a", "A"), Column("b", "B"), TAU, of(JAC_DIFFERENCE)]
+    columns = [Column("a", "A"), Column("b", "B"), TAU, metric_column(JAC_DIFFERENCE)]
     columns += interval_columns(JAC_DIFFERENCE)
     rows: list[tuple[Value, ...]] = []
     for pair in certainty.pairs:
@@ -226,7 +226,7 @@ def curves_sheet(certainty: Certainty, described: str) -> Sheet:
             known = (v if np.isfinite(v) else None for v in ends)
             rows.append((*names, float(TAU_GRID[at]), *known))
     note = f"The band holds the whole curve at once; {certainty.described}."
-    return Sheet(
+    return MetricTable(
         "difference_curves", "Difference over tau", tuple(columns), tuple(rows), described, (note,)
     )
 

@@ -5,33 +5,33 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, Protocol
 
-from procc_annotator.io.camera_files.fitted_on import SOME_OTHER_VERSION, Fitted
-from procc_annotator.io.camera_files.held_out_table import HELD_OUT_FILE
+from procc_annotator.io.camera_files.fitted_on import SOME_OTHER_VERSION, FitCounts
+from procc_annotator.io.camera_files.held_out_table import LEFT_OUT_FILE
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.sheet.counts import FRAMES, HELD_OUT_ELEMENTS
-from procc_annotator.report.sheet.figure import shortest
-from procc_annotator.report.sheet.figures import HELD_OUT, IN_SAMPLE
-from procc_annotator.report.sheet.sheet import Column, Sheet, Value, counted, of
-from procc_annotator.session.runs.held_out import HeldOutFigures
-from procc_annotator.words import count_of
+from procc_annotator.report.sheet.figure import shortest_number
+from procc_annotator.report.sheet.figures import LEFT_OUT_SCORE, IN_SAMPLE
+from procc_annotator.report.sheet.sheet import Column, MetricTable, Value, defined_count_column, metric_column
+from procc_annotator.session.runs.held_out import LeftOutMetrics
+from procc_annotator.words import count_words
 
-HOW = "calibrate --held-out"
+LEFT_OUT_METHOD = "calibrate --held-out"
 
 
-class WithHeldOut(Protocol):
+class MethodWithLeftOut(Protocol):
     """A source some of whose cameras may have been fitted to the clicks they are judged by."""
 
     @property
-    def held_out(self) -> HeldOutFigures: ...
+    def held_out(self) -> LeftOutMetrics: ...
     @property
-    def fitted(self) -> Fitted: ...
+    def fitted(self) -> FitCounts: ...
     @property
     def ground_only(self) -> bool: ...
 
 
-def held_out_sheet(
-    sources: Sequence[tuple[str, WithHeldOut]], thresholds: Sequence[float], setup: EvaluationSetup
-) -> Sheet | None:
+def left_out_table(
+    sources: Sequence[tuple[str, MethodWithLeftOut]], thresholds: Sequence[float], setup: EvaluationSetup
+) -> MetricTable | None:
     """The fits among the sources, each with the share of elements that are correct left out, and in
     sample; of fits without such figures the notes say how to get them. None without fits.
 
@@ -41,11 +41,11 @@ def held_out_sheet(
     fits = [(name, source) for name, source in sources if source.fitted]
     if not fits:
         return None
-    columns = [Column("source", "Source"), counted(HELD_OUT_ELEMENTS), counted(FRAMES)]
+    columns = [Column("source", "Source"), defined_count_column(HELD_OUT_ELEMENTS), defined_count_column(FRAMES)]
     columns += [
-        of(figure, f"@{tau:g}", key=f"{figure.key}@{shortest(tau)}")
+        metric_column(figure, f"@{tau:g}", key=f"{figure.key}@{shortest_number(tau)}")
         for tau in thresholds
-        for figure in (HELD_OUT, IN_SAMPLE)
+        for figure in (LEFT_OUT_SCORE, IN_SAMPLE)
     ]
     rows = []
     for name, source in fits:
@@ -63,20 +63,20 @@ def held_out_sheet(
     if not all_on_ground:
         notes += [f"{name}: {setup.describe(True)}" for name, source in fits if source.ground_only]
     title, described = "Fits, and elements left out in turn", setup.describe(all_on_ground)
-    return Sheet("held_out", title, tuple(columns), tuple(rows), described, tuple(notes))
+    return MetricTable("held_out", title, tuple(columns), tuple(rows), described, tuple(notes))
 
 
-def held_out_entry(source: WithHeldOut, thresholds: Sequence[float]) -> dict[str, Any]:
+def left_out_entry(source: MethodWithLeftOut, thresholds: Sequence[float]) -> dict[str, Any]:
     """As files of figures hold it; nothing of a source that is no fit."""
     if not source.fitted:
         return {}
     figures = source.held_out
-    shares = {shortest(tau): figures.shares(tau) for tau in thresholds}
+    shares = {shortest_number(tau): figures.shares(tau) for tau in thresholds}
     told = {
         "frames": figures.frames,
         "elements": len(figures.elements),
         "results": {
-            tau: {HELD_OUT.key: found[0], IN_SAMPLE.key: found[1]}
+            tau: {LEFT_OUT_SCORE.key: found[0], IN_SAMPLE.key: found[1]}
             for tau, found in shares.items()
             if found is not None
         },
@@ -85,12 +85,12 @@ def held_out_entry(source: WithHeldOut, thresholds: Sequence[float]) -> dict[str
     return {"held_out": told}
 
 
-def _why_none(source: WithHeldOut) -> str:
+def _why_none(source: MethodWithLeftOut) -> str:
     """Why some cameras have no such figures; empty where all have."""
     figures = source.held_out
     if figures.frames >= source.fitted.count:
         return ""
-    cameras = count_of(source.fitted.count, "camera")
+    cameras = count_words(source.fitted.count, "camera")
     without = source.fitted.count - figures.frames
     which = (
         f"{without} of its {cameras} have no such figures"
@@ -101,6 +101,6 @@ def _why_none(source: WithHeldOut) -> str:
         made = ", ".join(f"{protocol}, {w}x{h}" for protocol, (w, h) in figures.others)
         return (
             f"{which} for this protocol, size and field"
-            f" (but for {made}); {HOW} makes them with --protocol and --size"
+            f" (but for {made}); {LEFT_OUT_METHOD} makes them with --protocol and --size"
         )
-    return f"{which}; {HOW} writes {HELD_OUT_FILE} beside the cameras it fits"
+    return f"{which}; {LEFT_OUT_METHOD} writes {LEFT_OUT_FILE} beside the cameras it fits"

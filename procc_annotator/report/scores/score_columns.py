@@ -6,17 +6,17 @@ from typing import Any
 
 from procc_annotator.io.camera_files.fitted_on import FITTED_KEYS
 from procc_annotator.metric.score import FrameScore
-from procc_annotator.report.sheet.figure import values_of
+from procc_annotator.report.sheet.figure import metric_values
 from procc_annotator.report.sheet.figures import ANNOTATED, FN, FP, JAC, OF_FRAME, SPREAD, TP
-from procc_annotator.report.sheet.sheet import Column, Kind, Value, counted, of, whole
+from procc_annotator.report.sheet.sheet import Column, Kind, Value, defined_count_column, metric_column, count_column
 
-Row = tuple[Any, ...]  # one value a column
+ScoreRow = tuple[Any, ...]  # one value a column
 
 COUNTS = (TP, FP, FN)
 
 FRAME_COLUMNS = (
-    of(JAC), *(whole(count.key) for count in COUNTS), Column("mirrored", kind="yes_no"),
-    *map(of, OF_FRAME),
+    metric_column(JAC), *(count_column(count.key) for count in COUNTS), Column("mirrored", kind="yes_no"),
+    *map(metric_column, OF_FRAME),
 )  # fmt: skip
 
 # Whether the camera was fitted to the annotation it is judged by, or to another version of it.
@@ -27,7 +27,7 @@ def frame_values(score: FrameScore | None) -> tuple[Value, ...]:
     """A frame's figures at a threshold, a value for each of `FRAME_COLUMNS`."""
     if score is None:
         return (None,) * len(FRAME_COLUMNS)
-    return (*values_of((JAC, *COUNTS), score), score.mirrored, *values_of(OF_FRAME, score))
+    return (*metric_values((JAC, *COUNTS), score), score.mirrored, *metric_values(OF_FRAME, score))
 
 
 def _required(key: str, kind: Kind = "text") -> Column:
@@ -41,8 +41,8 @@ _KEY_COLUMNS = (
 )  # fmt: skip
 COLUMNS = (
     *_KEY_COLUMNS, _required("counted", "yes_no"), Column("model"), *FRAME_COLUMNS,
-    whole("points"), Column("camera"), Column("error"), _required("version"), *FITTED_COLUMNS,
-    counted(ANNOTATED), of(SPREAD),
+    count_column("points"), Column("camera"), Column("error"), _required("version"), *FITTED_COLUMNS,
+    defined_count_column(ANNOTATED), metric_column(SPREAD),
 )  # fmt: skip
 NAMES = tuple(column.key for column in COLUMNS)
 KEYS = len(_KEY_COLUMNS)  # they come first

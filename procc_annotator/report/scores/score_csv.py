@@ -9,15 +9,15 @@ from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.scores.score_columns import FITTED_COLUMNS, FRAME_COLUMNS, frame_values
 from procc_annotator.report.sheet.as_csv import csv_header, csv_rows
-from procc_annotator.report.sheet.figure import values_of
+from procc_annotator.report.sheet.figure import metric_values
 from procc_annotator.report.sheet.figures import OF_ANNOTATION
-from procc_annotator.report.sheet.sheet import TAU, Column, Row, of, whole
+from procc_annotator.report.sheet.sheet import TAU, Column, Row, metric_column, count_column
 from procc_annotator.session.runs.evaluation_run import FrameResult, GroupSummary
 
 _COLUMNS = (
-    Column("name"), Column("protocol"), Column("options"), whole("width"), whole("height"), TAU,
+    Column("name"), Column("protocol"), Column("options"), count_column("width"), count_column("height"), TAU,
     *FRAME_COLUMNS, Column("camera"), Column("error"), *FITTED_COLUMNS, Column("model"),
-    *map(of, OF_ANNOTATION),
+    *map(metric_column, OF_ANNOTATION),
 )  # fmt: skip
 
 
@@ -59,7 +59,7 @@ def _row(result: FrameResult, setup: EvaluationSetup, threshold: float) -> Row:
     if score is None:
         camera, error = None, error or "no camera"
     terms = (setup.protocol, "; ".join(chosen), *setup.size)
-    more = (*result.fitted.values, result.model or None, *values_of(OF_ANNOTATION, result.clicked))
+    more = (*result.fitted.values, result.model or None, *metric_values(OF_ANNOTATION, result.clicked))
     return (result.name, *terms, threshold, *frame_values(score), camera, error, *more)
 
 

@@ -18,8 +18,8 @@ from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.field_terms import field_terms
 from procc_annotator.report.scores.score_columns import COUNTS
-from procc_annotator.report.sheet.as_json import encoded, figure_entry
-from procc_annotator.report.sheet.figure import shortest
+from procc_annotator.report.sheet.as_json import encoded, metric_entry
+from procc_annotator.report.sheet.figure import shortest_number
 from procc_annotator.report.sheet.figures import JAC, OF_ANNOTATION, OF_CLASS, OF_FRAME, OF_SET
 from procc_annotator.session.runs.evaluation_run import FrameResult, GroupSummary
 
@@ -58,13 +58,13 @@ def json_fragment(result: FrameResult, by: Sequence[str] = ()) -> bytes:
         key = id(score.labelling)
         if key not in known:
             known[key] = _Elements(score.labelling)
-        entries[shortest(threshold)] = frame_entry(score) | {
+        entries[shortest_number(threshold)] = frame_entry(score) | {
             "elements": known[key].entries(threshold)
         }
     image: dict[str, Any] = {"name": result.name, "camera": result.camera, "error": result.error}
     image["model"] = result.model or None
     if result.clicked is not None:
-        image |= figure_entry(OF_ANNOTATION, result.clicked)
+        image |= metric_entry(OF_ANNOTATION, result.clicked)
     image["results"] = entries
     image |= result.fitted.entry(bool)
     if by:
@@ -78,9 +78,9 @@ def frame_entry(score: Any) -> dict[str, Any]:
     Args:
         score: a `FrameScore`, or whatever has its figures.
     """
-    counts = figure_entry((*COUNTS, JAC), score)
+    counts = metric_entry((*COUNTS, JAC), score)
     mirrored = {"mirrored": score.mirrored}
-    return counts | mirrored | figure_entry(OF_FRAME, score)
+    return counts | mirrored | metric_entry(OF_FRAME, score)
 
 
 class _Elements:
@@ -133,9 +133,9 @@ def _without_distances(status: Status) -> dict[str, Any]:
 def summary_entry(summary: SetSummary) -> dict[str, Any]:
     """A set's figures at one threshold, as ``out.json`` holds them."""
     per_class = {
-        name: figure_entry(OF_CLASS, figures) for name, figures in summary.per_class.items()
+        name: metric_entry(OF_CLASS, figures) for name, figures in summary.per_class.items()
     }
-    return figure_entry(OF_SET, summary) | {"per_class": per_class}
+    return metric_entry(OF_SET, summary) | {"per_class": per_class}
 
 
 class JsonScores:
@@ -226,7 +226,7 @@ def _more(entries: Mapping[str, Any] | None) -> bytes:
 
 
 def _summary_entries(summaries: Mapping[float, SetSummary]) -> dict[str, Any]:
-    return {shortest(t): summary_entry(s) for t, s in summaries.items()}
+    return {shortest_number(t): summary_entry(s) for t, s in summaries.items()}
 
 
 def _group_entries(groups: Sequence[GroupSummary]) -> list[dict[str, Any]]:

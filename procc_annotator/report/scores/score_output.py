@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import IO, Any, cast
 
 from procc_annotator.errors import ProccError, SaveError
-from procc_annotator.io.atomic import replacing
+from procc_annotator.io.atomic import open_replacing
 
 
 class _Output(io.RawIOBase):
@@ -44,7 +44,7 @@ class _Output(io.RawIOBase):
 
 
 @contextmanager
-def forgiving_output(path: Path, unwritten: dict[Path, ProccError]) -> Iterator[IO[bytes]]:
+def failure_tolerant_output(path: Path, unwritten: dict[Path, ProccError]) -> Iterator[IO[bytes]]:
     """A file as of `replacing`; that it cannot be written must not stop the work.
 
     Raises:
@@ -52,7 +52,7 @@ def forgiving_output(path: Path, unwritten: dict[Path, ProccError]) -> Iterator[
     """
     output: _Output | None = None
     try:
-        with replacing(path) as stream:
+        with open_replacing(path) as stream:
             output = _Output(stream)
             yield cast(IO[bytes], output)
             output.sync()

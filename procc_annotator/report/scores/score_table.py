@@ -13,14 +13,14 @@ from typing import Any
 
 from procc_annotator.errors import UsageError
 from procc_annotator.io.atomic import write_atomic
-from procc_annotator.io.exclusive import exclusive
+from procc_annotator.io.exclusive import exclusive_lock
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.report.scores.score_columns import COLUMNS, KEYS, Row, frame_values
+from procc_annotator.report.scores.score_columns import COLUMNS, KEYS, ScoreRow, frame_values
 from procc_annotator.report.scores.score_table_reading import read_csv_rows, read_parquet_rows
 from procc_annotator.report.sheet.as_csv import csv_header, csv_rows
 from procc_annotator.report.sheet.as_json import writable
 from procc_annotator.report.sheet.as_parquet import parquet_bytes
-from procc_annotator.report.sheet.figure import values_of
+from procc_annotator.report.sheet.figure import metric_values
 from procc_annotator.report.sheet.figures import OF_ANNOTATION
 from procc_annotator.session.runs.evaluation_run import FrameResult
 from procc_annotator.version import __version__
@@ -32,7 +32,7 @@ def figures_of(result: FrameResult, thresholds: Sequence[float]) -> tuple[Figure
     """A frame's part of its rows, one a threshold."""
     camera, error, name = _text(result.camera), _text(result.error), _text(result.name)
     model = result.model or None
-    annotated = values_of(OF_ANNOTATION, result.clicked)
+    annotated = metric_values(OF_ANNOTATION, result.clicked)
     rows: list[Figures] = []
     for threshold in thresholds:
         score = result.scores.get(threshold)
@@ -46,7 +46,7 @@ def figures_of(result: FrameResult, thresholds: Sequence[float]) -> tuple[Figure
 
 def whole_rows(
     set_name: str, method: str, setup: EvaluationSetup, figures: Iterable[Figures]
-) -> list[Row]:
+) -> list[ScoreRow]:
     """Whole rows, from what `figures_of` made of frames of that set and method."""
     width, height = setup.size
     off_plane = "no part" if setup.planar_only else setup.off_plane
@@ -71,7 +71,7 @@ def check_table(path: Path) -> None:
     _format_of(path)[0](path)
 
 
-def append_rows(path: Path, rows: Sequence[Row]) -> None:
+def append_rows(path: Path, rows: Sequence[ScoreRow]) -> None:
     """Put rows into a table, which is made if there is none.
 
     Other processes that do the same wait; the table is replaced in one step.
@@ -81,14 +81,14 @@ def append_rows(path: Path, rows: Sequence[Row]) -> None:
         SaveError: it cannot be written, and is as it was.
     """
     read, encode = _format_of(path)
-    with exclusive(path):
+    with exclusive_lock(path):
         new = {row[:KEYS]: row for row in rows}
         merged = [new.pop(row[:KEYS], row) for row in read(path)]
         write_atomic(path, encode([*merged, *new.values()]))
 
 
-Read = Callable[[Path], Sequence[Row]]
-Encode = Callable[[Sequence[Row]], bytes]
+Read = Callable[[Path], Sequence[ScoreRow]]
+Encode = Callable[[Sequence[ScoreRow]], bytes]
 
 
 def _format_of(path: Path) -> tuple[Read, Encode]:
@@ -100,7 +100,7 @@ def _format_of(path: Path) -> tuple[Read, Encode]:
     raise UsageError(f"{path}: a table of scores is a .csv or .parquet file, end the name so")
 
 
-def table_csv(rows: Sequence[Row]) -> bytes:
+def table_csv(rows: Sequence[ScoreRow]) -> bytes:
     """A whole table as CSV."""
     return csv_header(COLUMNS) + csv_rows(COLUMNS, rows)
 

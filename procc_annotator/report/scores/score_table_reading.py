@@ -11,14 +11,14 @@ from typing import Any
 
 from procc_annotator.errors import InputError
 from procc_annotator.regular_file import open_regular
-from procc_annotator.report.scores.score_columns import COLUMNS, NAMES, Row
+from procc_annotator.report.scores.score_columns import COLUMNS, NAMES, ScoreRow
 from procc_annotator.report.sheet.as_parquet import parquet_libraries, parquet_schema
 from procc_annotator.report.sheet.from_csv import value_of
 
 _ADVICE = "choose another file, or move this one away"
 
 
-def read_csv_rows(path: Path) -> list[Row]:
+def read_csv_rows(path: Path) -> list[ScoreRow]:
     """The rows of a table; none if there is no file.
 
     Raises:
@@ -36,8 +36,8 @@ def read_csv_rows(path: Path) -> list[Row]:
         raise InputError(path, "is not UTF-8 text", advice=_ADVICE) from error
 
 
-def _rows(path: Path, reader: Any) -> list[Row]:
-    rows: list[Row] = []
+def _rows(path: Path, reader: Any) -> list[ScoreRow]:
+    rows: list[ScoreRow] = []
     try:
         header = next(reader, None) or []
         places = _places(path, header, "line 1")
@@ -71,7 +71,7 @@ def _damaged(path: Path, line: int, problem: str) -> InputError:
     return InputError(path, problem, place=f"line {line}", advice="mend the line, or remove it")
 
 
-def read_parquet_rows(path: Path) -> list[Row]:
+def read_parquet_rows(path: Path) -> list[ScoreRow]:
     """The rows of a table; none if there is no file.
 
     Raises:

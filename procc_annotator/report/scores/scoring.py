@@ -12,22 +12,22 @@ from typing import IO, Any
 
 from procc_annotator.errors import ProccError, UsageError
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
-from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, Fitted
+from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, FitCounts
 from procc_annotator.io.source import FileSource
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.scores import score_files
 from procc_annotator.report.scores.chance import (
-    ChanceTerms,
-    ToldOfSet,
-    chance_entries,
-    chance_told,
+    InferenceSettings,
+    StatisticalResult,
+    inference_entries,
+    statistical_results,
 )
-from procc_annotator.report.scores.held_out_sheet import held_out_entry
-from procc_annotator.report.scores.score_columns import Row
+from procc_annotator.report.scores.held_out_sheet import left_out_entry
+from procc_annotator.report.scores.score_columns import ScoreRow
 from procc_annotator.report.scores.score_csv import CsvScores, csv_fragment
 from procc_annotator.report.scores.score_files import JsonList, JsonScores, ScoreWriter
-from procc_annotator.report.scores.score_output import forgiving_output
+from procc_annotator.report.scores.score_output import failure_tolerant_output
 from procc_annotator.report.scores.score_table import Figures, figures_of, whole_rows
 from procc_annotator.report.scores.tables import FrameRow, WorstFrames
 from procc_annotator.session.runs.evaluation_run import (
@@ -38,12 +38,12 @@ from procc_annotator.session.runs.evaluation_run import (
 )
 from procc_annotator.session.runs.execution.executor import Executor, make_executor
 from procc_annotator.session.runs.frame_sums import FrameSums, SourceSums, frame_sums
-from procc_annotator.session.runs.held_out import HeldOutFigures
+from procc_annotator.session.runs.held_out import LeftOutMetrics
 from procc_annotator.session.runs.tags import MODEL, Grouping
 
 
 @dataclass(frozen=True, slots=True)
-class FrameDigest:
+class EncodedFrame:
     """What is left of a frame once it is written: small, and cheap to send between processes."""
 
     row: FrameRow | None
@@ -55,7 +55,7 @@ class FrameDigest:
 
 
 @dataclass(frozen=True, eq=False)
-class Asked:
+class EvaluationRequest:
     """One evaluation: a set's annotations, a method's cameras, and how both are compared.
 
     ``camera_size`` is the picture size the cameras refer to, where their files do not say.
@@ -71,7 +71,7 @@ class Asked:
 
 
 @dataclass(frozen=True)
-class Outcome:
+class RequestedOutputs:
     """What an evaluation leaves behind.
 
     Attributes:
@@ -84,7 +84,7 @@ class Outcome:
     outputs: Sequence[Path] = ()
     named: bool = False
     rows: bool = False
-    chance: ChanceTerms | None = None
+    chance: InferenceSettings | None = None
 
     @property
     def formats(self) -> tuple[str, ...]:
@@ -108,11 +108,11 @@ class Scored:
     set_name: str = ""
     method: str = ""
     groups: tuple[GroupSummary, ...] = ()
-    rows: list[Row] = field(default_factory=list)
+    rows: list[ScoreRow] = field(default_factory=list)
     annotation_notes: tuple[str, ...] = ()
     sums: SourceSums | None = None
-    fitted: Fitted = NOT_FITTED
-    held_out: HeldOutFigures = field(default_factory=HeldOutFigures)
+    fitted: FitCounts = NOT_FITTED
+    held_out: LeftOutMetrics = field(default_factory=LeftOutMetrics)
     ground_only: bool = False
 
     @property
@@ -121,7 +121,7 @@ class Scored:
         return next(iter(self.summaries))
 
 
-Step = tuple["_Scoring", FrameDigest]
+Step = tuple["_Scoring", EncodedFrame]
 Progress = Callable[[Iterable[Step], int, str], Iterator[Step]]
 
 
@@ -129,7 +129,7 @@ def _no_progress(items: Iterable[Step], _total: int, _what: str) -> Iterator[Ste
     return iter(items)
 
 
-def digest_frame(
+def encode_frame(
     evaluated: Evaluated,
     setup: EvaluationSetup,
     thresholds: tuple[float, ...],
@@ -137,8 +137,8 @@ def digest_frame(
     names: tuple[str, ...] = (),
     by: tuple[str, ...] = (),
     with_figures: bool = False,
-    chance: ChanceTerms | None = None,
-) -> FrameDigest:
+    chance: InferenceSettings | None = None,
+) -> EncodedFrame:
     """Encode a frame for each output format and keep its row at the first threshold."""
     result = evaluated.result
     fragments = tuple(
@@ -152,7 +152,7 @@ def digest_frame(
         row = FrameRow.of(result.name, result.scores[thresholds[0]])
     figures = figures_of(result, thresholds) if with_figures else ()
     sums = None if chance is None else frame_sums(evaluated, thresholds, chance.noise)
-    return FrameDigest(row, result.error, result.notices, fragments, figures, sums)
+    return EncodedFrame(row, result.error, result.notices, fragments, figures, sums)
 
 
 def score_set(
@@ -177,8 +177,8 @@ def score_set(
         UsageError: nothing to evaluate, or nothing that can be read.
         SaveError: an output cannot be written.
     """
-    asked = Asked("", "", annotations, cameras, setup, camera_size=camera_size)
-    prepared = Evaluations.prepare([asked], thresholds, Outcome(outputs))
+    asked = EvaluationRequest("", "", annotations, cameras, setup, camera_size=camera_size)
+    prepared = Evaluations.prepare([asked], thresholds, RequestedOutputs(outputs))
     if executor is not None:
         return prepared.score(executor, progress=progress)[0]
     with make_executor(frames=prepared.frames) as suitable:
@@ -190,15 +190,15 @@ class Evaluations:
     """Several evaluations, listed and found possible; then scored, one after the other."""
 
     scorings: list[_Scoring]
-    outcome: Outcome
-    told: tuple[ToldOfSet, ...] = ()  # what chance leaves of them, once they are scored
+    outcome: RequestedOutputs
+    told: tuple[StatisticalResult, ...] = ()  # what chance leaves of them, once they are scored
 
     @classmethod
     def prepare(
         cls,
-        asked: Sequence[Asked],
+        asked: Sequence[EvaluationRequest],
         thresholds: tuple[float, ...],
-        outcome: Outcome,
+        outcome: RequestedOutputs,
     ) -> Evaluations:
         """List all frames, before any work.
 
@@ -209,7 +209,7 @@ class Evaluations:
         prepared._require_tags(asked)
         return prepared
 
-    def _require_tags(self, asked: Sequence[Asked]) -> None:
+    def _require_tags(self, asked: Sequence[EvaluationRequest]) -> None:
         if all(by == MODEL for one in asked for by in one.grouping.by):
             return
         if any(scoring.run.tagged for scoring in self.scorings):
@@ -246,7 +246,7 @@ class Evaluations:
         failures: dict[Path, ProccError] = {} if unwritten is None else unwritten
         with ExitStack() as files:
             paths = self.outcome.outputs
-            streams = [files.enter_context(forgiving_output(path, failures)) for path in paths]
+            streams = [files.enter_context(failure_tolerant_output(path, failures)) for path in paths]
             for scoring, frame in progress(self._steps(streams, executor), self.frames, "scoring"):
                 scoring.take(frame)
         if unwritten is None and failures:
@@ -271,11 +271,11 @@ class Evaluations:
             scoring.sum_up()
             if scoring is self.scorings[-1] and self.outcome.chance is not None:
                 scored = [one.scored for one in self.scorings]
-                self.told = tuple(chance_told(scored, self.outcome.chance))
+                self.told = tuple(statistical_results(scored, self.outcome.chance))
             # In a file of several, what is told of all follows behind them.
-            scoring.write_end({} if self.outcome.named else chance_entries(self.told))
+            scoring.write_end({} if self.outcome.named else inference_entries(self.told))
         for several in lists:
-            several.end(chance_entries(self.told))
+            several.end(inference_entries(self.told))
 
 
 class _Scoring:
@@ -283,16 +283,16 @@ class _Scoring:
 
     def __init__(
         self,
-        asked: Asked,
+        asked: EvaluationRequest,
         thresholds: tuple[float, ...],
-        outcome: Outcome,
+        outcome: RequestedOutputs,
     ) -> None:
         self._asked = asked
         self._thresholds = thresholds
         self._outcome = outcome
         self._names = (asked.set_name, asked.method) if outcome.named else ()
         digest = partial(
-            digest_frame,
+            encode_frame,
             setup=asked.setup,
             thresholds=thresholds,
             formats=outcome.formats,
@@ -301,7 +301,7 @@ class _Scoring:
             with_figures=outcome.rows,
             chance=outcome.chance,
         )
-        self.run: EvaluationRun[FrameDigest] = run_digested(
+        self.run: EvaluationRun[EncodedFrame] = run_digested(
             asked.annotations,
             asked.cameras,
             asked.setup,
@@ -314,7 +314,7 @@ class _Scoring:
         self._worst = WorstFrames()
         self._errors: list[str] = []
         self._notices = Counter[str](self.run.notices)
-        self._rows: list[Row] = []
+        self._rows: list[ScoreRow] = []
         self._sums: list[FrameSums | None] = []
         self.scored: Scored
 
@@ -331,7 +331,7 @@ class _Scoring:
             return JsonScores(stream, self._asked.setup, self._thresholds, names)
         return CsvScores(stream, columns, self._asked.grouping.by, headless=not first)
 
-    def take(self, frame: FrameDigest) -> None:
+    def take(self, frame: EncodedFrame) -> None:
         """Write a frame and note what the tables need of it."""
         if frame.row is not None:
             self._worst.add(frame.row)
@@ -376,6 +376,6 @@ class _Scoring:
     def write_end(self, more: Mapping[str, Any]) -> None:
         """Write the end of the outputs, with more entries where they hold any."""
         scored, groups = self.scored, self.scored.groups
-        more = {**held_out_entry(scored, self._thresholds), **more}
+        more = {**left_out_entry(scored, self._thresholds), **more}
         for writer in self._writers:
             writer.end(scored.summaries, ground_only=scored.ground_only, groups=groups, more=more)

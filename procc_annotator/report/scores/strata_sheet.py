@@ -13,16 +13,16 @@ from procc_annotator.report.scores.chance_sheets import (
     interval_ends,
 )
 from procc_annotator.report.sheet.counts import FRAMES
-from procc_annotator.report.sheet.figure import Figure
+from procc_annotator.report.sheet.figure import Metric
 from procc_annotator.report.sheet.figures import JAC_DIFFERENCE, MEAN_JAC, P_CORRECTED, P_VALUE
-from procc_annotator.report.sheet.sheet import TAU, Column, Sheet, Value, counted, of
-from procc_annotator.session.runs.certainty import Certainty
+from procc_annotator.report.sheet.sheet import TAU, Column, MetricTable, Value, defined_count_column, metric_column
+from procc_annotator.session.runs.certainty import Inference
 from procc_annotator.session.runs.strata import Stratum
 
 
-def strata_sheet(
-    parts: Sequence[Stratum], certainty: Certainty, tau: float, described: str
-) -> Sheet:
+def strata_table(
+    parts: Sequence[Stratum], certainty: Inference, tau: float, described: str
+) -> MetricTable:
     """JaC of every source and the difference of every two, with intervals, for each part.
 
     Args:
@@ -36,11 +36,11 @@ def strata_sheet(
         at = certainty.thresholds.index(tau)
         for source, ends in zip(part.certainty.sources, part.certainty.intervals, strict=True):
             own = source.ratios("mean_jac")
-            count = float(own.wholes[:, at].sum())
+            count = float(own.denominators[:, at].sum())
             row += [float(own.parts[:, at].sum()) / count if count else None]
             row += interval_ends(ends["mean_jac", tau])
         for (a, b), found in part.differences.get(("mean_jac", tau), {}).items():
-            if found.beyond_chance and certainty.may_be_bold(a, b, "mean_jac"):
+            if found.beyond_chance and certainty.can_be_bold(a, b, "mean_jac"):
                 bold.add((len(rows), len(row)))
             row += [found.value, *interval_ends(found.interval), found.corrected]
         rows.append(tuple(row))
@@ -49,18 +49,18 @@ def strata_sheet(
         " is corrected for all parts and pairs. Bold: beyond chance.",
         *_cautions(parts),
     )
-    return Sheet(
+    return MetricTable(
         f"by_{by}", f"By {by}", _columns(certainty, by, tau), tuple(rows), described, notes,
         frozenset(bold),
     )  # fmt: skip
 
 
-def figures_sheet(parts: Sequence[Stratum], certainty: Certainty, described: str) -> Sheet:
+def strata_metrics_table(parts: Sequence[Stratum], certainty: Inference, described: str) -> MetricTable:
     """Every figure of every source in each part at every threshold, with intervals."""
     by = parts[0].by
-    columns = [Column("value", by), Column("source", "source"), TAU, counted(FRAMES)]
+    columns = [Column("value", by), Column("source", "source"), TAU, defined_count_column(FRAMES)]
     for figure in WITH_INTERVAL:
-        columns += [of(figure), *interval_columns(figure)]
+        columns += [metric_column(figure), *interval_columns(figure)]
     rows: list[tuple[Value, ...]] = []
     begins = []
     for part in parts:
@@ -71,27 +71,27 @@ def figures_sheet(parts: Sequence[Stratum], certainty: Certainty, described: str
             for at, tau in enumerate(certainty.thresholds):
                 row: list[Value] = [part.value or "(none)", source.marked_name, tau, frames]
                 for key, ratios in sums.items():
-                    whole = float(ratios.wholes[:, at].sum())
+                    whole = float(ratios.denominators[:, at].sum())
                     row.append(float(ratios.parts[:, at].sum()) / whole if whole else None)
                     row += interval_ends(ends[key, tau])
                 rows.append(tuple(row))
     notes = (f"In brackets {certainty.described}.", *_cautions(parts))
-    return Sheet(
+    return MetricTable(
         f"by_{by}_figures", f"By {by}, every figure", tuple(columns), tuple(rows), described, notes,
         parts=tuple(begins[1:]),
     )  # fmt: skip
 
 
-def strata_differences_sheet(
-    parts: Sequence[Stratum], certainty: Certainty, described: str
-) -> Sheet:
+def strata_differences_table(
+    parts: Sequence[Stratum], certainty: Inference, described: str
+) -> MetricTable:
     """The differences of every two sources in each part, figure by figure; for files."""
     by = parts[0].by
     names = [source.marked_name for source in certainty.sources]
     columns = [Column("value", by), TAU, Column("a", "A"), Column("b", "B")]
     for figure, key in DIFFERENCES:
-        columns += [of(figure), *interval_columns(figure), counted(FRAMES, key=f"{key}_frames")]
-        columns += [of(f, key=f"{key}_{f.key}", group=figure.title) for f in (P_VALUE, P_CORRECTED)]
+        columns += [metric_column(figure), *interval_columns(figure), defined_count_column(FRAMES, key=f"{key}_frames")]
+        columns += [metric_column(f, key=f"{key}_{f.key}", group=figure.title) for f in (P_VALUE, P_CORRECTED)]
     rows: list[tuple[Value, ...]] = []
     for part, tau in product(parts, certainty.thresholds):
         for pair in part.differences["mean_jac", tau]:
@@ -105,21 +105,21 @@ def strata_differences_sheet(
         "p is corrected for all parts and pairs, of each figure at each tau;"
         f" {certainty.described}."
     )
-    return Sheet(
+    return MetricTable(
         f"by_{by}_differences", f"By {by}, differences", tuple(columns), tuple(rows), described,
         (note,),
     )  # fmt: skip
 
 
-def _columns(certainty: Certainty, by: str, tau: float) -> tuple[Column, ...]:
+def _columns(certainty: Inference, by: str, tau: float) -> tuple[Column, ...]:
     names = [source.marked_name for source in certainty.sources]
-    columns = [Column("value", by), counted(FRAMES)]
+    columns = [Column("value", by), defined_count_column(FRAMES)]
     for name in names:
         columns += _with_interval(MEAN_JAC, f"JaC@{tau:g} %", name)
     for pair in certainty.pairs:
         less = f"{names[pair.a]} less {names[pair.b]}"
         columns += _with_interval(JAC_DIFFERENCE, "points", less)
-        columns.append(of(P_CORRECTED, key=f"{P_CORRECTED.key} {less}", group=less))
+        columns.append(metric_column(P_CORRECTED, key=f"{P_CORRECTED.key} {less}", group=less))
     return tuple(columns)
 
 
@@ -132,8 +132,8 @@ def _cautions(parts: Sequence[Stratum]) -> tuple[str, ...]:
     )
 
 
-def _with_interval(figure: Figure, heading: str, group: str) -> list[Column]:
-    first = of(figure, key=f"{figure.key} {group}", heading=heading, group=group)
+def _with_interval(figure: Metric, heading: str, group: str) -> list[Column]:
+    first = metric_column(figure, key=f"{figure.key} {group}", heading=heading, group=group)
     ends = (replace(c, key=f"{c.key} {group}", group=group) for c in interval_columns(figure))
     return [first, *ends]
 

@@ -10,7 +10,7 @@ from procc_annotator.metric.measure import Labelling
 from procc_annotator.metric.score import FrameScore
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.report.scores.score_columns import COUNTS
-from procc_annotator.report.sheet.figure import values_of
+from procc_annotator.report.sheet.figure import metric_values
 from procc_annotator.report.sheet.figures import (
     COMPLETENESS,
     ERROR_COUNTED,
@@ -23,7 +23,7 @@ from procc_annotator.report.sheet.figures import (
     PRECISION,
     RECALL,
 )
-from procc_annotator.report.sheet.sheet import TAU, Column, Sheet, of, whole
+from procc_annotator.report.sheet.sheet import TAU, Column, MetricTable, metric_column, count_column
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,24 +92,24 @@ class WorstFrames:
 
 def summary_table(
     summaries: Mapping[float, SetSummary], described: str, *, title: str = "Summary"
-) -> Sheet:
+) -> MetricTable:
     """One row a threshold; below it the official error, where that is another one."""
     figures = [figure for figure in OF_SET if figure is not ERROR_COUNTED]
-    rows = tuple((tau, *values_of(figures, s)) for tau, s in summaries.items())
+    rows = tuple((tau, *metric_values(figures, s)) for tau, s in summaries.items())
     others = [
         f"{pixels(s.mean_reprojection_error)} px at tau {tau:g}"
         for tau, s in summaries.items()
         if s.mean_reprojection_error != s.mean_error
     ]
     notes = (f"official error, of mirrored labels on a tie: {', '.join(others)}",) if others else ()
-    return Sheet("summary", title, (TAU, *map(of, figures)), rows, described, notes)
+    return MetricTable("summary", title, (TAU, *map(metric_column, figures)), rows, described, notes)
 
 
-def worst_frames_table(rows: Sequence[FrameRow], threshold: float, described: str) -> Sheet:
+def worst_frames_table(rows: Sequence[FrameRow], threshold: float, described: str) -> MetricTable:
     """The frames to look at first."""
     columns = (
-        Column("frame", "frame"), of(JAC), *map(of, COUNTS), of(FRAME_ERROR),
-        Column("element", "farthest element"), of(LARGEST_PX, heading="px"),
+        Column("frame", "frame"), metric_column(JAC), *map(metric_column, COUNTS), metric_column(FRAME_ERROR),
+        Column("element", "farthest element"), metric_column(LARGEST_PX, heading="px"),
         Column("labels", "labels"),
     )  # fmt: skip
     values = tuple(
@@ -120,29 +120,29 @@ def worst_frames_table(rows: Sequence[FrameRow], threshold: float, described: st
         for row in rows
     )  # fmt: skip
     title = f"{worst_words(len(rows))} at {threshold:g} px"
-    return Sheet("worst_frames", title, columns, values, described)
+    return MetricTable("worst_frames", title, columns, values, described)
 
 
-def classes_table(summaries: Mapping[float, SetSummary], described: str) -> Sheet:
+def classes_table(summaries: Mapping[float, SetSummary], described: str) -> MetricTable:
     """Per-class figures, counted in points; JaC at every threshold, the rest at the first one."""
     first = next(iter(summaries))
     others = (PRECISION, RECALL, *COUNTS)
     columns = (
-        Column("class", "class"), *(of(JAC, f"@{tau:g}") for tau in summaries), *map(of, others)
+        Column("class", "class"), *(metric_column(JAC, f"@{tau:g}") for tau in summaries), *map(metric_column, others)
     )  # fmt: skip
     rows = []
     for name in sorted({name for s in summaries.values() for name in s.per_class}):
         found = [s.per_class.get(name) for s in summaries.values()]
         jacs = (None if one is None else one.jac for one in found)
-        rows.append((name.strip(), *jacs, *values_of(others, found[0])))
+        rows.append((name.strip(), *jacs, *metric_values(others, found[0])))
     title = f"Classes, counted in points (tp, fp, fn at {first:g} px)"
-    return Sheet("classes", title, columns, tuple(rows), described)
+    return MetricTable("classes", title, columns, tuple(rows), described)
 
 
 def _set_columns(thresholds: Sequence[float]) -> tuple[Column, ...]:
     # At the largest threshold it is rarest that mirrored labels score higher by chance.
-    error = of(MEAN_ERROR, f"@{max(thresholds):g}" if thresholds else "")
-    return (of(COMPLETENESS), *(of(MEAN_JAC, f"@{tau:g}") for tau in thresholds), error)
+    error = metric_column(MEAN_ERROR, f"@{max(thresholds):g}" if thresholds else "")
+    return (metric_column(COMPLETENESS), *(metric_column(MEAN_JAC, f"@{tau:g}") for tau in thresholds), error)
 
 
 def _set_values(
@@ -170,7 +170,7 @@ class EvaluationRow:
     summaries: Mapping[float, SetSummary]
 
 
-def evaluations_table(title: str, headings: tuple[str, ...], rows: list[EvaluationRow]) -> Sheet:
+def evaluations_table(title: str, headings: tuple[str, ...], rows: list[EvaluationRow]) -> MetricTable:
     """Evaluations of the same thresholds below each other."""
     described = {row.described for row in rows}
     common = next(iter(described)) if len(described) == 1 else ""
@@ -178,7 +178,7 @@ def evaluations_table(title: str, headings: tuple[str, ...], rows: list[Evaluati
     if not common:
         headings = (*headings, "protocol, size")
     columns = (
-        *(Column(heading, heading) for heading in headings), whole("frames"),
+        *(Column(heading, heading) for heading in headings), count_column("frames"),
         *_set_columns(thresholds),
     )  # fmt: skip
     values = tuple(
@@ -190,7 +190,7 @@ def evaluations_table(title: str, headings: tuple[str, ...], rows: list[Evaluati
         )
         for row in rows
     )
-    return Sheet("evaluations", title, columns, values, common)
+    return MetricTable("evaluations", title, columns, values, common)
 
 
 def worst_words(count: int) -> str:

@@ -10,14 +10,14 @@ import io
 import math
 from collections.abc import Iterable, Sequence
 
-from procc_annotator.io.csv_text import no_formula
-from procc_annotator.report.sheet.figure import shortest
-from procc_annotator.report.sheet.sheet import Column, Row, Sheet, Value
+from procc_annotator.io.csv_text import escape_formula
+from procc_annotator.report.sheet.figure import shortest_number
+from procc_annotator.report.sheet.sheet import Column, Row, MetricTable, Value
 
 CRLF = "\r\n"  # what RFC 4180 asks for
 
 
-def csv_bytes(sheet: Sheet, *, line_end: str = "\n") -> bytes:
+def csv_bytes(sheet: MetricTable, *, line_end: str = "\n") -> bytes:
     """Header and rows, UTF-8."""
     rows = csv_rows(sheet.columns, sheet.rows, line_end=line_end)
     return csv_header(sheet.columns, line_end=line_end) + rows
@@ -25,7 +25,7 @@ def csv_bytes(sheet: Sheet, *, line_end: str = "\n") -> bytes:
 
 def csv_header(columns: Sequence[Column], *, line_end: str = "\n") -> bytes:
     """The first line, of a file that is written row by row."""
-    return _lines([[no_formula(column.key) for column in columns]], line_end)
+    return _lines([[escape_formula(column.key) for column in columns]], line_end)
 
 
 def csv_rows(columns: Sequence[Column], rows: Iterable[Row], *, line_end: str = "\n") -> bytes:
@@ -44,11 +44,11 @@ def _written(value: Value, form: str) -> str | int | float:
     if value is None:
         return ""
     if isinstance(value, str):
-        return no_formula(value)
+        return escape_formula(value)
     if isinstance(value, bool):
         return "true" if value else "false"
     if not math.isfinite(value):
         return ""
     if form == "shortest":
-        return shortest(value)
+        return shortest_number(value)
     return f"{value:{form}}" if form else value

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from html import escape
 
-from procc_annotator.report.sheet.sheet import Sheet
-from procc_annotator.report.sheet.shown import Cell, ShownColumn, as_texts
+from procc_annotator.report.sheet.sheet import MetricTable
+from procc_annotator.report.sheet.shown import Cell, DisplayColumn, display_table
 
 _ARROWS = {"higher": ("more is better", "↑"), "lower": ("less is better", "↓")}
 
@@ -13,13 +13,13 @@ _ARROWS = {"higher": ("more is better", "↑"), "lower": ("less is better", "↓
 _SHORT = 6  # rows that stay on one printed page
 
 
-def html_table(sheet: Sheet, *, sortable: bool = False) -> str:
+def html_table(sheet: MetricTable, *, sortable: bool = False) -> str:
     """The table within a box that scrolls where it is too wide; the keyboard can scroll it, too.
 
     Args:
         sortable: says what it can be sorted by, for the page's own script.
     """
-    content = as_texts(sheet)
+    content = display_table(sheet)
     caption = escape(content.caption)
     classes = f"wide{' short' if len(content.rows) <= _SHORT else ''}"
     lines = [
@@ -54,7 +54,7 @@ def _groups(groups: tuple[tuple[str, int], ...]) -> list[str]:
     return ["<tr>", *cells, "</tr>"]
 
 
-def _heading(column: ShownColumn) -> str:
+def _heading(column: DisplayColumn) -> str:
     arrow = ""
     if column.better is not None:
         meaning, sign = _ARROWS[column.better]
@@ -63,10 +63,10 @@ def _heading(column: ShownColumn) -> str:
     return f'<th scope="col"{_side(column)}{means}>{escape(column.heading)}{arrow}</th>'
 
 
-def _cell(column: ShownColumn, cell: Cell) -> str:
+def _cell(column: DisplayColumn, cell: Cell) -> str:
     text = escape(cell.text).replace(", ", ",&nbsp;") if column.numeric else escape(cell.text)
     return f"<td{_side(column)}>{f'<strong>{text}</strong>' if cell.bold else text}</td>"
 
 
-def _side(column: ShownColumn) -> str:
+def _side(column: DisplayColumn) -> str:
     return ' class="number"' if column.numeric else ""

@@ -7,16 +7,16 @@ from typing import Any
 
 import msgspec
 
-from procc_annotator.report.sheet.figure import Figure
-from procc_annotator.report.sheet.sheet import Sheet, records
+from procc_annotator.report.sheet.figure import Metric
+from procc_annotator.report.sheet.sheet import MetricTable, records
 
 
-def figure_entry(figures: Iterable[Figure], values: object) -> dict[str, Any]:
+def metric_entry(figures: Iterable[Metric], values: object) -> dict[str, Any]:
     """Figures by their keys, taken from values that have them as attributes."""
     return {figure.key: figure.of(values) for figure in figures}
 
 
-def sheet_entry(sheet: Sheet) -> dict[str, Any]:
+def table_entry(sheet: MetricTable) -> dict[str, Any]:
     """A whole sheet: what it shows, and its rows by the keys of the columns."""
     return {
         "title": sheet.title,

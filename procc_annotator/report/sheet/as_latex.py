@@ -11,8 +11,8 @@ import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from procc_annotator.report.sheet.sheet import Sheet
-from procc_annotator.report.sheet.shown import Cell, ShownSheet, as_texts
+from procc_annotator.report.sheet.sheet import MetricTable
+from procc_annotator.report.sheet.shown import Cell, DisplayTable, display_table
 
 _GROUPS = {
     2.8: "ijl.,:;'`![]|",
@@ -66,7 +66,7 @@ _LONGEST_NAMES = 0.45  # of the width, for all columns that are repeated
 
 
 @dataclass(frozen=True, slots=True)
-class _Look:
+class _TableLayout:
     """How tightly a table is set: size of type, its width against the usual, space between
     columns in pt, whether headings break into lines and long texts wrap."""
 
@@ -76,11 +76,11 @@ class _Look:
     breaks: bool
 
 
-_LOOKS = (
-    _Look("", 1.0, 12, breaks=False),
-    _Look("", 1.0, 12, breaks=True),
-    _Look(r"\small", 0.925, 10, breaks=True),
-    _Look(r"\footnotesize", 0.85, 6, breaks=True),
+_LAYOUTS = (
+    _TableLayout("", 1.0, 12, breaks=False),
+    _TableLayout("", 1.0, 12, breaks=True),
+    _TableLayout(r"\small", 0.925, 10, breaks=True),
+    _TableLayout(r"\footnotesize", 0.85, 6, breaks=True),
 )
 
 
@@ -92,26 +92,26 @@ def escape_latex(text: str) -> str:
 
 
 def latex_tables(
-    sheets: Iterable[Sheet], remarks: Iterable[str] = (), width_pt: float = COLUMN_PT
+    sheets: Iterable[MetricTable], remarks: Iterable[str] = (), width_pt: float = COLUMN_PT
 ) -> str:
     """Several tables as one file; remarks go into comments at its head."""
     head = ["% " + " ".join(remark.split()) for remark in remarks]
     return "\n".join([*head, *(f"\n{latex_table(sheet, width_pt)}" for sheet in sheets)]) + "\n"
 
 
-def latex_table(sheet: Sheet, width_pt: float = COLUMN_PT) -> str:
+def latex_table(sheet: MetricTable, width_pt: float = COLUMN_PT) -> str:
     """One table; best values are bold, dashes stand for what is undefined.
 
     Args:
         width_pt: it may have; beyond that of a column it spans both columns of a page.
     """
-    content = as_texts(sheet)
+    content = display_table(sheet)
     every = range(len(content.columns))
-    look = next((k for k in _LOOKS if _Setting(content, k, width_pt).fits(every)), _LOOKS[-1])
-    setting = _Setting(content, look, width_pt)
+    look = next((k for k in _LAYOUTS if _LaidOutTable(content, k, width_pt).fits(every)), _LAYOUTS[-1])
+    setting = _LaidOutTable(content, look, width_pt)
     kind = "table*" if width_pt > _WIDEST_COLUMN_PT else "table"
     lines = [rf"\begin{{{kind}}}", r"\centering", *([look.size] if look.size else [])]
-    if look.apart_pt != _LOOKS[0].apart_pt:
+    if look.apart_pt != _LAYOUTS[0].apart_pt:
         lines.append(rf"\setlength{{\tabcolsep}}{{{look.apart_pt / 2:g}pt}}")
     for number, part in enumerate(setting.parts()):
         lines += [*([r"\par\medskip"] if number else []), *setting.tabular(part)]
@@ -120,10 +120,10 @@ def latex_table(sheet: Sheet, width_pt: float = COLUMN_PT) -> str:
     return "\n".join([*lines, rf"\caption{{{caption}}}", rf"\end{{{kind}}}"])
 
 
-class _Setting:
+class _LaidOutTable:
     """A table set in one look."""
 
-    def __init__(self, content: ShownSheet, look: _Look, width_pt: float) -> None:
+    def __init__(self, content: DisplayTable, look: _TableLayout, width_pt: float) -> None:
         self._content, self._look, self._width_pt = content, look, width_pt
         self._widths = [self._column_width(at) for at in range(len(content.columns))]
 

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from procc_annotator.errors import ProccError
-from procc_annotator.extras import how_to_have
+from procc_annotator.extras import install_hint
 from procc_annotator.report.sheet.sheet import Column, Row
 
 
@@ -57,5 +57,5 @@ def parquet_libraries() -> tuple[Any, Any]:
     except ModuleNotFoundError as error:
         raise ProccError(
             "a Parquet table needs the library pyarrow, which is not installed"
-            f" ({how_to_have('parquet')}; or write a .csv table)"
+            f" ({install_hint('parquet')}; or write a .csv table)"
         ) from error

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from procc_annotator.report.sheet.sheet import Sheet
-from procc_annotator.report.sheet.shown import as_texts
+from procc_annotator.report.sheet.sheet import MetricTable
+from procc_annotator.report.sheet.shown import display_table
 
 if TYPE_CHECKING:
     from rich.table import Table
 
 
-def terminal_table(sheet: Sheet) -> Table:
+def terminal_table(sheet: MetricTable) -> Table:
     """Title and what the figures rest on, headings, rows, notes."""
     from rich.table import Table
     from rich.text import Text
@@ -27,7 +27,7 @@ def terminal_table(sheet: Sheet) -> Table:
         caption="\n".join(sheet.notes) or None,
         caption_justify="left",
     )
-    content = as_texts(sheet)
+    content = display_table(sheet)
     for column in content.columns:
         named = f"{column.group}\n{column.heading}" if column.group else column.heading
         table.add_column(named, justify="right" if column.numeric else "left")

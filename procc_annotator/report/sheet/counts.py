@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from procc_annotator.report.sheet.figure import Figure
+from procc_annotator.report.sheet.figure import Metric
 
 
-def _count(key: str, title: str, definition: str) -> Figure:
-    return Figure(key, title, "", None, 0, definition)
+def _count(key: str, title: str, definition: str) -> Metric:
+    return Metric(key, title, "", None, 0, definition)
 
 
 # --- what a source of cameras rests on ------------------------------------------------------------
@@ -34,8 +34,8 @@ UNDEFINED = _count(
 # --- two sources of cameras, several sources ------------------------------------------------------
 
 SHARED = _count("shared", "frames of both", "Annotated frames for which both have a camera.")
-ONLY_A = _count("only_a", "only A", "Annotated frames for which only A has a camera.")
-ONLY_B = _count("only_b", "only B", "Annotated frames for which only B has a camera.")
+FRAMES_ONLY_A = _count("only_a", "only A", "Annotated frames for which only A has a camera.")
+FRAMES_ONLY_B = _count("only_b", "only B", "Annotated frames for which only B has a camera.")
 HAVING = _count(
     "frames_having", "frames with it",
     "Frames that mean and median beside it are of, where these are not all frames of the row.",

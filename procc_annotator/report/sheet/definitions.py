@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from procc_annotator.report.sheet.figure import Figure
-from procc_annotator.report.sheet.sheet import Sheet
+from procc_annotator.report.sheet.figure import Metric
+from procc_annotator.report.sheet.sheet import MetricTable
 
 Definition = tuple[str, tuple[str, ...]]
 
 
-def definitions(sheets: Iterable[Sheet], also: Iterable[Figure] = ()) -> tuple[Definition, ...]:
+def definitions(sheets: Iterable[MetricTable], also: Iterable[Metric] = ()) -> tuple[Definition, ...]:
     """Each title with its unit, and what it means: several things where several are called so.
 
     Args:

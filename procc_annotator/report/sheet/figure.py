@@ -13,7 +13,7 @@ Better = Literal["higher", "lower"]
 
 
 @dataclass(frozen=True, slots=True)
-class Figure:
+class Metric:
     """One figure, wherever it is told.
 
     Attributes:
@@ -57,12 +57,12 @@ class Figure:
         return shown if float(shown) else shown.lstrip("+-")  # no sign before 0.00
 
 
-def values_of(figures: Iterable[Figure], values: object) -> tuple[float | None, ...]:
+def metric_values(figures: Iterable[Metric], values: object) -> tuple[float | None, ...]:
     """Figures taken from values that have them as attributes; all are None where there are none."""
     return tuple(None if values is None else figure.of(values) for figure in figures)
 
 
-def shortest(value: float) -> str:
+def shortest_number(value: float) -> str:
     """A number as short as it is exact: ``5``, ``2.5``."""
     short = f"{value:g}"
     return short if float(short) == value and "e" not in short else repr(value)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from procc_annotator.io.csv_text import formula_text
+from procc_annotator.io.csv_text import unescape_formula
 from procc_annotator.report.sheet.sheet import Column, Value
 
 _YES_NO = {"true": True, "false": False}
@@ -34,7 +34,7 @@ def value_of(column: Column, cell: str) -> Value:
         elif column.kind == "yes_no":
             return _YES_NO[cell]
         elif cell:
-            return formula_text(cell)
+            return unescape_formula(cell)
     except (ValueError, KeyError):
         pass
     raise ValueError(f"{column.key} is {cell[:40]!r}, expected {_EXPECTED[column.kind]}")

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal
 
-from procc_annotator.report.sheet.figure import DASH, Figure
+from procc_annotator.report.sheet.figure import DASH, Metric
 
 Value = str | int | float | bool | None
 Row = tuple[Value, ...]
@@ -34,7 +34,7 @@ class Column:
     key: str
     heading: str = ""
     kind: Kind = "text"
-    figure: Figure | None = None
+    figure: Metric | None = None
     group: str = ""
     joined: str = ""
     written: str = ""
@@ -45,7 +45,7 @@ class Column:
         """Whether it stands at the right edge."""
         return self.kind in ("whole", "number")
 
-    def text(self, value: Value, of_row: Figure | None = None) -> str:
+    def text(self, value: Value, of_row: Metric | None = None) -> str:
         """A value as it is shown: figures by their digits, True as ``yes``, None as a dash; of text
         None is empty.
 
@@ -64,8 +64,8 @@ class Column:
         return figure.text(value)
 
 
-def of(
-    figure: Figure, at: str = "", *, key: str = "", heading: str = "", group: str = "",
+def metric_column(
+    figure: Metric, at: str = "", *, key: str = "", heading: str = "", group: str = "",
     joined: str = "",
 ) -> Column:  # fmt: skip
     """A figure as a column.
@@ -82,13 +82,13 @@ def of(
 TAU = Column("threshold", "tau px", "number", written="shortest")
 
 
-def whole(key: str, heading: str = "", *, group: str = "", joined: str = "") -> Column:
+def count_column(key: str, heading: str = "", *, group: str = "", joined: str = "") -> Column:
     """A count as a column."""
     return Column(key, heading or key, "whole", group=group, joined=joined)
 
 
-def counted(
-    figure: Figure, at: str = "", *, key: str = "", heading: str = "", group: str = ""
+def defined_count_column(
+    figure: Metric, at: str = "", *, key: str = "", heading: str = "", group: str = ""
 ) -> Column:
     """A count that has a definition as a column.
 
@@ -99,7 +99,7 @@ def counted(
 
 
 @dataclass(frozen=True)
-class Sheet:
+class MetricTable:
     """Columns and rows, to be written as CSV, JSON, Parquet, HTML, LaTeX, or on the terminal.
 
     Attributes:
@@ -122,7 +122,7 @@ class Sheet:
     notes: tuple[str, ...] = ()
     bold: frozenset[tuple[int, int]] = frozenset()
     parts: tuple[int, ...] = ()
-    of_rows: tuple[Figure, ...] = ()
+    of_rows: tuple[Metric, ...] = ()
 
     def __post_init__(self) -> None:
         for row in self.rows:
@@ -135,7 +135,7 @@ class Sheet:
         return f"{self.title} ({self.described})" if self.described else self.title
 
 
-def records(sheet: Sheet) -> Iterator[dict[str, Value]]:
+def records(sheet: MetricTable) -> Iterator[dict[str, Value]]:
     """Its rows by the keys of the columns."""
     keys = [column.key for column in sheet.columns]
     return (dict(zip(keys, row, strict=True)) for row in sheet.rows)

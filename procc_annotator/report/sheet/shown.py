@@ -7,11 +7,11 @@ from itertools import takewhile
 
 from procc_annotator.errors import printable
 from procc_annotator.report.sheet.figure import Better
-from procc_annotator.report.sheet.sheet import Sheet
+from procc_annotator.report.sheet.sheet import MetricTable
 
 
 @dataclass(frozen=True, slots=True)
-class ShownColumn:
+class DisplayColumn:
     """A heading, with what is better, where it stands and what it means."""
 
     heading: str
@@ -30,7 +30,7 @@ class Cell:
 
 
 @dataclass(frozen=True)
-class ShownSheet:
+class DisplayTable:
     """Texts of a sheet; columns that are joined share a cell.
 
     Attributes:
@@ -38,7 +38,7 @@ class ShownSheet:
     """
 
     caption: str
-    columns: tuple[ShownColumn, ...]
+    columns: tuple[DisplayColumn, ...]
     rows: tuple[tuple[Cell, ...], ...]
     notes: tuple[str, ...]
     parts: tuple[int, ...]
@@ -56,10 +56,10 @@ class ShownSheet:
         return tuple(spans) if any(name for name, _ in spans) else ()
 
 
-def as_texts(sheet: Sheet) -> ShownSheet:
+def display_table(sheet: MetricTable) -> DisplayTable:
     """A sheet as texts."""
     columns = tuple(
-        ShownColumn(
+        DisplayColumn(
             column.heading, column.figure.better if column.figure else None,
             column.numeric, column.group, column.figure.definition if column.figure else "",
         )
@@ -67,10 +67,10 @@ def as_texts(sheet: Sheet) -> ShownSheet:
         if not column.joined
     )  # fmt: skip
     rows = tuple(_cells(sheet, at) for at in range(len(sheet.rows)))
-    return ShownSheet(sheet.caption, columns, rows, sheet.notes, sheet.parts, _naming(sheet))
+    return DisplayTable(sheet.caption, columns, rows, sheet.notes, sheet.parts, _naming(sheet))
 
 
-def _naming(sheet: Sheet) -> int:
+def _naming(sheet: MetricTable) -> int:
     """Of the columns before the first figure: as many as make the rows differ, or all of them."""
     plain = list(takewhile(lambda c: c.figure is None and not c.joined, sheet.columns))
     for count in range(1, len(plain)):
@@ -79,7 +79,7 @@ def _naming(sheet: Sheet) -> int:
     return max(1, len(plain))
 
 
-def _cells(sheet: Sheet, at: int) -> tuple[Cell, ...]:
+def _cells(sheet: MetricTable, at: int) -> tuple[Cell, ...]:
     cells: list[Cell] = []
     figure = sheet.of_rows[at] if sheet.of_rows else None
     for place, (column, value) in enumerate(zip(sheet.columns, sheet.rows[at], strict=True)):

@@ -9,8 +9,8 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.base import Camera
 from procc_annotator.errors import InputError
 from procc_annotator.field.model import Field
-from procc_annotator.field.stadiums import field_of_frame
-from procc_annotator.fit.determined import hardly_determined
+from procc_annotator.field.stadiums import field_for_frame
+from procc_annotator.fit.determined import ill_conditioned_reason
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.io.camera_files.fitted_on import annotation_digest
 from procc_annotator.session.dataset.workspace import Workspace
@@ -37,7 +37,7 @@ def anchor_camera(
     fit = fit_camera(annotation, field, model=model, size=size)
     if fit.camera is None:
         return None, fit.failure or ""
-    why = hardly_determined(fit)
+    why = ill_conditioned_reason(fit)
     return (None, why) if why else (fit.camera, "")
 
 
@@ -69,7 +69,7 @@ def anchors_of(
             continue  # told when that frame is opened
         if not annotation.annotated:
             continue
-        shown = field_of_frame(field, workspace.frames[index].name)
+        shown = field_for_frame(field, workspace.frames[index].name)
         camera, _ = anchor_camera(annotation, shown, size=size, model=model)
         if camera is not None:
             found[number] = ClickedAnchor(camera, annotation_digest(annotation))

@@ -8,16 +8,16 @@ from dataclasses import dataclass, replace
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.model import Field
-from procc_annotator.fit.pegged_on_paint import refine_pegged
-from procc_annotator.fit.pegs import Peg
-from procc_annotator.fit.predict.given_camera import given_camera
+from procc_annotator.fit.pegged_on_paint import align_with_control_points
+from procc_annotator.fit.pegs import ControlPoint
+from procc_annotator.fit.predict.given_camera import external_camera_fit
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.through_shot.track import TrackedFrame
 from procc_annotator.image.pixels import PixelArray
 
 
 @dataclass(frozen=True, eq=False)
-class Correction:
+class CameraCorrection:
     """A camera that was dragged; no part of any annotation.
 
     Attributes:
@@ -30,7 +30,7 @@ class Correction:
         why_not: why the camera is not on paint; empty where it is.
     """
 
-    pegs: tuple[Peg, ...]
+    pegs: tuple[ControlPoint, ...]
     fit: FitResult
     annotation: FrameAnnotation
     looked: bool = False
@@ -39,12 +39,12 @@ class Correction:
     why_not: str = ""
 
 
-def by_hand(
+def correct_camera(
     camera: PinholeCamera,
-    pegs: tuple[Peg, ...],
+    pegs: tuple[ControlPoint, ...],
     size: tuple[int, int],
     annotation: FrameAnnotation,
-) -> Correction:
+) -> CameraCorrection:
     """A camera that shows pegs where they are, before its lines were looked for.
 
     Args:
@@ -53,16 +53,16 @@ def by_hand(
         size: (width, height) px of the picture.
         annotation: of the frame.
     """
-    return Correction(pegs, given_camera(camera, size), annotation)
+    return CameraCorrection(pegs, external_camera_fit(camera, size), annotation)
 
 
-def on_paint(
-    correction: Correction,
+def align_to_lines(
+    correction: CameraCorrection,
     picture: PixelArray,
     field: Field,
     *,
     go_on: Callable[[], None] = lambda: None,
-) -> Correction:
+) -> CameraCorrection:
     """The same on the paint of its picture, where that agrees with the pegs; safe from any thread.
 
     Args:
@@ -74,7 +74,7 @@ def on_paint(
     go_on()
     camera = correction.fit.camera
     assert isinstance(camera, PinholeCamera)
-    found, why_not = refine_pegged(picture, field, camera, correction.pegs, go_on=go_on)
+    found, why_not = align_with_control_points(picture, field, camera, correction.pegs, go_on=go_on)
     if found is None:
         return replace(correction, looked=True, why_not=why_not)
     return replace(
@@ -86,7 +86,7 @@ def on_paint(
     )
 
 
-def as_anchor(correction: Correction, number: int) -> TrackedFrame:
+def as_anchor(correction: CameraCorrection, number: int) -> TrackedFrame:
     """A frame of a shot whose camera was corrected."""
     found = correction.coverage, correction.residual_px
     return TrackedFrame(number, "anchor", "", correction.fit, *found, 0)

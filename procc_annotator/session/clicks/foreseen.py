@@ -8,27 +8,27 @@ import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
-from procc_annotator.fit.predict.ghosts import MOST_SD_PX, find_ghosts
+from procc_annotator.fit.predict.ghosts import MAX_SD_PX, find_ghosts
 from procc_annotator.fit.result import FitResult
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.clicks.insight import Insight
+from procc_annotator.session.clicks.insight import FrameAnalysis
 
 _MOST_APART = 0.015  # of the width, in the middle of an element's points
 # Clicks agree with a camera within two standard deviations of the least certain ghost offered.
-_AGREES = 2 * MOST_SD_PX / 960
+_AGREES = 2 * MAX_SD_PX / 960
 _CONTRADICTED = "the clicks lie elsewhere than the proposed camera shows them"
 
 
-def foresee(
+def ghosts_without_clicks(
     annotation: FrameAnnotation,
     field: Field,
     fit: FitResult,
     not_visible: frozenset[str] = frozenset(),
-    fitted: Insight | None = None,
+    fitted: FrameAnalysis | None = None,
     *,
     go_on: Callable[[], None] = lambda: None,
-) -> Insight:
+) -> FrameAnalysis:
     """Find the ghosts of a camera; none of one that the clicks contradict. Safe from any thread.
 
     Args:
@@ -46,12 +46,12 @@ def foresee(
         if by_clicks is not None:
             return by_clicks
         none = FitResult(fit.model, fit.size, None, _CONTRADICTED)
-        return Insight(annotation, none, from_clicks=False)
+        return FrameAnalysis(annotation, none, from_clicks=False)
     go_on()
     ghosts = find_ghosts(annotation, field, fit, without=not_visible)
     if by_clicks is not None and len(ghosts) <= len(by_clicks.ghosts):
         return by_clicks
-    return Insight(annotation, fit, ghosts, from_clicks=False)
+    return FrameAnalysis(annotation, fit, ghosts, from_clicks=False)
 
 
 def contradicts(

@@ -13,13 +13,13 @@ from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.labels.check import check_labels
 from procc_annotator.fit.labels.finding import Finding
 from procc_annotator.fit.predict.ghosts import Ghost, find_ghosts
-from procc_annotator.fit.predict.sight import spots_in_sight, stretches_in_sight
-from procc_annotator.fit.predict.suggestion import Suggestion, suggest_next
+from procc_annotator.fit.predict.sight import visible_spots, visible_stretches
+from procc_annotator.fit.predict.suggestion import AnnotationSuggestion, suggest_annotations
 from procc_annotator.fit.result import FitResult
 
 
 @dataclass(frozen=True, eq=False)
-class Insight:
+class FrameAnalysis:
     """Everything that follows from one annotation of a frame.
 
     Attributes:
@@ -37,8 +37,8 @@ class Insight:
     fit: FitResult
     ghosts: tuple[Ghost, ...] = ()
     findings: tuple[Finding, ...] = ()
-    suggestions: tuple[Suggestion, ...] = ()
-    optional_in_sight: frozenset[str] = frozenset()
+    suggestions: tuple[AnnotationSuggestion, ...] = ()
+    visible_optional: frozenset[str] = frozenset()
     from_clicks: bool = True
 
     def out_of_sight(self, field: Field) -> frozenset[str]:
@@ -50,13 +50,13 @@ class Insight:
         if fit.camera is None or fit.covariance is None or fit.error_px is None:
             return frozenset()
         known = {p.class_name for p in (*annotation.polylines, *annotation.unconfirmed)}
-        known |= {suggestion.name for suggestion in self.suggestions} | self.optional_in_sight
+        known |= {suggestion.name for suggestion in self.suggestions} | self.visible_optional
         flat = isinstance(fit.camera, HomographyCamera)
         shown = (e.name for e in field.elements if not flat or e.on_ground)
         return frozenset(shown) - known
 
 
-def gain_insight(
+def analyse_frame(
     annotation: FrameAnnotation,
     field: Field,
     *,
@@ -65,7 +65,7 @@ def gain_insight(
     start: Camera | None = None,
     not_visible: frozenset[str] = frozenset(),
     go_on: Callable[[], None] = lambda: None,
-) -> Insight:
+) -> FrameAnalysis:
     """Fit a camera to an annotation and see what follows; safe from any thread.
 
     Args:
@@ -81,17 +81,17 @@ def gain_insight(
     fit = fit_camera(annotation, field, model=model, size=size, start=start)
     go_on()
     ghosts = find_ghosts(annotation, field, fit, without=not_visible)
-    suggestions = suggest_next(annotation, field, fit, without=not_visible)
+    suggestions = suggest_annotations(annotation, field, fit, without=not_visible)
     go_on()
     findings = check_labels(annotation, field, size=size, fit=fit, go_on=go_on)
     optional = _optional_in_sight(field, fit)
-    return Insight(annotation, fit, ghosts, findings, suggestions, optional)
+    return FrameAnalysis(annotation, fit, ghosts, findings, suggestions, optional)
 
 
 def _optional_in_sight(field: Field, fit: FitResult) -> frozenset[str]:
     if fit.camera is None:
         return frozenset()
     needed = {e.name for e in field.elements if not e.optional}
-    stretches = stretches_in_sight(field, fit.camera, fit.size, needed)
-    spots = spots_in_sight(field, fit.camera, fit.size, needed)
+    stretches = visible_stretches(field, fit.camera, fit.size, needed)
+    spots = visible_spots(field, fit.camera, fit.size, needed)
     return frozenset(spots).union(stretch.name for stretch in stretches)

@@ -19,14 +19,14 @@ from typing import TypeVar
 
 from procc_annotator.errors import InputError
 from procc_annotator.session.database import rows
-from procc_annotator.session.database.dataset_mark import mark_of
-from procc_annotator.session.database.file import Opened, data_version
-from procc_annotator.session.database.memory import Memory
+from procc_annotator.session.database.dataset_mark import fingerprint_of
+from procc_annotator.session.database.file import OpenedDatabase, data_version
+from procc_annotator.session.database.memory import MetadataCache
 from procc_annotator.session.database.places import (
     database_path,
     folder_of,
-    keep_elsewhere,
-    open_somewhere,
+    save_to_fallback,
+    open_or_fallback,
 )
 from procc_annotator.session.database.rows import Snapshot, Write
 from procc_annotator.session.database.tables import DamagedError, Row, stored
@@ -59,12 +59,12 @@ T = TypeVar("T")
 
 # How long the annotator may wait for something to be read: at most, and once it is known that the
 # database cannot be reached.
-_PATIENCE_S = 2.0
-_NO_PATIENCE_S = 0.1
+_TIMEOUT_S = 2.0
+_NO_WAIT_S = 0.1
 
 
 @dataclass(frozen=True)
-class _Look:
+class _ExternalChanges:
     """What other processes made of the database, valid if nothing was changed here meanwhile."""
 
     changes: int
@@ -73,7 +73,7 @@ class _Look:
     snapshot: Snapshot
 
 
-class WorkspaceDatabase(Memory):
+class WorkspaceDatabase(MetadataCache):
     """What is known of a dataset's frames: what is kept in memory, origins and versions.
 
     Belongs to one thread (any may use `record`, `records`, `read_origins`, `add_version`,
@@ -89,7 +89,7 @@ class WorkspaceDatabase(Memory):
         dataset: Path,
         path: Path | None,
         author: str,
-        opened: Opened,
+        opened: OpenedDatabase,
         notices: tuple[str, ...],
     ) -> None:
         super().__init__(path, opened, author, notices)
@@ -97,7 +97,7 @@ class WorkspaceDatabase(Memory):
         self._origins: dict[str, dict[PointKey, Origin]] = {}  # all of a frame's
         self._foreseen: dict[str, Future[dict[PointKey, Origin]]] = {}  # asked for early
         self._put: dict[str, dict[PointKey, Origin]] = {}  # those of this session
-        self._looking: Future[_Look | None] | None = None
+        self._looking: Future[_ExternalChanges | None] | None = None
         self._others_settings: set[str] = set()  # taken over, and not asked for yet
         self._look_again = False
         self._kept_elsewhere = False
@@ -107,7 +107,7 @@ class WorkspaceDatabase(Memory):
             opened.data_version,
         )
         # By the writer's thread: it takes a while on a network folder, and is needed at the end.
-        self._mark = self._writer.submit(lambda _: mark_of(folder_of(dataset)))
+        self._mark = self._writer.submit(lambda _: fingerprint_of(folder_of(dataset)))
 
     @classmethod
     def open(cls, dataset: Path, author: str) -> WorkspaceDatabase:
@@ -119,7 +119,7 @@ class WorkspaceDatabase(Memory):
             dataset: its folder (or a picture in it).
             author: see `default_author`.
         """
-        path, opened, notices = open_somewhere(dataset)
+        path, opened, notices = open_or_fallback(dataset)
         return cls(dataset, path, author, opened, notices)
 
     @property
@@ -161,7 +161,7 @@ class WorkspaceDatabase(Memory):
         # Looked at last: what is put there meanwhile may be missing from what was read.
         return read | self._put.get(frame, {})
 
-    def foresee_origins(self, frames: Iterable[str]) -> None:
+    def prefetch_origins(self, frames: Iterable[str]) -> None:
         """Begin to read what `origins` will be asked for soon; never waits.
 
         An answer waits for all that is queued before it, up to the disk.
@@ -257,7 +257,7 @@ class WorkspaceDatabase(Memory):
         changed, self._others_settings = frozenset(self._others_settings), set()
         return changed
 
-    def reload(self, timeout: float = _PATIENCE_S) -> frozenset[str]:
+    def reload(self, timeout: float = _TIMEOUT_S) -> frozenset[str]:
         """Like `poll`, but wait for the look (at most ``timeout`` s)."""
         changed: frozenset[str] = frozenset()
         begun, self._looking = self._looking, None
@@ -272,7 +272,7 @@ class WorkspaceDatabase(Memory):
             changed |= self._take(looking)[0]
         return changed
 
-    def flush(self, timeout: float = _PATIENCE_S) -> bool:
+    def flush(self, timeout: float = _TIMEOUT_S) -> bool:
         """Write what is queued; whether all of it is written now."""
         return self._writer.flush(timeout)
 
@@ -288,7 +288,7 @@ class WorkspaceDatabase(Memory):
             return self._kept_elsewhere
         known = self._mark.done() and self._mark.exception() is None
         writes = [w.packed() for w in self._writer.pending()]
-        kept = keep_elsewhere(self._dataset, writes, self._mark.result() if known else {})
+        kept = save_to_fallback(self._dataset, writes, self._mark.result() if known else {})
         self._kept_elsewhere = kept not in (None, self.path)
         if self._kept_elsewhere:
             self._notify((f"{self.path}: the latest changes are kept in {kept} until it is back",))
@@ -306,7 +306,7 @@ class WorkspaceDatabase(Memory):
 
     def _answer(self, future: Future[T]) -> T:
         try:
-            return future.result(_NO_PATIENCE_S if self.problem else _PATIENCE_S)
+            return future.result(_NO_WAIT_S if self.problem else _TIMEOUT_S)
         except TimeoutError as error:
             future.cancel()
             raise UnavailableError("it does not answer") from error
@@ -315,7 +315,7 @@ class WorkspaceDatabase(Memory):
         writes = (w.packed() for w in self._writer.pending() if w.sql == rows.ADD_VERSION)
         return [row for write in writes for row in write.rows]
 
-    def _take(self, looking: Future[_Look | None]) -> tuple[frozenset[str], bool]:
+    def _take(self, looking: Future[_ExternalChanges | None]) -> tuple[frozenset[str], bool]:
         """The frames that changed; and whether nothing was taken over, as it was outdated."""
         if looking.exception() is not None:  # it is named in `problem`, and looked again
             return frozenset(), False
@@ -334,7 +334,7 @@ class WorkspaceDatabase(Memory):
 
     # What follows is called by the writer's thread.
 
-    def _look(self, connection: sqlite3.Connection) -> _Look | None:
+    def _look(self, connection: sqlite3.Connection) -> _ExternalChanges | None:
         version = data_version(connection)
         if self._seen == (connection, version) and not self._look_again:
             return None
@@ -346,4 +346,4 @@ class WorkspaceDatabase(Memory):
         snapshot = rows.load(connection)
         self._seen = (connection, version)
         differences = self._differences(snapshot)
-        return _Look(changes, differences, self._settings_changed(snapshot), snapshot)
+        return _ExternalChanges(changes, differences, self._settings_changed(snapshot), snapshot)

@@ -20,7 +20,7 @@ from procc_annotator.io.folders import walk
 from procc_annotator.io.source import read_file
 from procc_annotator.regular_file import open_regular
 
-Mark = dict[
+Fingerprint = dict[
     str, str
 ]  # path of a picture below the folder, with slashes -> its size and a checksum of some of it
 
@@ -31,14 +31,14 @@ _FOLDERS = 8  # of a tree, whose pictures are chosen from
 _FOLDERS_LOOKED_INTO = 200  # until those are found
 
 
-def mark_of(folder: Path) -> Mark:
+def fingerprint_of(folder: Path) -> Fingerprint:
     """The mark of a dataset's folder; empty if it holds no pictures or videos, or is out of reach.
 
     Chosen by their names alone, so that pictures that come or go change little of it.
     """
     names = _pictures(folder)
     chosen = heapq.nsmallest(_PICTURES, names, key=lambda n: (zlib.crc32(os.fsencode(n)), n))
-    looks = ((name, _look(folder / name)) for name in chosen)
+    looks = ((name, _file_signature(folder / name)) for name in chosen)
     return {name: look for name, look in looks if look}
 
 
@@ -61,18 +61,18 @@ def _suffix(name: str) -> str:
     return os.path.splitext(name)[1].lower()
 
 
-def belongs_to(mark: Mark, folder: Path) -> bool:
+def matches_folder(mark: Fingerprint, folder: Path) -> bool:
     """Whether at least half of a mark's pictures are there as they were; an empty mark fits every
     folder."""
-    return 2 * sum(_look(folder / name) == look for name, look in mark.items()) >= len(mark)
+    return 2 * sum(_file_signature(folder / name) == look for name, look in mark.items()) >= len(mark)
 
 
-def alike(mark: Mark, other: Mark) -> bool:
+def fingerprints_match(mark: Fingerprint, other: Fingerprint) -> bool:
     """Whether at least half of a mark's pictures are in another mark too."""
     return 2 * sum(other.get(name) == look for name, look in mark.items()) >= len(mark)
 
 
-def read_mark(file: Path) -> Mark:
+def read_fingerprint(file: Path) -> Fingerprint:
     """A mark as it was written; empty if there is none that can be read."""
     try:
         entries = json.loads(read_file(file))
@@ -83,13 +83,13 @@ def read_mark(file: Path) -> Mark:
     return {name: look for name, look in entries.items() if isinstance(look, str)}
 
 
-def write_mark(file: Path, mark: Mark) -> None:
+def write_fingerprint(file: Path, mark: Fingerprint) -> None:
     """Keep a mark; without one, everything fits."""
     with suppress(SaveError):
         write_atomic(file, json.dumps(mark).encode())
 
 
-def _look(path: Path) -> str:
+def _file_signature(path: Path) -> str:
     """Empty for what cannot be read. Uncompressed pictures all have one size, hence the content."""
     try:
         with open_regular(path) as file:

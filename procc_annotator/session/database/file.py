@@ -18,7 +18,7 @@ from procc_annotator.session.database.recovery import (
 )
 from procc_annotator.session.database.rows import Snapshot, load
 from procc_annotator.session.database.tables import APPLICATION_ID, MIGRATIONS, DamagedError
-from procc_annotator.words import count_of
+from procc_annotator.words import count_words
 
 FOLDER = ".procc"
 FILE = "workspace.db"
@@ -64,7 +64,7 @@ FAILURES = (sqlite3.Error, OSError, DamagedError, NewerError, UnicodeDecodeError
 
 
 @dataclass(frozen=True)
-class Opened:
+class OpenedDatabase:
     """A database that can be used, with what it says.
 
     Attributes:
@@ -134,7 +134,7 @@ def connect(path: Path | None) -> sqlite3.Connection:
 
 def open_database(
     path: Path | None, condemned: tuple[Identity | None, Exception] | None = None
-) -> Opened:
+) -> OpenedDatabase:
     """Open a database or begin one; what is none is set aside first.
 
     A new one in the place of one that was lost begins with what can be read of the backup, and then
@@ -151,7 +151,7 @@ def open_database(
         return _open(path)
     require_folder(path)
     asides: list[Path] = []
-    lost = loss_of(path)
+    lost = loss_message(path)
     for _ in range(3):  # another process may put a damaged one in the place of a damaged one
         identity = identity_of(path)
         if condemned is None:
@@ -169,7 +169,7 @@ def open_database(
     raise OSError("it is damaged again and again")
 
 
-def loss_of(path: Path) -> str:
+def loss_message(path: Path) -> str:
     """How a database is lost whose place shows that there was one; empty if it is there.
 
     A file without content is one: SQLite writes none, but for an instant when it begins one.
@@ -182,7 +182,7 @@ def loss_of(path: Path) -> str:
     return "is missing" if backup_path(path).exists() or others else ""
 
 
-def _restored(opened: Opened, path: Path, asides: list[Path], lost: str) -> Opened:
+def _restored(opened: OpenedDatabase, path: Path, asides: list[Path], lost: str) -> OpenedDatabase:
     """Fill a database begun anew in the place of a lost one, and say what it holds."""
     if not asides and not (lost and opened.fresh):
         return opened
@@ -201,8 +201,8 @@ def _restored(opened: Opened, path: Path, asides: list[Path], lost: str) -> Open
     comments = sum(map(len, known.comments.values()))
     (versions,) = opened.connection.execute("SELECT count(*) FROM version").fetchone()
     notice = f"{path}: {lost}; " + (
-        f"restored from {' and '.join(origins)}: {count_of(len(known.records), 'frame')} with a"
-        f" status or comment, {count_of(comments, 'comment')}, {count_of(versions, 'version')};"
+        f"restored from {' and '.join(origins)}: {count_words(len(known.records), 'frame')} with a"
+        f" status or comment, {count_words(comments, 'comment')}, {count_words(versions, 'version')};"
         " anything else is lost"
         if origins
         else "it has no backup: statuses, comments and versions that were in it are lost"
@@ -210,7 +210,7 @@ def _restored(opened: Opened, path: Path, asides: list[Path], lost: str) -> Open
     return replace(opened, notices=(notice,))
 
 
-def reread(opened: Opened) -> Opened:
+def reread(opened: OpenedDatabase) -> OpenedDatabase:
     """The same after something was written into it.
 
     Raises:
@@ -220,7 +220,7 @@ def reread(opened: Opened) -> Opened:
     return replace(opened, data_version=version, snapshot=load(opened.connection))
 
 
-def _open(path: Path | None) -> Opened:
+def _open(path: Path | None) -> OpenedDatabase:
     connection = connect(path)
     with ExitStack() as failed:
         failed.callback(connection.close)
@@ -234,7 +234,7 @@ def _open(path: Path | None) -> Opened:
         version = data_version(connection)
         snapshot = load(connection)
         failed.pop_all()
-    return Opened(connection, identity_of(path), fresh, version, snapshot)
+    return OpenedDatabase(connection, identity_of(path), fresh, version, snapshot)
 
 
 def _check_writable(connection: sqlite3.Connection) -> None:
@@ -323,7 +323,7 @@ def reason_of(error: Exception) -> str:
     return " ".join((getattr(error, "strerror", None) or str(error)).split())
 
 
-def free_name_beside(path: Path, why: str) -> Path:
+def free_sibling_name(path: Path, why: str) -> Path:
     """A name beside a file that is not taken yet."""
     number = 1
     while (free := path.with_name(f"{path.name}.{why}-{number}")).exists():
@@ -343,7 +343,7 @@ def set_aside(path: Path, identity: Identity | None) -> Path | None:
     """
     if identity_of(path) != identity:
         return None
-    aside = free_name_beside(path, "damaged")
+    aside = free_sibling_name(path, "damaged")
     _move(path, aside)
     journal = path.with_name(f"{path.name}-journal")
     if journal.exists():

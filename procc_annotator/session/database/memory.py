@@ -15,11 +15,11 @@ from types import MappingProxyType
 from typing import TypeVar
 
 from procc_annotator.session.database import rows
-from procc_annotator.session.database.file import Opened
+from procc_annotator.session.database.file import OpenedDatabase
 from procc_annotator.session.database.rows import SETTING_KEY, Snapshot, Write, write
 from procc_annotator.session.database.writer import DatabaseWriter
 from procc_annotator.session.facts.origins import Comment, FrameRecord, NotVisible, Status
-from procc_annotator.session.facts.verdict import Fault, Verdict, place_by_name
+from procc_annotator.session.facts.verdict import FaultParty, Verdict, place_by_name
 
 T = TypeVar("T")
 
@@ -27,7 +27,7 @@ _UNTOUCHED = FrameRecord()
 _BY_FRAME = ("records", "comments", "drafts", "verdicts", "not_visible")
 
 
-class Memory:
+class MetadataCache:
     """Statuses, comments, verdicts, elements not visible, drafts and settings.
 
     Belongs to one thread, but for `record`, `records`, ``problem`` and what the writer's thread
@@ -39,7 +39,7 @@ class Memory:
     """
 
     def __init__(
-        self, path: Path | None, opened: Opened, author: str, notices: tuple[str, ...]
+        self, path: Path | None, opened: OpenedDatabase, author: str, notices: tuple[str, ...]
     ) -> None:
         self.path = path
         self.author = author
@@ -123,7 +123,7 @@ class Memory:
         return "\n".join(remark.text for remark in self.comments(frame))
 
     def set_verdict(
-        self, frame: str, source: str, fault: Fault | None, comment: str = "", *, place: str = ""
+        self, frame: str, source: str, fault: FaultParty | None, comment: str = "", *, place: str = ""
     ) -> Verdict | None:
         """Say whose fault a frame's score is under a camera source; None takes it back.
 
@@ -133,7 +133,7 @@ class Memory:
         """
         known_as = place_by_name(source)
         found = Verdict(
-            frame, source, place or known_as, fault or Fault.FINE, self.author, time.time(), comment
+            frame, source, place or known_as, fault or FaultParty.FINE, self.author, time.time(), comment
         )
         self._put_verdict(found, withdrawn=fault is None)
         if place and (older := self.verdicts(frame).get(known_as)) is not None:
@@ -162,7 +162,7 @@ class Memory:
         self._keep_verdict(verdict, withdrawn=withdrawn)
 
     def _keep_verdict(self, verdict: Verdict, *, withdrawn: bool) -> None:
-        _keep_beside(
+        _with_value(
             self._known.verdicts, verdict.frame, verdict.place, None if withdrawn else verdict
         )
 
@@ -176,21 +176,21 @@ class Memory:
 
     def not_visible(self, frame: str) -> frozenset[str]:
         """The classes of the elements that somebody said cannot be seen in a frame."""
-        return frozenset(self.marks_not_visible(frame))
+        return frozenset(self.is_marked_not_visible(frame))
 
-    def marks_not_visible(self, frame: str) -> Mapping[str, NotVisible]:
+    def is_marked_not_visible(self, frame: str) -> Mapping[str, NotVisible]:
         """Who said so, and when, by class."""
         return MappingProxyType(self._known.not_visible.get(frame, {}))
 
     def set_not_visible(self, frame: str, class_name: str, hidden: bool) -> None:
         """Say that an element cannot be seen in a frame, or take it back."""
-        if (class_name in self.marks_not_visible(frame)) == hidden:
+        if (class_name in self.is_marked_not_visible(frame)) == hidden:
             return
         mark = NotVisible(frame, class_name, self.author, time.time())
         self._put_write(
             write(rows.SET_NOT_VISIBLE, frame, class_name, int(hidden), self.author, mark.time)
         )
-        _keep_beside(self._known.not_visible, frame, class_name, mark if hidden else None)
+        _with_value(self._known.not_visible, frame, class_name, mark if hidden else None)
 
     def set_draft(self, frame: str, data: bytes | None) -> None:
         """Keep what is unfinished in a frame, or forget it (None, or nothing in it)."""
@@ -274,7 +274,7 @@ class Memory:
         return frozenset(k.removeprefix(SETTING_KEY) for k in keys if k.startswith(SETTING_KEY))
 
 
-def _keep_beside(kept: dict[str, dict[str, T]], frame: str, key: str, value: T | None) -> None:
+def _with_value(kept: dict[str, dict[str, T]], frame: str, key: str, value: T | None) -> None:
     """Replace (or with None forget) one of a frame's values; its others stay. Each change makes new
     values of the frame, for another thread may read the old ones."""
     others = {name: other for name, other in kept.get(frame, {}).items() if name != key}

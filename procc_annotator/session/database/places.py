@@ -15,22 +15,22 @@ from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.io.user_folders import data_folder
 from procc_annotator.regular_file import open_regular
 from procc_annotator.session.database.dataset_mark import (
-    Mark,
-    alike,
-    belongs_to,
-    mark_of,
-    read_mark,
-    write_mark,
+    Fingerprint,
+    fingerprints_match,
+    matches_folder,
+    fingerprint_of,
+    read_fingerprint,
+    write_fingerprint,
 )
 from procc_annotator.session.database.file import (
     FAILURES,
     FILE,
     FOLDER,
-    Opened,
-    free_name_beside,
+    OpenedDatabase,
+    free_sibling_name,
     is_damage,
     lies_outside,
-    loss_of,
+    loss_message,
     open_database,
     reason_of,
     reread,
@@ -59,7 +59,7 @@ def database_path(dataset: Path) -> Path:
     return folder_of(dataset) / FOLDER / FILE
 
 
-def own_path(dataset: Path) -> Path | None:
+def user_fallback_path(dataset: Path) -> Path | None:
     """Where it is kept for a dataset that cannot be written: the user's data folder.
 
     Returns:
@@ -74,14 +74,14 @@ def own_path(dataset: Path) -> Path | None:
     return base / "procc-annotator" / f"{name}-{mark}" / FILE
 
 
-def kept_elsewhere(dataset: Path) -> Path | None:
+def fallback_path_of(dataset: Path) -> Path | None:
     """The file in the user's data folder that holds what is known of this dataset, if one does."""
     folder = folder_of(dataset)
-    own = _own_file(dataset, lambda mark: belongs_to(mark, folder))
+    own = _fallback_file(dataset, lambda mark: matches_folder(mark, folder))
     return own if own is not None and own.exists() else None
 
 
-def open_somewhere(dataset: Path) -> tuple[Path | None, Opened, tuple[str, ...]]:
+def open_or_fallback(dataset: Path) -> tuple[Path | None, OpenedDatabase, tuple[str, ...]]:
     """Open a dataset's database where it belongs, else the user's own, else one in memory.
 
     What was kept in the user's data folder while the dataset was out of reach is taken over.
@@ -91,7 +91,7 @@ def open_somewhere(dataset: Path) -> tuple[Path | None, Opened, tuple[str, ...]]
     """
     notices: list[str] = []
     path, folder = database_path(dataset), folder_of(dataset)
-    own = _own_file(dataset, lambda mark: belongs_to(mark, folder))
+    own = _fallback_file(dataset, lambda mark: matches_folder(mark, folder))
     try:
         opened = open_database(path)
     except FAILURES as error:
@@ -107,7 +107,7 @@ def open_somewhere(dataset: Path) -> tuple[Path | None, Opened, tuple[str, ...]]
             notices.append(f"{own}: cannot be used ({reason_of(error)})")
         else:
             notices[-1] += f"; statuses and comments are kept in {own}"
-            write_mark(_mark_path(own), mark_of(folder))
+            write_fingerprint(_mark_path(own), fingerprint_of(folder))
             if (
                 opened.fresh and path.exists() and not lies_outside(path)
             ):  # it can be read, at least
@@ -153,9 +153,9 @@ def _read_only(dataset: Path, columns: str, rest: str) -> tuple[dict[str, Any], 
     """Rows of a text and a value, none if there is no workspace; and a notice if they come from the
     backup, or if that is missing too."""
     path = database_path(dataset)
-    lost = "" if lies_outside(path) else loss_of(path)
+    lost = "" if lies_outside(path) else loss_message(path)
     if not lost and (not path.exists() or lies_outside(path)):
-        found = kept_elsewhere(dataset)
+        found = fallback_path_of(dataset)
         if found is None:
             return {}, ""
         path = found
@@ -186,7 +186,7 @@ def _mark_path(own: Path) -> Path:
     return own.with_name(f"{own.name}.json")
 
 
-def _own_file(dataset: Path, known: Callable[[Mark], bool]) -> Path | None:
+def _fallback_file(dataset: Path, known: Callable[[Fingerprint], bool]) -> Path | None:
     """The file in the user's data folder that was kept for this dataset, or a new one.
 
     Another dataset at the same path (drives are mounted where others were) has a file of its own,
@@ -196,18 +196,18 @@ def _own_file(dataset: Path, known: Callable[[Mark], bool]) -> Path | None:
         dataset: decides the folder.
         known: whether a file's mark is this dataset's.
     """
-    first = own_path(dataset)
+    first = user_fallback_path(dataset)
     if first is None:
         return None
     files = [first, *(first.with_name(f"workspace-{n}.db") for n in range(2, _MOST_DATASETS))]
-    kept = next((f for f in files if f.exists() and known(read_mark(_mark_path(f)))), None)
+    kept = next((f for f in files if f.exists() and known(read_fingerprint(_mark_path(f)))), None)
     return kept or next((f for f in files if not f.exists()), None)
 
 
-def _take_over(own: Path, opened: Opened) -> tuple[Opened, tuple[str, ...]]:
+def _take_over(own: Path, opened: OpenedDatabase) -> tuple[OpenedDatabase, tuple[str, ...]]:
     try:
         copy_readable_file(own, opened.connection)
-        done = free_name_beside(own, "taken-over")
+        done = free_sibling_name(own, "taken-over")
         os.replace(own, done)
         backup_path(own).unlink(missing_ok=True)  # or it would be restored, and taken over again
         return reread(opened), (f"what was kept in {own} meanwhile is taken over from there",)
@@ -215,7 +215,7 @@ def _take_over(own: Path, opened: Opened) -> tuple[Opened, tuple[str, ...]]:
         return opened, (f"{own}: cannot be taken over ({reason_of(error)})",)
 
 
-def keep_elsewhere(dataset: Path, writes: Iterable[Write], mark: Mark) -> Path | None:
+def save_to_fallback(dataset: Path, writes: Iterable[Write], mark: Fingerprint) -> Path | None:
     """Leave what could not be written for the next time the dataset is opened.
 
     Args:
@@ -226,11 +226,11 @@ def keep_elsewhere(dataset: Path, writes: Iterable[Write], mark: Mark) -> Path |
     Returns:
         The file it is in; None when that failed, too.
     """
-    own = _own_file(dataset, lambda known: alike(known, mark))
+    own = _fallback_file(dataset, lambda known: fingerprints_match(known, mark))
     if own is None:
         return None
     with suppress(*FAILURES), closing(open_database(own).connection) as connection:
         write_all(connection, writes)
-        write_mark(_mark_path(own), mark)
+        write_fingerprint(_mark_path(own), mark)
         return own
     return None

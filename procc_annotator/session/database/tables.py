@@ -12,7 +12,7 @@ from enum import StrEnum
 from typing import Any
 
 from procc_annotator.session.facts.origins import OriginKind, Status
-from procc_annotator.session.facts.verdict import Fault
+from procc_annotator.session.facts.verdict import FaultParty
 
 APPLICATION_ID = 0x50724343  # "PrCC"
 
@@ -141,7 +141,7 @@ _COLUMNS: dict[str, Callable[[Value], object]] = {
     "committed": lambda value: value is not None and bool(as_number(value)),
     "value": lambda value: None if value is None else as_text(value),
     "kind": _one_of(OriginKind),
-    "fault": _one_of(Fault, ""),
+    "fault": _one_of(FaultParty, ""),
     **dict.fromkeys(("resolved", "hidden"), lambda value: bool(as_number(value))),
     **dict.fromkeys(("seconds", "u", "v", "time"), as_number),
     **dict.fromkeys(("data", "digest"), as_bytes),

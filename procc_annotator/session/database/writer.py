@@ -18,7 +18,7 @@ from typing import TypeVar
 from procc_annotator.session.database.file import (
     FAILURES,
     Identity,
-    Opened,
+    OpenedDatabase,
     identity_of,
     is_damage,
     open_database,
@@ -34,7 +34,7 @@ from procc_annotator.session.database.rows import Write
 
 T = TypeVar("T")
 
-RETRY_S = 3.0
+RETRY_DELAY_S = 3.0
 _WATCH_S = 1.0  # how often it looks whether the program has ended without closing
 
 _KEEPS_CONNECTION = {sqlite3.SQLITE_BUSY, sqlite3.SQLITE_LOCKED, sqlite3.SQLITE_FULL}
@@ -64,7 +64,7 @@ class DatabaseWriter:
     def __init__(
         self,
         path: Path | None,
-        opened: Opened,
+        opened: OpenedDatabase,
         notify: Callable[[tuple[str, ...]], None],
     ) -> None:
         self.problem = ""
@@ -149,7 +149,7 @@ class DatabaseWriter:
     def _round(self) -> bool:
         with self._changed:
             trouble = bool(self.problem)
-            woken = self._changed.wait_for(self._has_work, RETRY_S if trouble else _WATCH_S)
+            woken = self._changed.wait_for(self._has_work, RETRY_DELAY_S if trouble else _WATCH_S)
             last = self._closing or not threading.main_thread().is_alive()
             self._closing = last
             asked = self._asked

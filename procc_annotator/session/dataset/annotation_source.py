@@ -11,22 +11,22 @@ from typing import Self
 
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.io.annotation_files.annotation_formats import PLAIN, told_formats
+from procc_annotator.io.annotation_files.annotation_formats import PLAIN, detect_formats
 from procc_annotator.io.annotation_files.exchange import ExchangedFrame
 from procc_annotator.io.annotation_files.label_map import LABELS_FILE, LabelMap, read_label_map
 from procc_annotator.io.annotation_files.read_set import ReadSet, read_set
 from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation
 from procc_annotator.io.source import FileSource, FolderSource, open_source
 from procc_annotator.session.dataset.dataset_folder import folder_of_dataset
-from procc_annotator.session.dataset.fit_sizes import told_size
+from procc_annotator.session.dataset.fit_sizes import size_in_annotation
 from procc_annotator.session.dataset.picture_sizes import (
     PictureSizes,
     picture_folders,
     picture_tree,
 )
 from procc_annotator.session.dataset.picture_tree import find_pictures
-from procc_annotator.session.dataset.what_lies_there import refuse_other_things
-from procc_annotator.words import count_of
+from procc_annotator.session.dataset.what_lies_there import refuse_other_content
+from procc_annotator.words import count_words
 
 _SUFFIX = ".json"
 
@@ -55,7 +55,7 @@ def open_annotations(
     place = path if base is None else base / path
     names = names or own_label_map(place, field)
     try:
-        told = [known.name for known in told_formats(source)]
+        told = [known.name for known in detect_formats(source)]
         if not told or (PLAIN in told and names is None):
             return source
         found = _read(source, place, field, names)
@@ -93,7 +93,7 @@ def read_labels(path: Path, field: Field) -> ReadSet:
         UsageError, InputError: as of `open_annotations`.
     """
     with open_source(path) as source:
-        refuse_other_things(source)
+        refuse_other_content(source)
         return _read(source, path, field, None)
 
 
@@ -143,7 +143,7 @@ class ReadSource:
         labels: LabelMap | None,
         opening: Callable[..., FileSource],
     ) -> None:
-        count = count_of(len(found.frames), "annotated frame")
+        count = count_words(len(found.frames), "annotated frame")
         by = f", names by {labels.path}" if labels is not None else ""
         self.path = path
         self.notices = (f"{path}: read as {found.title}, {count}{by}", *found.losses)
@@ -191,7 +191,7 @@ class ReadSource:
 def _written(frame: ExchangedFrame) -> bytes:
     annotation = frame.annotation
     # The size of the picture comes along as annotation files tell it, beside their classes.
-    if frame.size is not None and annotation.polylines and told_size(annotation) is None:
+    if frame.size is not None and annotation.polylines and size_in_annotation(annotation) is None:
         width, height = frame.size
         told = (*annotation.extra, ("image_width", width), ("image_height", height))
         annotation = replace(annotation, extra=told)

@@ -13,8 +13,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from procc_annotator.errors import FieldError, InputError, UsageError
-from procc_annotator.field.load import is_shipped, load_field, resized, with_lines
-from procc_annotator.field.model import LINES, Field
+from procc_annotator.field.load import is_builtin_field, load_field, with_dimensions, with_lines
+from procc_annotator.field.model import LINE_POSITIONS, Field
 from procc_annotator.session.database.places import read_settings
 from procc_annotator.session.dataset.dataset_folder import FIELD_FILE, folder_of_dataset
 from procc_annotator.session.dataset.stadiums_file import field_with_stadiums
@@ -26,7 +26,7 @@ DIMENSIONS_SETTING = "field_dimensions"
 
 
 @dataclass(frozen=True)
-class KeptDimensions:
+class StoredDimensions:
     """What a workspace keeps of its field.
 
     Attributes:
@@ -38,38 +38,38 @@ class KeptDimensions:
     problem: str = ""
 
 
-def kept_dimensions(database: WorkspaceDatabase, field: Field) -> KeptDimensions:
+def stored_dimensions(database: WorkspaceDatabase, field: Field) -> StoredDimensions:
     """The dimensions that a dataset was given.
 
     Args:
         database: of its workspace.
         field: the one that is annotated; what was kept for another field is none.
     """
-    return kept_dimensions_of(database.settings(), field)
+    return dimensions_in_settings(database.settings(), field)
 
 
-def kept_dimensions_of(settings: Mapping[str, str], field: Field) -> KeptDimensions:
+def dimensions_in_settings(settings: Mapping[str, str], field: Field) -> StoredDimensions:
     """The same from the settings of a workspace, by key."""
     text = settings.get(DIMENSIONS_SETTING)
     if text is None:
-        return KeptDimensions({})
+        return StoredDimensions({})
     try:
         kept = json.loads(text)
         name, values = kept["field"], {str(k): float(v) for k, v in kept["dimensions"].items()}
     except (ValueError, TypeError, KeyError, AttributeError) as error:
         said = f"the dimensions of the field kept with the dataset cannot be read: {error!r}"
-        return KeptDimensions({}, said)
+        return StoredDimensions({}, said)
     if name != field.name:
-        return KeptDimensions({})
+        return StoredDimensions({})
     try:
-        resized(field, values)
+        with_dimensions(field, values)
     except FieldError as error:
         said = f"the dimensions of the field kept with the dataset are not used: {error}"
-        return KeptDimensions({}, said)
-    return KeptDimensions(values)
+        return StoredDimensions({}, said)
+    return StoredDimensions(values)
 
 
-def keep_dimensions(database: WorkspaceDatabase, field: Field) -> None:
+def store_dimensions(database: WorkspaceDatabase, field: Field) -> None:
     """Let a dataset have the dimensions of this field; nominal ones are kept as nothing."""
     own = {d.name: d.value for d in field.dimensions if d.value != d.nominal}
     text = json.dumps({"field": field.name, "dimensions": own}) if own else None
@@ -91,9 +91,9 @@ def add_dimensions(database: WorkspaceDatabase, field: Field, found: Mapping[str
         FieldError: together they are no field.
     """
     asked_for = {d.name: d.value for d in field.dimensions if d.value != d.nominal}
-    before = kept_dimensions(database, field).values
-    sized = resized(field, {**before, **asked_for, **found})
-    keep_dimensions(database, sized)
+    before = stored_dimensions(database, field).values
+    sized = with_dimensions(field, {**before, **asked_for, **found})
+    store_dimensions(database, sized)
     return sized
 
 
@@ -101,7 +101,7 @@ LINES_SETTING = "field_lines"
 
 
 @dataclass(frozen=True)
-class KeptLines:
+class StoredLines:
     """What a workspace keeps of them.
 
     Attributes:
@@ -113,7 +113,7 @@ class KeptLines:
     problem: str = ""
 
 
-def kept_lines_of(settings: Mapping[str, str], field: Field) -> KeptLines:
+def lines_in_settings(settings: Mapping[str, str], field: Field) -> StoredLines:
     """Where a dataset's clicks lie on the lines.
 
     Args:
@@ -122,19 +122,19 @@ def kept_lines_of(settings: Mapping[str, str], field: Field) -> KeptLines:
     """
     text = settings.get(LINES_SETTING)
     if text is None:
-        return KeptLines()
+        return StoredLines()
     try:
         kept = json.loads(text)
         name, lines = kept["field"], kept["lines"]
-        if lines not in LINES:
+        if lines not in LINE_POSITIONS:
             raise ValueError(lines)
     except (ValueError, TypeError, KeyError) as error:
         said = f"where the lines of the field lie, kept with the dataset, cannot be read: {error!r}"
-        return KeptLines(problem=said)
-    return KeptLines(lines) if name == field.name else KeptLines()
+        return StoredLines(problem=said)
+    return StoredLines(lines) if name == field.name else StoredLines()
 
 
-def keep_lines(database: WorkspaceDatabase, field: Field) -> None:
+def store_lines(database: WorkspaceDatabase, field: Field) -> None:
     """Let a dataset have its lines where this field has them; as its file has them is nothing."""
     own = {"field": field.name, "lines": field.lines}
     usual = field.lines == field.usual_lines
@@ -165,7 +165,7 @@ def own_field_file(folder: Path) -> Path | None:
     return path if os.path.lexists(path) else None  # one that cannot be read is an error
 
 
-def kept_source(folder: Path, settings: Mapping[str, str]) -> str | Path | None:
+def stored_field_source(folder: Path, settings: Mapping[str, str]) -> str | Path | None:
     """What `load_field` takes for a dataset: a name or a file; None where the dataset does not say.
 
     Args:
@@ -201,11 +201,11 @@ def field_of_settings(folder: Path, settings: Mapping[str, str]) -> DatasetField
     Raises:
         FieldError: the field cannot be used; another one in its place would be wrong.
     """
-    source = kept_source(folder, settings)
+    source = stored_field_source(folder, settings)
     field = load_field(source)
-    kept = kept_dimensions_of(settings, field)
-    lines = kept_lines_of(settings, field)
-    field = resized(field, kept.values) if kept.values else field
+    kept = dimensions_in_settings(settings, field)
+    lines = lines_in_settings(settings, field)
+    field = with_dimensions(field, kept.values) if kept.values else field
     field = with_lines(field, lines.lines or field.lines)
     problem = ""
     try:
@@ -261,7 +261,7 @@ def field_of_datasets(places: Iterable[Path]) -> DatasetField:
     return DatasetField(field, True, notices)
 
 
-def keep_field(database: WorkspaceDatabase, folder: Path, field: Field) -> None:
+def store_field(database: WorkspaceDatabase, folder: Path, field: Field) -> None:
     """Let a dataset remember its field, with its dimensions and where its lines are.
 
     Args:
@@ -269,13 +269,13 @@ def keep_field(database: WorkspaceDatabase, folder: Path, field: Field) -> None:
         folder: of the dataset; the path of a file inside it is kept relative to it.
         field: as it was loaded, with any dimensions.
     """
-    database.set_setting(FIELD_SETTING, json.dumps(_kept(folder, field)))
-    keep_dimensions(database, field)
-    keep_lines(database, field)
+    database.set_setting(FIELD_SETTING, json.dumps(_stored(folder, field)))
+    store_dimensions(database, field)
+    store_lines(database, field)
 
 
-def _kept(folder: Path, field: Field) -> dict[str, str]:
-    if field.source is None or is_shipped(field.source):
+def _stored(folder: Path, field: Field) -> dict[str, str]:
+    if field.source is None or is_builtin_field(field.source):
         return {"name": field.name}
     path = field.source.absolute()
     try:

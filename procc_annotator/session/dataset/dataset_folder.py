@@ -12,13 +12,13 @@ from procc_annotator.errors import InputError, UsageError
 from procc_annotator.image.suffixes import VIDEO_SUFFIXES
 from procc_annotator.io.annotation_files.label_map import LABELS_FILE
 from procc_annotator.io.collections import ANNOTATIONS_FOLDER, CAMERA_PREFIX, list_annotations
-from procc_annotator.io.json_text import without_bom
+from procc_annotator.io.json_text import strip_bom
 from procc_annotator.io.landmark_file import LANDMARKS_FILE
 from procc_annotator.io.source import FileSource, open_source
 from procc_annotator.session.database.file import FOLDER as WORKSPACE_FOLDER
 from procc_annotator.session.dataset.picture_tree import (
     find_pictures,
-    kept_of_video,
+    video_frames_folder_name,
     pictures_in,
     suffix_of,
 )
@@ -32,10 +32,10 @@ STADIUMS_FILE = "stadiums.csv"
 _LOOKED_INTO = 20
 _ARCHIVES = frozenset({".zip"})
 _ANNOTATION_SUFFIXES = (".zip", ".json", ".xml")
-OWN_THINGS = (FIELD_FILE, LABELS_FILE, LANDMARKS_FILE, VIEWS_FILE, FRAMES_FILE, STADIUMS_FILE)
+OWN_FILES_AND_FOLDERS = (FIELD_FILE, LABELS_FILE, LANDMARKS_FILE, VIEWS_FILE, FRAMES_FILE, STADIUMS_FILE)
 
 
-def like_cameras(pictures: Iterable[str]) -> str:
+def camera_name_remark(pictures: Iterable[str]) -> str:
     """A remark on pictures whose annotation files would bear a camera's name; empty without any.
 
     Args:
@@ -53,15 +53,15 @@ def like_cameras(pictures: Iterable[str]) -> str:
     )
 
 
-def like_cameras_in(place: Path) -> str:
-    """`like_cameras` of the pictures that belong to a folder of annotations, beside them or in the
+def camera_name_remark_in(place: Path) -> str:
+    """`camera_name_remark` of the pictures that belong to a folder of annotations, beside them or in the
     folder above.
 
     Raises:
         InputError: a folder cannot be listed.
     """
     folder = folder_of_dataset(place) if place.is_dir() else None
-    return like_cameras(pictures_in(folder)) if folder is not None else ""
+    return camera_name_remark(pictures_in(folder)) if folder is not None else ""
 
 
 def annotation_folder(root: Path) -> Path:
@@ -73,7 +73,7 @@ def annotation_folder(root: Path) -> Path:
 
 def frames_folder(video: Path) -> Path:
     """Where annotations and kept pictures of a video belong: ``match_frames`` beside it."""
-    return video.with_name(kept_of_video(video.name))
+    return video.with_name(video_frames_folder_name(video.name))
 
 
 def folder_of_dataset(place: Path) -> Path | None:
@@ -91,15 +91,15 @@ def folder_of_dataset(place: Path) -> Path | None:
             return frames_folder(place)
         place = place.parent
     whole = place.resolve()
-    if whole.name == ANNOTATIONS_FOLDER and not _has_own_things(place):
+    if whole.name == ANNOTATIONS_FOLDER and not _has_own_files(place):
         return whole.parent
     of_videos = annotated_videos(place)
     return of_videos[0] if len(of_videos) == 1 else place
 
 
-def _has_own_things(folder: Path) -> bool:
+def _has_own_files(folder: Path) -> bool:
     """Whether a folder called ``annotations`` was worked on as a dataset itself."""
-    if any((folder / name).is_file() for name in OWN_THINGS):
+    if any((folder / name).is_file() for name in OWN_FILES_AND_FOLDERS):
         return True
     return (folder / WORKSPACE_FOLDER).is_dir() and bool(pictures_in(folder))
 
@@ -132,7 +132,7 @@ def annotations_of(dataset: Path) -> Path:
     return _beside_only_pictures(dataset) or dataset
 
 
-def annotations_or_itself(place: Path) -> Path:
+def annotations_or_path(place: Path) -> Path:
     """`annotations_of` a folder or an annotated video; anything else is itself: what it holds is
     told where it is read.
 
@@ -197,7 +197,7 @@ def annotated_videos(folder: Path) -> list[Path]:
     return found
 
 
-def lies_below(dataset: Path) -> bool:
+def has_pictures_below(dataset: Path) -> bool:
     """Whether the pictures of a dataset, if it has any, are those of the folders below it: neither
     pictures nor annotations lie at its top. Beside annotations such folders are other things, of
     overlays for example.
@@ -215,20 +215,20 @@ def _annotated_at_top(folder: Path) -> bool:
     with open_source(folder) as source:
         found = list_annotations(source)
         looked_at = [] if found.in_tree else list(found.values())[:_LOOKED_INTO]
-        return any(_may_be_object(source, file) for file in looked_at)
+        return any(_may_be_json_object(source, file) for file in looked_at)
 
 
-def _may_be_object(source: FileSource, file: str) -> bool:
+def _may_be_json_object(source: FileSource, file: str) -> bool:
     """Whether JSON is an object, or damaged so that nobody knows."""
     try:
-        return type(msgspec.json.decode(without_bom(source.read(file)))) is dict
+        return type(msgspec.json.decode(strip_bom(source.read(file)))) is dict
     except (InputError, msgspec.DecodeError, UnicodeDecodeError, RecursionError):
         return True
 
 
 def is_known_dataset(folder: Path) -> bool:
     """Whether a folder was worked on as a dataset, so that it may be looked through unasked."""
-    own = any((folder / name).is_file() for name in OWN_THINGS)
+    own = any((folder / name).is_file() for name in OWN_FILES_AND_FOLDERS)
     return own or (folder / WORKSPACE_FOLDER).is_dir()
 
 

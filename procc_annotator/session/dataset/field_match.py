@@ -8,7 +8,7 @@ from functools import partial
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError
-from procc_annotator.field.load import field_names, is_shipped, load_field
+from procc_annotator.field.load import field_names, is_builtin_field, load_field
 from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.io.annotation_files.soccernet_classes import WITHOUT_GEOMETRY
@@ -58,7 +58,7 @@ class Mismatch:
         """One sentence: what is wrong, and which field would fit."""
         named = ", ".join(self.unknown[:_SHOWN]) + (", ..." if len(self.unknown) > _SHOWN else "")
         own = self.field.source
-        own = own if own is not None and not is_shipped(own) else None
+        own = own if own is not None and not is_builtin_field(own) else None
         of_file = f" of {own.name}" if own is not None else ""
         said = f"the field {self.field.title}{of_file} does not know"
         if self.classes == 1:
@@ -75,7 +75,7 @@ class Mismatch:
         return f"{said}; {other}{self.better.title} knows {known}"
 
     @property
-    def is_telling(self) -> bool:
+    def is_worth_reporting(self) -> bool:
         """Whether the field must be wrong: another knows more, or it does not know most."""
         return self.better is not None or 2 * len(self.unknown) > self.classes
 
@@ -85,7 +85,7 @@ class Mismatch:
         return len(self.unknown) >= _NEARLY_ALL * self.classes
 
 
-def telling(classes: Iterable[str]) -> frozenset[str]:
+def distinctive_classes(classes: Iterable[str]) -> frozenset[str]:
     """Classes that say which field a set shows, without spaces around them: those of lines that
     nobody could name stand for elements of any sport."""
     names = (name.strip() for name in classes)
@@ -101,7 +101,7 @@ def rank_fields(classes: Collection[str], more: Sequence[Field] = ()) -> tuple[F
         classes: names as in files; spaces around them do not count.
         more: fields beside those the package ships.
     """
-    wanted = telling(classes)
+    wanted = distinctive_classes(classes)
     found = []
     for field in (*more, *map(load_field, field_names())):
         known = len(wanted & _stripped(field))
@@ -121,7 +121,7 @@ def mismatch_of(
         field: the one the set is said to show.
         more: fields beside those the package ships.
     """
-    wanted = telling(classes)
+    wanted = distinctive_classes(classes)
     unknown = wanted - _stripped(field)
     if not unknown:
         return None
@@ -172,5 +172,5 @@ def _stripped(field: Field) -> frozenset[str]:
 
 def loadable(field: Field) -> str:
     """What `load_field` takes for a field: its name, or the path of the user's own file."""
-    own = field.source is not None and not is_shipped(field.source)
+    own = field.source is not None and not is_builtin_field(field.source)
     return str(field.source) if own else field.name

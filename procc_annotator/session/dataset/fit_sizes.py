@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import ImageError
-from procc_annotator.image.header import has_shape
+from procc_annotator.image.header import is_valid_size
 from procc_annotator.image.suffixes import VIDEO_SUFFIXES
 from procc_annotator.io.annotation_files.exchange import Size
 from procc_annotator.session.dataset.dataset_folder import frames_folder
@@ -20,14 +20,14 @@ from procc_annotator.session.dataset.picture_sizes import (
     picture_folders,
     picture_tree,
 )
-from procc_annotator.words import count_of
+from procc_annotator.words import count_words
 
 DEFAULT_SIZE = (960, 540)
 _SIZE_KEYS = (("image_width", "image_height"), ("imageWidth", "imageHeight"), ("width", "height"))
 # 1920x1088 is a picture of 1920x1080 as some encoders pad it; 4:3 and 16:10 are another shape.
 _SAME_SHAPE = 0.01
 _LOOKED_AT = 100
-_MOST_TOLD = 4
+_MAX_REPORTED = 4
 
 
 class FrameSize(NamedTuple):
@@ -94,13 +94,13 @@ class FitSizes:
             name: of the frame.
             annotation: whose further entries may tell the picture's size.
         """
-        told = told_size(annotation)
-        if told is not None and not has_shape(*told):
+        told = size_in_annotation(annotation)
+        if told is not None and not is_valid_size(*told):
             told = None
         picture = self._pictures.size(name) or told or self.otherwise
         if self.asked is not None:
             return FrameSize(self.asked, picture)
-        return FrameSize(DEFAULT_SIZE if picture is None else shaped(picture), picture)
+        return FrameSize(DEFAULT_SIZE if picture is None else fit_size_for(picture), picture)
 
 
 def pictures_of_another_shape(
@@ -120,7 +120,7 @@ def pictures_of_another_shape(
     return [
         f"pictures are {_words(picture)}, compared at {_words(size)}, which has another shape"
         for size in sizes
-        for picture in list(found)[:_MOST_TOLD]
+        for picture in list(found)[:_MAX_REPORTED]
         if not same_shape(picture, size)
     ]
 
@@ -143,7 +143,7 @@ def _size_of_video(annotations: Path) -> Size | None:
     return None
 
 
-def told_size(annotation: FrameAnnotation) -> Size | None:
+def size_in_annotation(annotation: FrameAnnotation) -> Size | None:
     """(width, height) px of the picture, as further entries of an annotation file tell it."""
     extra = dict(annotation.extra)
     for keys in _SIZE_KEYS:
@@ -153,7 +153,7 @@ def told_size(annotation: FrameAnnotation) -> Size | None:
     return None
 
 
-def shaped(picture: Size) -> Size:
+def fit_size_for(picture: Size) -> Size:
     """A size of the same shape that is 960 px wide."""
     width, height = picture
     return DEFAULT_SIZE[0], max(2, round(DEFAULT_SIZE[0] * height / width))
@@ -193,7 +193,7 @@ class SizesUsed:
         said = []
         for size, count in frames.most_common():
             assert size.picture is not None  # see above
-            which = f" ({count_of(count, 'frame')})" if several else ""
+            which = f" ({count_words(count, 'frame')})" if several else ""
             pictures = f"pictures are {_words(size.picture)}{which}"
             if self.asked is not None and not same_shape(size.picture, self.asked):
                 said.append(
@@ -202,8 +202,8 @@ class SizesUsed:
                 )
             elif self.asked is None and size.fitted != DEFAULT_SIZE:
                 said.append(f"{pictures}: fitted at {_words(size.fitted)}")
-        if len(said) > _MOST_TOLD:
-            said[_MOST_TOLD:] = [f"and {len(said) - _MOST_TOLD} more sizes of pictures"]
+        if len(said) > _MAX_REPORTED:
+            said[_MAX_REPORTED:] = [f"and {len(said) - _MAX_REPORTED} more sizes of pictures"]
         return said
 
 

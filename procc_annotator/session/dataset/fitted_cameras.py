@@ -10,7 +10,7 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.fit.result import FitResult
 from procc_annotator.io.camera_files.cameras import fit_to_size
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
-from procc_annotator.language import said
+from procc_annotator.language import translatable
 from procc_annotator.session.dataset.camera_set import CameraForFrame
 
 FIT_NAME = "fit"  # no cameras from files are called so
@@ -42,7 +42,7 @@ class FittedCameras:
     @property
     def origin(self) -> str:
         """Where the cameras come from, for people."""
-        return said("Fitted to the clicks of each frame; nothing of it is in a file")
+        return translatable("Fitted to the clicks of each frame; nothing of it is in a file")
 
     @cached_property
     def frames(self) -> Mapping[str, FittedFrame]:
@@ -62,7 +62,7 @@ class FittedCameras:
         """Why a frame has no camera, for people."""
         fitted = self.fits.get(frame_name)
         if fitted is None or not fitted.fit.failure:
-            return said("no fit of {frame} yet", frame=frame_name)
+            return translatable("no fit of {frame} yet", frame=frame_name)
         return fitted.fit.failure
 
     def with_fit(self, frame_name: str, fitted: FittedFrame) -> FittedCameras:

@@ -11,7 +11,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.annotation_formats import read_plain
 from procc_annotator.io.annotation_files.label_map import LabelMap
 from procc_annotator.io.collections import AnnotationFiles, list_annotations
-from procc_annotator.io.source import FileSource, read_if_there
+from procc_annotator.io.source import FileSource, read_optional
 from procc_annotator.session.dataset.annotation_source import (
     ReadSource,
     open_annotations,
@@ -61,10 +61,10 @@ class FrameAnnotations:
         names = names or own_label_map(place, field)
         if given is not None:
             # The folder of annotations that are to come need not exist yet.
-            return _found_in(given, field, names) if given.exists() else cls()
+            return _annotations_at(given, field, names) if given.exists() else cls()
         try:
             beside = annotations_of(place if place.is_dir() else place.parent)
-            return _found_in(beside, field, names)
+            return _annotations_at(beside, field, names)
         except UsageError as error:  # files beside the pictures that nobody asked for
             return cls(notices=(str(error),))
 
@@ -80,7 +80,7 @@ class FrameAnnotations:
     def bytes_of(self, frame: Frame) -> bytes | None:
         """The same as a file of this program; errors as of `read`."""
         if self._source is None:
-            return read_if_there(frame.annotation_path, AnnotationError)
+            return read_optional(frame.annotation_path, AnnotationError)
         file = self._files.get(frame.name)
         return None if file is None else self._source.read(file)
 
@@ -97,7 +97,7 @@ class FrameAnnotations:
         return self._source.display(self._files.get(frame.name, frame.name))
 
 
-def _found_in(place: Path, field: Field, names: LabelMap | None) -> FrameAnnotations:
+def _annotations_at(place: Path, field: Field, names: LabelMap | None) -> FrameAnnotations:
     source = open_annotations(place, field, names)
     if source.decoded or not place.is_dir():
         return FrameAnnotations(source)

@@ -20,7 +20,7 @@ from procc_annotator.session.dataset.frame_state import FrameState
 from procc_annotator.session.dataset.pending_save import PendingSave, digest
 
 
-class FrameMemory:
+class FrameVersions:
     """Keeps versions and unconfirmed elements of frames, by their names.
 
     Attributes:

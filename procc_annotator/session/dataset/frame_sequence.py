@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 from procc_annotator.errors import ImageError
 from procc_annotator.image.decode import decode_bgra, decode_thumbnail
 from procc_annotator.image.pixels import PixelArray
-from procc_annotator.image.scenes import look_of, same_scene
-from procc_annotator.image.video import Video, frame_of, open_shared
+from procc_annotator.image.scenes import frame_signature, is_same_scene
+from procc_annotator.image.video import Video, video_frame_of_path, open_shared_video
 from procc_annotator.session.dataset.frames import Frame
 
 FEWEST = 10  # pictures of a folder that are called consecutive: a few are compared by eye
@@ -122,17 +122,17 @@ def sequence_of(
         return None
     if frames[0].image_folder == frames[-1].image_folder:
         try:
-            if frame_of(frames[0].image_path) is not None:
+            if video_frame_of_path(frames[0].image_path) is not None:
                 return _of_video(frames)
         except ImageError:
             return None
-        counted = _counted([frame.name for frame in frames])
+        counted = _numbered_names([frame.name for frame in frames])
     else:
         counted = _counted_in_folders(frames)
     if counted is None:
         return None
     numbers, step = counted
-    if not _show_the_same(frames, numbers, go_on):
+    if not _neighbours_similar(frames, numbers, go_on):
         return None
     paths = {int(n): frame.image_path for n, frame in zip(numbers, frames, strict=True)}
     first, last = int(numbers[0]), int(numbers[-1])
@@ -144,12 +144,12 @@ def _of_video(frames: Sequence[Frame]) -> FrameSequence | None:
     numbers = np.array([int(frame.image_file) for frame in frames], dtype=np.int64)
     if (np.diff(numbers) <= 0).any():
         return None
-    video = open_shared(path)
+    video = open_shared_video(path)
     last = max(int(numbers[-1]), video.frame_count - 1)
     return FrameSequence(numbers, 0, last, video.fps, path, {})
 
 
-def _counted(names: Sequence[str]) -> tuple[NDArray[np.int64], int] | None:
+def _numbered_names(names: Sequence[str]) -> tuple[NDArray[np.int64], int] | None:
     """How far names have counted, and by what, if they end with numbers that count on."""
     if len(names) < FEWEST:
         return None
@@ -171,7 +171,7 @@ def _counted_in_folders(frames: Sequence[Frame]) -> tuple[NDArray[np.int64], int
     found, steps, begin = [], [], 0
     for _, group in groupby(frames, key=lambda frame: frame.image_folder):
         names = [frame.name for frame in group]
-        counted = _counted(names)
+        counted = _numbered_names(names)
         numbers = 2 * np.arange(len(names), dtype=np.int64) if counted is None else counted[0]
         steps += [] if counted is None else [counted[1]]
         found.append(numbers - numbers[0] + begin)
@@ -179,7 +179,7 @@ def _counted_in_folders(frames: Sequence[Frame]) -> tuple[NDArray[np.int64], int
     return (np.concatenate(found), min(steps)) if steps else None
 
 
-def _show_the_same(
+def _neighbours_similar(
     frames: Sequence[Frame], numbers: NDArray[np.int64], go_on: Callable[[], None]
 ) -> bool:
     """Whether neighbours look alike, by some of them all over the set."""
@@ -190,10 +190,10 @@ def _show_the_same(
         go_on()
         try:
             looks = [
-                look_of(decode_thumbnail(frames[i].image_path, _SIDE)[..., :3])
+                frame_signature(decode_thumbnail(frames[i].image_path, _SIDE)[..., :3])
                 for i in (index, index + 1)
             ]
         except ImageError:
             continue
-        alike.append(same_scene(*looks))
+        alike.append(is_same_scene(*looks))
     return bool(alike) and float(np.mean(alike)) >= _AT_LEAST_ALIKE

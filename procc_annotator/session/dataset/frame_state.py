@@ -52,7 +52,7 @@ class FrameState:
         return self.digest is not None or bool(self.history.current.annotated)
 
     @property
-    def taken_back(self) -> bool:
+    def is_undone(self) -> bool:
         """Whether a file that was made here would hold nothing any more."""
         made = self.made_here and (self.digest is not None or bool(self.attempted))
         return made and self.history.current.same_content(EMPTY)
@@ -83,7 +83,7 @@ def pending_of(index: int, frame: Frame, state: FrameState, root: Path) -> Pendi
             annotations.
     """
     path = frame.annotation_path
-    removes = state.taken_back and not path.is_symlink()
+    removes = state.is_undone and not path.is_symlink()
     return PendingSave(
         index,
         path,

@@ -13,18 +13,18 @@ from pathlib import Path
 
 from procc_annotator.errors import AnnotationError, InputError, UsageError
 from procc_annotator.image.suffixes import PICTURE_SUFFIXES, VIDEO_SUFFIXES
-from procc_annotator.io.annotation_files.annotation_formats import PLAIN, json_format
+from procc_annotator.io.annotation_files.annotation_formats import PLAIN, detect_json_format
 from procc_annotator.io.collections import ANNOTATIONS_FOLDER, OWN_FILES, frame_in_tree
 from procc_annotator.io.folders import walk
 from procc_annotator.io.frame_names import PICTURE_FOLDERS, ByFrame, FrameTable
-from procc_annotator.io.source import read_if_there
+from procc_annotator.io.source import read_optional
 from procc_annotator.session.dataset.dataset_folder import (
     annotation_folder,
     frames_folder,
     holds_annotations,
     json_names,
     json_stems,
-    like_cameras,
+    camera_name_remark,
 )
 from procc_annotator.session.dataset.picture_tree import PictureTree, find_pictures, suffix_of
 
@@ -100,7 +100,7 @@ def list_frames(
         listing.add(below, names)
     frames = tuple(listing.frames.values())
     notices = [*found.notices, *listing.notices]
-    if remark := like_cameras(frame.image_file for frame in frames):
+    if remark := camera_name_remark(frame.image_file for frame in frames):
         notices.insert(0, remark)  # the window shows the first three
     if annotations is None and not found.in_tree and not listing.beside_others:
         notices += _not_used(root, found.only_folder, frames)
@@ -223,7 +223,7 @@ def _taken_by_others(root: Path, found: PictureTree) -> bool:
         stems = _stems_in(folder) if annotation_folder(folder) == folder else ByFrame[str]()
         if first := next(filter(None, (stems.get(os.path.splitext(n)[0]) for n in names)), None):
             try:
-                told = json_format(read_if_there(folder / f"{first}.json", AnnotationError) or b"")
+                told = detect_json_format(read_optional(folder / f"{first}.json", AnnotationError) or b"")
             except InputError:  # is told where the frame is read
                 return False
             return told is not None and told.name != PLAIN

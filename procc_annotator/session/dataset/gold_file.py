@@ -11,11 +11,11 @@ from pathlib import Path
 from procc_annotator.errors import InputError
 from procc_annotator.io.csv_text import read_frame_table
 
-GOLD_FILE = "gold.csv"
+REFERENCE_FRAMES_FILE = "gold.csv"
 _ADVICE = "the file needs a header with a column 'frame', and a row for each gold frame"
 
 
-def read_gold(path: Path) -> tuple[str, ...]:
+def read_reference_frames(path: Path) -> tuple[str, ...]:
     """The names of gold frames, in the file's order.
 
     Raises:

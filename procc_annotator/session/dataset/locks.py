@@ -20,7 +20,7 @@ from functools import lru_cache
 from pathlib import Path
 
 from procc_annotator.regular_file import open_regular, read_head
-from procc_annotator.session.dataset.processes import machine_mark, process_start
+from procc_annotator.session.dataset.processes import machine_id, process_start
 
 _LARGEST = 4096  # bytes of a lock file that are looked at
 _EMPTY_S = 3.0  # a lock is written as soon as it is made: one that stays empty is nobody's
@@ -36,7 +36,7 @@ def _file_of(frame: str) -> str:
 
 
 @dataclass(frozen=True, slots=True)
-class Holder:
+class LockHolder:
     """Somebody else who is editing a frame.
 
     Attributes:
@@ -52,7 +52,7 @@ class Holder:
 
 
 @dataclass(frozen=True, slots=True)
-class _Note:
+class _LockContent:
     """What a lock file says."""
 
     author: str
@@ -93,16 +93,16 @@ class FrameLocks:
         self._folder = folder
         self._expiry_s = expiry_s
         pid = os.getpid() if pid is None else pid
-        self._me = _Note(
+        self._me = _LockContent(
             author,
             socket.gethostname() if host is None else host,
-            machine_mark(),
+            machine_id(),
             pid,
             process_start(pid) or "",
             uuid.uuid4().hex if session is None else session,
             0.0,
         )
-        self._held: dict[str, _Note] = {}
+        self._held: dict[str, _LockContent] = {}
 
     @property
     def held(self) -> frozenset[str]:
@@ -114,7 +114,7 @@ class FrameLocks:
         self._me = replace(self._me, author=author)
         self._held = {frame: replace(note, author=author) for frame, note in self._held.items()}
 
-    def acquire(self, frame: str) -> Holder | None:
+    def acquire(self, frame: str) -> LockHolder | None:
         """Lock a frame; a lock left behind by a crash is taken over.
 
         Returns:
@@ -136,7 +136,7 @@ class FrameLocks:
             return holder
         return self.holder(frame)
 
-    def holder(self, frame: str) -> Holder | None:
+    def holder(self, frame: str) -> LockHolder | None:
         """Who else is editing a frame; costs one look for a file when nobody is."""
         if frame in self._held:
             return None
@@ -196,7 +196,7 @@ class FrameLocks:
     def _path(self, frame: str) -> Path:
         return self._folder / _file_of(frame)
 
-    def _try(self, frame: str, note: _Note) -> Holder | None:
+    def _try(self, frame: str, note: _LockContent) -> LockHolder | None:
         """One attempt; raises FileExistsError when somebody was quicker."""
         path = self._path(frame)
         try:
@@ -228,7 +228,7 @@ class FrameLocks:
         self._folder.parent.mkdir(exist_ok=True)
         self._folder.mkdir(exist_ok=True)
 
-    def _take_over(self, path: Path, note: _Note) -> Holder | None:
+    def _take_over(self, path: Path, note: _LockContent) -> LockHolder | None:
         """Replace a dead lock. Who takes it must first get hold of a second file, and then look
         again: of two who saw it dead, the second finds the first one's lock."""
         token = path.with_name(f"{path.name}.taking")
@@ -249,7 +249,7 @@ class FrameLocks:
             with suppress(OSError):
                 token.unlink()
 
-    def _judge(self, path: Path) -> Holder | None:
+    def _judge(self, path: Path) -> LockHolder | None:
         """The living holder of a lock file, or None for a dead one or our own.
 
         Raises:
@@ -264,13 +264,13 @@ class FrameLocks:
         if age > (self._expiry_s if data else _EMPTY_S):
             return None
         if note is None:
-            return Holder("", "", 0.0, age)
-        return Holder(note.author, note.host, note.since, age)
+            return LockHolder("", "", 0.0, age)
+        return LockHolder(note.author, note.host, note.since, age)
 
-    def _is_ours(self, note: _Note | None) -> bool:
+    def _is_ours(self, note: _LockContent | None) -> bool:
         return note is not None and note.session == self._me.session
 
-    def _has_ended(self, note: _Note) -> bool:
+    def _has_ended(self, note: _LockContent) -> bool:
         """Whether the process is known to be gone: only its own machine can tell."""
         if (note.host, note.machine) != (self._me.host, self._me.machine):
             return False
@@ -315,12 +315,12 @@ def _read(path: Path) -> bytes:
     return read_head(path, _LARGEST)
 
 
-def _text(note: _Note) -> bytes:
-    entries = {name: getattr(note, name) for name in _Note.__slots__}
+def _text(note: _LockContent) -> bytes:
+    entries = {name: getattr(note, name) for name in _LockContent.__slots__}
     return json.dumps(entries).encode("ascii")
 
 
-def _parse(data: bytes) -> _Note | None:
+def _parse(data: bytes) -> _LockContent | None:
     """What a lock says; None for one that is half written, damaged or not ours to understand."""
     try:
         entries = json.loads(data)
@@ -335,7 +335,7 @@ def _parse(data: bytes) -> _Note | None:
     if not session or type(pid) is not int or type(beat) is not int:
         return None
     began = float(since) if isinstance(since, (int, float)) and abs(since) < 1e12 else 0.0
-    return _Note(author, host, machine, pid, started, session, began, beat)
+    return _LockContent(author, host, machine, pid, started, session, began, beat)
 
 
 def _line(text: object) -> str:

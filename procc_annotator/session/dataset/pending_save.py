@@ -13,7 +13,7 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import AnnotationError, ChangedOnDiskError, InputError, SaveError
 from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation
 from procc_annotator.io.atomic import make_folder, remove, write_atomic
-from procc_annotator.io.source import read_if_there
+from procc_annotator.io.source import read_optional
 from procc_annotator.session.dataset.file_stamps import Stamp, stamp_of
 
 _TOGETHER = 8  # most of a save is waiting for the disk, which takes several at a time
@@ -57,7 +57,7 @@ class PendingSave:
             SaveError: it cannot be read.
         """
         try:
-            return read_if_there(self.path, AnnotationError)
+            return read_optional(self.path, AnnotationError)
         except InputError as error:
             raise SaveError(f"{self.path}: could not be saved: {error.problem}") from error
 
@@ -99,7 +99,7 @@ class PendingSave:
             # unplugged), new folders in its place would only hide that.
             make_folder(folder)
         # Others may write while the disk is waited for.
-        look_again = _look_at_nothing if over_anything else self.check
+        look_again = _skip_check if over_anything else self.check
         write_atomic(self.path, self.data, inside=self.inside, look_again=look_again)
 
     def _remove(self) -> None:
@@ -113,7 +113,7 @@ class PendingSave:
 
 
 @dataclass(frozen=True)
-class Written:
+class SaveResult:
     """What became of a save.
 
     Attributes:
@@ -129,42 +129,42 @@ class Written:
     unsure: bool = False
 
 
-def write_together(saves: Sequence[PendingSave]) -> list[Written]:
+def write_saves(saves: Sequence[PendingSave]) -> list[SaveResult]:
     """Check and write several files at a time.
 
     What the files hold must be kept as versions already: this takes a while after that look.
     """
     if len(saves) == 1:
-        return [write_one(saves[0])]
+        return [write_save(saves[0])]
     with ThreadPoolExecutor(_TOGETHER, thread_name_prefix="saving") as pool:
-        return list(pool.map(write_one, saves))
+        return list(pool.map(write_save, saves))
 
 
-def write_one(save: PendingSave, *, over_anything: bool = False) -> Written:
+def write_save(save: PendingSave, *, over_anything: bool = False) -> SaveResult:
     """Check and write one file; ``over_anything``: whatever it holds by now."""
     before = None
     try:
         before = save.look() if over_anything else save.check()
         save.write(over_anything=over_anything)
     except ChangedOnDiskError as error:
-        return Written(save, error)
+        return SaveResult(save, error)
     except SaveError as error:
         return _after_failure(save, before, error)
-    return Written(save, stamp=stamp_of(save.path))
+    return SaveResult(save, stamp=stamp_of(save.path))
 
 
-def _after_failure(save: PendingSave, before: bytes | None, error: SaveError) -> Written:
+def _after_failure(save: PendingSave, before: bytes | None, error: SaveError) -> SaveResult:
     """Look at the file: a drive behind a network may fail to tell what it has done."""
     try:
         found = save.look()
     except SaveError:
-        return Written(save, error, unsure=True)
+        return SaveResult(save, error, unsure=True)
     if found != before and found == (None if save.removes else save.data):
-        return Written(save, stamp=stamp_of(save.path))
-    return Written(save, error)
+        return SaveResult(save, stamp=stamp_of(save.path))
+    return SaveResult(save, error)
 
 
-def _look_at_nothing() -> None:
+def _skip_check() -> None:
     """Somebody decided that the file is to be replaced."""
 
 

@@ -7,13 +7,13 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from procc_annotator.errors import ImageError
-from procc_annotator.image.header import check_shape, upright_size
+from procc_annotator.image.header import require_valid_size, displayed_size
 from procc_annotator.image.suffixes import PICTURE_SUFFIXES
 from procc_annotator.io.annotation_files.exchange import Size
 from procc_annotator.io.collections import ANNOTATIONS_FOLDER
 from procc_annotator.io.frame_names import PICTURE_FOLDERS, FrameTable
 from procc_annotator.regular_file import open_regular
-from procc_annotator.session.dataset.dataset_folder import is_known_dataset, lies_below
+from procc_annotator.session.dataset.dataset_folder import is_known_dataset, has_pictures_below
 from procc_annotator.session.dataset.picture_names import PicturesByName
 from procc_annotator.session.dataset.picture_tree import find_pictures
 
@@ -38,7 +38,7 @@ class PictureSizes:
         for folder in folders:
             for inner in ("", *PICTURE_FOLDERS):
                 self._list(folder / inner)
-        if tree is not None and lies_below(tree):
+        if tree is not None and has_pictures_below(tree):
             found = find_pictures(tree)
             if found.in_tree:
                 self._paths.clear()
@@ -127,12 +127,12 @@ def picture_size(path: Path) -> Size:
     if path.is_file():
         try:
             with open_regular(path, buffering=0) as file:
-                size = upright_size(file)
+                size = displayed_size(file)
         except OSError as error:
             raise ImageError(path, f"cannot be read: {error.strerror or error}") from error
     if size is None:
         from procc_annotator.image.decode import read_size  # OpenCV: most headers tell
 
         size = read_size(path)
-    check_shape(path, *size)
+    require_valid_size(path, *size)
     return size

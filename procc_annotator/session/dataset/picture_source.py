@@ -10,7 +10,7 @@ from pathlib import Path
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.image.suffixes import VIDEO_SUFFIXES
-from procc_annotator.image.video import open_shared
+from procc_annotator.image.video import open_shared_video
 from procc_annotator.io.annotation_files.label_map import LabelMap
 from procc_annotator.session.dataset.dataset_folder import frames_folder
 from procc_annotator.session.dataset.frame_annotations import FrameAnnotations
@@ -73,7 +73,7 @@ def open_pictures(path: Path, annotations: Path | None = None) -> PictureSource:
     if not path.exists():
         raise UsageError(f"{path}: does not exist")
     if path.is_file() and path.suffix.lower() in VIDEO_SUFFIXES:
-        video = open_shared(path)
+        video = open_shared_video(path)
         frames = tuple(video_frame(whole, number) for number in range(video.frame_count))
         if annotations is not None:
             frames = tuple(_annotated_in(frame, annotations) for frame in frames)

@@ -104,14 +104,14 @@ def _below(
         suffixes = {suffix_of(name) for name in names}
         if suffixes & VIDEO_SUFFIXES:
             videos = (name for name in names if suffix_of(name) in VIDEO_SUFFIXES)
-            of_videos |= {f"{folder}{kept_of_video(name)}/" for name in videos}
+            of_videos |= {f"{folder}{video_frames_folder_name(name)}/" for name in videos}
         if folder in of_videos or not suffixes & PICTURE_SUFFIXES:
             continue
         if pictures := pictures_in(root / folder):
             yield folder, tuple(pictures)
 
 
-def kept_of_video(name: str) -> str:
+def video_frames_folder_name(name: str) -> str:
     """What the folder is called that keeps annotations and pictures of a video, beside it."""
     return f"{os.path.splitext(name)[0]}_frames"
 

@@ -7,7 +7,7 @@ import sys
 from contextlib import suppress
 
 
-def machine_mark() -> str:
+def machine_id() -> str:
     """Tells machines and containers of one name apart, and a machine before and after a restart.
 
     Empty where the system says nothing about it.

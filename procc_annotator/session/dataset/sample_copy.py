@@ -11,7 +11,7 @@ from procc_annotator.errors import SaveError
 from procc_annotator.io.user_folders import data_folder
 
 
-def own_sample(sample: Path) -> Path:
+def copy_sample(sample: Path) -> Path:
     """The user's copy of the sample; made if there is none, else as they left it.
 
     Args:

@@ -17,7 +17,7 @@ from procc_annotator.field.model import Field, Stadiums
 from procc_annotator.field.stadiums import with_stadiums
 from procc_annotator.field.words import did_you_mean
 from procc_annotator.io.atomic import write_atomic
-from procc_annotator.io.csv_text import no_formula, read_frame_table
+from procc_annotator.io.csv_text import escape_formula, read_frame_table
 from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.session.dataset.dataset_folder import STADIUMS_FILE
 
@@ -70,7 +70,7 @@ def write_stadiums(path: Path, stadiums: Stadiums) -> None:
     for frame, stadium in stadiums.frames.items():
         own = stadiums.dimensions[stadium]
         sizes = (repr(own[name]) if name in own else "" for name in names)
-        lines.append([no_formula(frame), no_formula(stadium), *sizes])
+        lines.append([escape_formula(frame), escape_formula(stadium), *sizes])
     text = io.StringIO(newline="")
     csv.writer(text, lineterminator="\n").writerows(lines)
     write_atomic(path, text.getvalue().encode("utf-8", "backslashreplace"))

@@ -9,7 +9,7 @@ from functools import cached_property
 from procc_annotator.fit.through_shot.track import TrackedFrame
 from procc_annotator.io.camera_files.cameras import fit_to_size
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
-from procc_annotator.language import said
+from procc_annotator.language import translatable
 from procc_annotator.session.dataset.camera_set import CameraForFrame
 
 TRACK_NAME = "track"  # no cameras from files are called so
@@ -27,20 +27,20 @@ def most_residual_px(width: int) -> float:
     return _MOST_RESIDUAL * width
 
 
-def doubt_about(frame: TrackedFrame) -> str:
+def review_reason(frame: TrackedFrame) -> str:
     """Why somebody should look at a frame before its camera is used; empty where nobody need."""
     if frame.fit is None or frame.fit.camera is None:
-        return frame.reason or said("no camera was found")
+        return frame.reason or translatable("no camera was found")
     if frame.state == "anchor":
         return ""
     if frame.state != "followed":
-        return frame.reason or said("carried over by the picture's motion, not measured on paint")
+        return frame.reason or translatable("carried over by the picture's motion, not measured on paint")
     if frame.coverage < _LEAST_COVERAGE:
         share = frame.coverage
-        return said("only {share:.0%} of the lines in sight are on paint", share=share)
+        return translatable("only {share:.0%} of the lines in sight are on paint", share=share)
     most = most_residual_px(frame.fit.size[0])
     if frame.residual_px is not None and frame.residual_px > most:
-        return said("the paint is {px:.1f} px from the lines", px=frame.residual_px)
+        return translatable("the paint is {px:.1f} px from the lines", px=frame.residual_px)
     return frame.reason
 
 
@@ -62,7 +62,7 @@ class TrackedCameras:
     @property
     def origin(self) -> str:
         """Where the cameras come from, for people."""
-        return said("Followed through the shot; nothing of it is in a file")
+        return translatable("Followed through the shot; nothing of it is in a file")
 
     @cached_property
     def frames(self) -> Mapping[str, TrackedFrame]:
@@ -80,15 +80,15 @@ class TrackedCameras:
             return None
         fit = frame.fit
         camera, _ = fit_to_size(LoadedCamera(frame.fit.camera, fit.model, fit.size), size)
-        doubt = doubt_about(frame) or None
+        doubt = review_reason(frame) or None
         return CameraForFrame(camera, fit.model, doubt, frame.clicks or None)
 
     def why_none(self, frame_name: str) -> str:
         """Why a frame has no camera, for people."""
         frame = self.tracked.get(frame_name)
         if frame is None:
-            return said("not followed so far")
-        return said("no track here: {why}", why=frame.reason)
+            return translatable("not followed so far")
+        return translatable("no track here: {why}", why=frame.reason)
 
     def updated(self, changed: Mapping[str, TrackedFrame | None]) -> TrackedCameras:
         """The same with other cameras in some frames, or (None) without these frames."""

@@ -81,7 +81,7 @@ class UsablePictures:
         return _ANY_SHAPE
 
 
-def unseen(one: TrackedFrame, why: str) -> TrackedFrame:
+def lost_frame(one: TrackedFrame, why: str) -> TrackedFrame:
     """A frame whose picture could not be used: it has no camera, whatever the picture gave."""
     return replace(
         one, state="lost", reason=why, fit=None, coverage=0.0, residual_px=None,

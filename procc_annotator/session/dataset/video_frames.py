@@ -30,7 +30,7 @@ def open_video(video: Path, numbers: Iterable[int], field: Field) -> Workspace:
         field: knows the class names.
     """
     folder = frames_folder(video)
-    frames = tuple(video_frame(video, number) for number in sorted({*numbers, *_worked_on(video)}))
+    frames = tuple(video_frame(video, number) for number in sorted({*numbers, *_frames_with_work(video)}))
     notices: tuple[str, ...] = ()
     try:
         folder.mkdir(exist_ok=True)
@@ -39,7 +39,7 @@ def open_video(video: Path, numbers: Iterable[int], field: Field) -> Workspace:
     return Workspace(folder, frames, field, notices)
 
 
-def _worked_on(video: Path) -> list[int]:
+def _frames_with_work(video: Path) -> list[int]:
     """The frames that have an annotation or were kept, whatever was chosen that time."""
     name = re.compile(re.escape(video.stem) + r"_([0-9]{6,8})\.(?:json|png)", re.IGNORECASE)
     try:

@@ -7,13 +7,13 @@ from pathlib import Path
 
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.image.suffixes import PICTURE_SUFFIXES, VIDEO_SUFFIXES
-from procc_annotator.io.annotation_files.annotation_formats import PLAIN, told_formats
+from procc_annotator.io.annotation_files.annotation_formats import PLAIN, detect_formats
 from procc_annotator.io.annotation_files.yolo_pose import is_pose_label
-from procc_annotator.io.camera_files.json_cameras import recognised_title
+from procc_annotator.io.camera_files.json_cameras import detected_title
 from procc_annotator.io.camera_files.registry import suffixes_of
 from procc_annotator.io.collections import CAMERA_PREFIX, list_annotations
 from procc_annotator.io.source import FileSource, open_source
-from procc_annotator.words import count_of
+from procc_annotator.words import count_words
 
 # Suffixes that annotations, lists and notes have as well tell nothing of cameras.
 _NOT_CAMERAS_ALONE = frozenset({".json", ".xml", ".txt", ".yml", ".yaml"})
@@ -23,7 +23,7 @@ _PACKED = "Frames-v3.zip"  # as SoccerNet-v3 is downloaded, one a game
 _LOOKED_INTO = 3
 
 
-def instead_of_annotations(source: FileSource) -> str:
+def found_instead_of_annotations(source: FileSource) -> str:
     """What a source without annotations holds, to go on after "nothing to do: .."; empty where
     that tells nothing."""
     try:
@@ -34,18 +34,18 @@ def instead_of_annotations(source: FileSource) -> str:
     videos = sum(_suffix(name) in VIDEO_SUFFIXES for name in names)
     cameras = sum(name.rpartition("/")[2].startswith(CAMERA_PREFIX) for name in names)
     if cameras:
-        return f"; it holds {count_of(cameras, 'camera')} ({CAMERA_PREFIX}*): give the annotations"
+        return f"; it holds {count_words(cameras, 'camera')} ({CAMERA_PREFIX}*): give the annotations"
     if labels := _pose_labels(source, names):
         return (
-            f"; it holds {count_of(labels, 'file')} of YOLO pose, which is not read: get it as COCO"
+            f"; it holds {count_words(labels, 'file')} of YOLO pose, which is not read: get it as COCO"
             " keypoints, and procc-annotator propose-map says what its places are"
         )
     if suffixes := {_suffix(name) for name in names} & camera_suffixes():
         files = sum(_suffix(name) in suffixes for name in names)
         kinds = ", ".join(sorted(suffixes))
-        return f"; it holds {count_of(files, 'file')} of cameras ({kinds}): give the annotations"
+        return f"; it holds {count_words(files, 'file')} of cameras ({kinds}): give the annotations"
     if pictures or videos:
-        what = count_of(pictures, "picture") if pictures else count_of(videos, "video")
+        what = count_words(pictures, "picture") if pictures else count_words(videos, "video")
         return (
             f"; it holds {what}, not annotated yet: procc-annotator open {source.path} to click,"
             " propose and annotate without a click"
@@ -68,14 +68,14 @@ def refuse_cameras(source: FileSource, names: Sequence[str]) -> None:
     titles = [_camera_title(source, name) for name in first]
     if not titles or not all(titles):
         return
-    what = count_of(len(names), "file") if len(names) > 1 else "a file"
+    what = count_words(len(names), "file") if len(names) > 1 else "a file"
     raise UsageError(
         f"nothing to do: no annotation in {source.path}; it holds {what} of cameras ({titles[0]}):"
         " give the annotations"
     )
 
 
-def refuse_other_things(source: FileSource) -> None:
+def refuse_other_content(source: FileSource) -> None:
     """Refuse a source without annotations of any format, where it can be told what it is instead.
 
     Raises:
@@ -88,16 +88,16 @@ def refuse_other_things(source: FileSource) -> None:
     refuse_cameras(source, files)
     if any(_suffix(name) in _ANNOTATIONS for name in names):
         return  # even if damaged: its reader says how
-    if instead := instead_of_annotations(source):
+    if instead := found_instead_of_annotations(source):
         raise UsageError(f"nothing to do: no annotation in {source.path}{instead}")
 
 
-def instead_of_cameras(place: Path) -> str:
+def found_instead_of_cameras(place: Path) -> str:
     """What a place without cameras holds, to go on after "nothing to do: .."; empty where that
     tells nothing. The program's own annotations are told by the reader of cameras."""
     try:
         with open_source(place) as source:
-            told = [known for known in told_formats(source) if known.name != PLAIN]
+            told = [known for known in detect_formats(source) if known.name != PLAIN]
             files = source.tree()
             labels = _pose_labels(source, files)
     except (InputError, UsageError):  # what cannot be opened is told where it is needed
@@ -109,7 +109,7 @@ def instead_of_cameras(place: Path) -> str:
             " to them"
         )
     if labels:
-        return f"; it holds annotations ({count_of(labels, 'file')} of YOLO pose, not read)"
+        return f"; it holds annotations ({count_words(labels, 'file')} of YOLO pose, not read)"
     if any(_suffix(name) in suffixes_of() for name in files):
         return ""
     return f"; cameras are looked for in files of {', '.join(sorted(suffixes_of()))}"
@@ -117,7 +117,7 @@ def instead_of_cameras(place: Path) -> str:
 
 def _camera_title(source: FileSource, name: str) -> str:
     try:
-        return recognised_title(source.read(name), source.display(name))
+        return detected_title(source.read(name), source.display(name))
     except InputError:  # told where it is read
         return ""
 
@@ -131,13 +131,13 @@ def _pose_labels(source: FileSource, names: Sequence[str]) -> int:
     return len(texts) if told else 0
 
 
-def instead_of_pictures(place: Path) -> str:
+def found_instead_of_pictures(place: Path) -> str:
     """The same of a dataset without pictures."""
     if _suffix(place.name) in PICTURE_SUFFIXES:
         return ""
     try:
         with open_source(place) as source:
-            told = told_formats(source)
+            told = detect_formats(source)
             packed = [name for name in source.tree() if name.rpartition("/")[2] == _PACKED]
     except (InputError, UsageError):  # what cannot be opened is told where it is needed
         return ""

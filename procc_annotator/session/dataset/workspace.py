@@ -11,21 +11,21 @@ from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.annotation_formats import read_plain
 from procc_annotator.io.collections import ANNOTATIONS_FOLDER
 from procc_annotator.io.frame_names import FrameTable
-from procc_annotator.io.source import read_if_there
+from procc_annotator.io.source import read_optional
 from procc_annotator.language import word
 from procc_annotator.session.dataset import edits
 from procc_annotator.session.dataset.file_stamps import FileStamps, Stamp, stamp_of
 from procc_annotator.session.dataset.frame_annotations import FrameAnnotations
-from procc_annotator.session.dataset.frame_memory import FrameMemory
+from procc_annotator.session.dataset.frame_memory import FrameVersions
 from procc_annotator.session.dataset.frame_state import EMPTY, FrameState, pending_of
 from procc_annotator.session.dataset.frames import Frame, list_frames
 from procc_annotator.session.dataset.history import History
 from procc_annotator.session.dataset.pending_save import (
     PendingSave,
-    Written,
+    SaveResult,
     digest,
-    write_one,
-    write_together,
+    write_save,
+    write_saves,
 )
 
 SAVED_ELSEWHERE = word("what was saved elsewhere")  # the step that `refresh` makes
@@ -55,7 +55,7 @@ class Workspace:
     ):
         self.root = root
         self.folder = folder or root
-        self.memory = FrameMemory()
+        self.memory = FrameVersions()
         self.frames = frames
         self.field = field
         self.notices = notices
@@ -159,10 +159,10 @@ class Workspace:
         Raises:
             InputError: the file cannot be used.
         """
-        found = self.to_judge(index)
+        found = self.annotation_to_score(index)
         return found if found is not None else EMPTY
 
-    def to_judge(self, index: int) -> FrameAnnotation | None:
+    def annotation_to_score(self, index: int) -> FrameAnnotation | None:
         """As `read`; None for a frame that has no file and so belongs to no figure of the set.
 
         Raises:
@@ -181,7 +181,7 @@ class Workspace:
         frame = self.frames[index]
         return frame.annotation_path.exists() if self.given is None else self.given.has(frame)
 
-    def at_hand(self, index: int) -> FrameAnnotation | None:
+    def loaded_annotation(self, index: int) -> FrameAnnotation | None:
         """A frame's annotation as it is now, if it was read in this session; never reads it."""
         state = self._states.get(index)
         if state is None or state.error is not None or index in self._outdated:
@@ -271,7 +271,7 @@ class Workspace:
             state.being_written = True
         return batch
 
-    def write(self, batch: Sequence[PendingSave]) -> list[Written]:
+    def write(self, batch: Sequence[PendingSave]) -> list[SaveResult]:
         """Write what `prepare_saves` made; from any thread.
 
         What the files hold is kept as versions first, on the disk as far as any can be written.
@@ -280,12 +280,12 @@ class Workspace:
         new = [self.memory.keep_found(*found) for found in zip(names, batch, strict=True)]
         if any(new):
             self.memory.flush()
-        done = write_together(batch)
+        done = write_saves(batch)
         for written in done:
             self._keep(written)
         return done
 
-    def note_saved(self, written: Written) -> None:
+    def note_saved(self, written: SaveResult) -> None:
         """Take down that an annotation was written, or why it was not: then it stays dirty."""
         pending, state = written.save, self.state(written.save.index)
         state.being_written = False
@@ -321,7 +321,7 @@ class Workspace:
             self.memory.keep(self.frames[index].name, found, word("overwritten"))
         state.made_here = False
         pending = pending_of(index, self.frames[index], state, self.root)
-        written = write_one(pending, over_anything=True)
+        written = write_save(pending, over_anything=True)
         self._keep(written)
         self.note_saved(written)
         if written.error is not None:
@@ -401,9 +401,9 @@ class Workspace:
         if self.given is not None:
             return self.given.bytes_of(frame)
         self._stamps.note(index, frame.annotation_path)
-        return read_if_there(frame.annotation_path, AnnotationError)
+        return read_optional(frame.annotation_path, AnnotationError)
 
-    def _keep(self, written: Written) -> None:
+    def _keep(self, written: SaveResult) -> None:
         save = written.save
         if written.error is None:
             self.memory.keep(self.frames[save.index].name, save.data, save.reason)

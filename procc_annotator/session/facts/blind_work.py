@@ -21,7 +21,7 @@ from procc_annotator.session.facts.frame_check import content_of
 _COMMIT_SETTING = "blind commit of "
 
 
-class BlindWork(StrEnum):
+class BlindStatus(StrEnum):
     """What may be said of a frame's clicks."""
 
     UNKNOWN = ""  # not committed in blind mode: cameras may have been shown all along
@@ -43,10 +43,10 @@ class BlindCommit:
     time: float
     content: str
 
-    def work(self, annotation: FrameAnnotation) -> BlindWork:
+    def work(self, annotation: FrameAnnotation) -> BlindStatus:
         """Whether a frame that holds this annotation now is still what was committed."""
         same = self.content == content_of(annotation)
-        return BlindWork.BLIND if same else BlindWork.EDITED
+        return BlindStatus.BLIND if same else BlindStatus.EDITED
 
 
 def setting_of(frame: str) -> str:
@@ -70,7 +70,7 @@ def write_commit(commit: BlindCommit) -> str:
     return json.dumps(asdict(commit), ensure_ascii=False)
 
 
-def work_of(text: str | None, annotation: FrameAnnotation) -> BlindWork:
+def blind_status(text: str | None, annotation: FrameAnnotation) -> BlindStatus:
     """What may be said of a frame's clicks.
 
     Args:
@@ -78,7 +78,7 @@ def work_of(text: str | None, annotation: FrameAnnotation) -> BlindWork:
         annotation: of the frame, as it is now.
     """
     commit = read_commit(text)
-    return commit.work(annotation) if commit is not None else BlindWork.UNKNOWN
+    return commit.work(annotation) if commit is not None else BlindStatus.UNKNOWN
 
 
 LOCK_SETTING = "blind lock"  # what it is kept under with the dataset

@@ -12,15 +12,15 @@ import numpy as np
 from procc_annotator.annotation import FrameAnnotation, Polyline
 from procc_annotator.field.model import Field
 from procc_annotator.fit.fitting import fit_camera
-from procc_annotator.fit.labels.check import check_by_eye, check_labels, with_paint
+from procc_annotator.fit.labels.check import check_without_camera, check_labels, add_line_evidence
 from procc_annotator.fit.labels.finding import Finding, Rule, Severity
-from procc_annotator.fit.labels.seen_paint import ElementPaint
+from procc_annotator.fit.labels.seen_paint import LineEvidence
 from procc_annotator.fit.result import FitResult
-from procc_annotator.fit.which_side import OnOtherSide, Stand, other_side_finding, stand_of
+from procc_annotator.fit.which_side import OppositeSideFrame, FittedPosition, opposite_side_finding, fitted_position
 
 
 @dataclass(frozen=True, slots=True)
-class FoundInFrame:
+class StoredFinding:
     """A finding of a frame, with what tells it from others.
 
     Attributes:
@@ -55,13 +55,13 @@ class FrameCheck:
     """
 
     content: str
-    found: tuple[FoundInFrame, ...]
+    found: tuple[StoredFinding, ...]
     fitted: bool
     size: tuple[int, int]
     failure: str = ""
     elements: int = 0
     with_paint: bool = False
-    stand: Stand | None = None
+    stand: FittedPosition | None = None
 
 
 def content_of(annotation: FrameAnnotation, classes: Iterable[str] | None = None) -> str:
@@ -75,7 +75,7 @@ def content_of(annotation: FrameAnnotation, classes: Iterable[str] | None = None
     return digest.hexdigest()
 
 
-def remember(
+def store_check(
     annotation: FrameAnnotation,
     findings: Sequence[Finding],
     fit: FitResult,
@@ -96,12 +96,12 @@ def remember(
     failure = (fit.failure or "") if fitted else ""
     count = len(annotation.annotated)
     content = content_of(annotation)
-    stand = stand_of(fit) if fitted else None
+    stand = fitted_position(fit) if fitted else None
     return FrameCheck(content, found, fitted, fit.size, failure, count, with_paint, stand)
 
 
-def check_on_other_side(
-    checked: FrameCheck, annotation: FrameAnnotation, field: Field, other: OnOtherSide
+def check_with_camera_side(
+    checked: FrameCheck, annotation: FrameAnnotation, field: Field, other: OppositeSideFrame
 ) -> FrameCheck:
     """A check with what a set's cameras say of the side that this frame's stands on.
 
@@ -111,11 +111,11 @@ def check_on_other_side(
         field: its elements.
         other: what the set says.
     """
-    finding = other_side_finding(annotation, field, other)
-    return checked if finding is None else with_found(checked, _found(finding, annotation))
+    finding = opposite_side_finding(annotation, field, other)
+    return checked if finding is None else with_set_findings(checked, _found(finding, annotation))
 
 
-def with_found(checked: FrameCheck, found: FoundInFrame) -> FrameCheck:
+def with_set_findings(checked: FrameCheck, found: StoredFinding) -> FrameCheck:
     """A check with what only the set could tell; of a frame that is known to be the wrong way round
     it says nothing new."""
     if any(known.finding.rule is Rule.REFLECTED for known in checked.found):
@@ -124,7 +124,7 @@ def with_found(checked: FrameCheck, found: FoundInFrame) -> FrameCheck:
     return replace(checked, found=(*checked.found[:at], found, *checked.found[at:]))
 
 
-def surviving(checked: FrameCheck, annotation: FrameAnnotation) -> FrameCheck:
+def still_valid(checked: FrameCheck, annotation: FrameAnnotation) -> FrameCheck:
     """What still holds of a check once the annotation is another one: what was found in elements
     that did not change. It passes for the check of no annotation."""
     kept = tuple(f for f in checked.found if f.holds_for(annotation))
@@ -137,7 +137,7 @@ def check_frame(
     *,
     size: tuple[int, int],
     model: str = "R",
-    paint: Mapping[str, ElementPaint] | None = None,
+    paint: Mapping[str, LineEvidence] | None = None,
     fit: FitResult | None = None,
 ) -> FrameCheck:
     """Fit a camera to a frame's annotation and check its labels; safe from any thread.
@@ -154,8 +154,8 @@ def check_frame(
         fit = fit_camera(annotation, field, model=model, size=size)
     found = check_labels(annotation, field, size=size, fit=fit)
     if paint is not None:
-        found = with_paint(found, annotation, field, size=size, fit=fit, paint=paint)
-    return remember(annotation, found, fit, with_paint=paint is not None)
+        found = add_line_evidence(found, annotation, field, size=size, fit=fit, paint=paint)
+    return store_check(annotation, found, fit, with_paint=paint is not None)
 
 
 def check_without_fit(
@@ -163,26 +163,26 @@ def check_without_fit(
     field: Field,
     *,
     size: tuple[int, int],
-    paint: Mapping[str, ElementPaint] | None = None,
+    paint: Mapping[str, LineEvidence] | None = None,
 ) -> FrameCheck:
     """Check a frame's labels by the rules that need no camera; no camera is fitted, so that what is
     found may be shown where a camera may not. Safe from any thread."""
     none = FitResult("", size, None, failure="not asked for")
-    findings = check_by_eye(annotation, field, size=size)
+    findings = check_without_camera(annotation, field, size=size)
     if paint is not None:
-        findings = with_paint(findings, annotation, field, size=size, fit=none, paint=paint)
-    return remember(annotation, findings, none, fitted=False, with_paint=paint is not None)
+        findings = add_line_evidence(findings, annotation, field, size=size, fit=none, paint=paint)
+    return store_check(annotation, findings, none, fitted=False, with_paint=paint is not None)
 
 
-def worst_severity(found: Iterable[FoundInFrame]) -> Severity | None:
+def worst_severity(found: Iterable[StoredFinding]) -> Severity | None:
     """The surest of some findings; None for none."""
     return min((f.finding.severity for f in found), key=lambda s: s.rank, default=None)
 
 
 def _found(
     finding: Finding, annotation: FrameAnnotation, fit: FitResult | None = None
-) -> FoundInFrame:
-    return FoundInFrame(finding, _key(finding, annotation), _places(finding, annotation, fit))
+) -> StoredFinding:
+    return StoredFinding(finding, _key(finding, annotation), _places(finding, annotation, fit))
 
 
 def _key(finding: Finding, annotation: FrameAnnotation) -> str:
@@ -221,7 +221,7 @@ def _worst_point(polyline: Polyline, fit: FitResult | None) -> int:
     return max(seen, key=distances.__getitem__) if distances else seen[len(seen) // 2]
 
 
-def by_severity(found: Iterable[FoundInFrame]) -> Mapping[Severity, int]:
+def by_severity(found: Iterable[StoredFinding]) -> Mapping[Severity, int]:
     """How many of some findings there are of each severity."""
     counted = Counter(f.finding.severity for f in found)
     return {severity: counted[severity] for severity in Severity}

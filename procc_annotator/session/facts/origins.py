@@ -164,7 +164,7 @@ def new_origins(
     return origins
 
 
-def count_origins(
+def count_points_by_origin(
     annotation: FrameAnnotation, origins: Mapping[PointKey, Origin]
 ) -> dict[OriginKind, int]:
     """How many confirmed points are of each kind; points nothing is known of are from the file."""

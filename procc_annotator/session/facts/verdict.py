@@ -11,7 +11,7 @@ from pathlib import Path
 from procc_annotator.language import word
 
 
-class Fault(StrEnum):
+class FaultParty(StrEnum):
     """Who is to blame for what a frame's score says of a camera source."""
 
     CAMERA = word("camera", "a verdict")
@@ -21,10 +21,10 @@ class Fault(StrEnum):
 
 _BY_NAME = "name"  # no format is called so
 
-FAULT_WORDS: dict[Fault, str] = {
-    Fault.CAMERA: word("camera fault", "a verdict"),
-    Fault.ANNOTATION: word("annotation fault", "a verdict"),
-    Fault.FINE: word("fine", "a verdict"),
+FAULT_WORDS: dict[FaultParty, str] = {
+    FaultParty.CAMERA: word("camera fault", "a verdict"),
+    FaultParty.ANNOTATION: word("annotation fault", "a verdict"),
+    FaultParty.FINE: word("fine", "a verdict"),
 }
 
 
@@ -41,7 +41,7 @@ class Verdict:
     frame: str
     source: str
     place: str
-    fault: Fault
+    fault: FaultParty
     author: str
     time: float
     comment: str = ""

@@ -16,17 +16,17 @@ from math import inf
 from procc_annotator.field.model import Field
 from procc_annotator.fit.labels.finding import Severity
 from procc_annotator.session.facts.origins import Status
-from procc_annotator.session.facts.verdict import Fault
+from procc_annotator.session.facts.verdict import FaultParty
 from procc_annotator.session.filter.query_words import (
     Word,
     choose,
     cut,
-    elsewhere,
+    other_key_hint,
     pattern,
-    plain,
+    normalised_text,
     read_interval,
     split_words,
-    wrong,
+    syntax_error,
 )
 
 STATUSES = tuple(str(status) for status in Status)
@@ -85,7 +85,7 @@ _Test = Callable[[FrameFacts], bool | None]
 _NO_VERDICT = "none"
 _NO_FINDING, _UNCHECKED = "none", "unchecked"
 _CAMERAS: Mapping[str, bool | None] = {"unreadable": None, "none": False}
-_AT_HAND, _CHECK, _ANNOTATION, _JAC = range(4)  # what a condition needs, cheapest first
+_NEEDS_NOTHING, _CHECK, _ANNOTATION, _JAC = range(4)  # what a condition needs, cheapest first
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,7 +93,7 @@ class _Term:
     """What a word was read as; without a test it is not finished and every frame matches."""
 
     test: _Test | None
-    needs: int = _AT_HAND
+    needs: int = _NEEDS_NOTHING
     missing: str = ""
 
 
@@ -174,7 +174,7 @@ def _term(word: Word, field: Field) -> _Term:
     close = difflib.get_close_matches(word.key, [*keys, "jac5"], n=1)
     advice = f"did you mean {cut(close[0] + ':')}?" if close else f"there are {', '.join(keys)}"
     quotes = "; put it in quotes to look for it in names"
-    raise wrong(word.place, f"unknown filter {cut(word.key + ':')}; {advice}{quotes}")
+    raise syntax_error(word.place, f"unknown filter {cut(word.key + ':')}; {advice}{quotes}")
 
 
 # --------------------------------------------------------------------------------- text
@@ -201,7 +201,7 @@ def _comment(word: Word) -> _Term:
 
 # The last two are known for certain only when the frame's file was read.
 _FLAGS: Mapping[str, tuple[_Test, int]] = {
-    "unsaved": (lambda facts: facts.unsaved, _AT_HAND),
+    "unsaved": (lambda facts: facts.unsaved, _NEEDS_NOTHING),
     "unreadable": (lambda facts: facts.unreadable or _if_read(facts), _ANNOTATION),
     "unconfirmed": (lambda facts: facts.unconfirmed or _if_read(facts), _ANNOTATION),
 }
@@ -214,7 +214,7 @@ def _if_read(facts: FrameFacts) -> bool | None:
 
 def _is(word: Word) -> _Term:
     choices = {name: name for name in _FLAGS}
-    chosen, missing = choose(word.parts, choices, "a property", elsewhere(STATUSES, "state"))
+    chosen, missing = choose(word.parts, choices, "a property", other_key_hint(STATUSES, "state"))
     if not chosen:
         return _Term(None, missing=missing)
     tests = [_FLAGS[name][0] for name in chosen]
@@ -228,8 +228,8 @@ def _is(word: Word) -> _Term:
 
 
 def _state(word: Word) -> _Term:
-    choices = {plain(status): status for status in STATUSES}
-    chosen, missing = choose(word.parts, choices, "a status", elsewhere(_FLAGS, "is"))
+    choices = {normalised_text(status): status for status in STATUSES}
+    chosen, missing = choose(word.parts, choices, "a status", other_key_hint(_FLAGS, "is"))
     if not chosen:
         return _Term(None, missing=missing)
     wanted = {spelling for name in chosen for spelling in (name, name.replace(" ", "_"))}
@@ -237,8 +237,8 @@ def _state(word: Word) -> _Term:
 
 
 def _verdict(word: Word) -> _Term:
-    choices = {name: name for name in (*map(str, Fault), _NO_VERDICT)}
-    chosen, missing = choose(word.parts, choices, "a verdict", elsewhere(STATUSES, "state"))
+    choices = {name: name for name in (*map(str, FaultParty), _NO_VERDICT)}
+    chosen, missing = choose(word.parts, choices, "a verdict", other_key_hint(STATUSES, "state"))
     if not chosen:
         return _Term(None, missing=missing)
     wanted = frozenset(chosen)
@@ -251,7 +251,7 @@ def _verdict(word: Word) -> _Term:
 
 def _check(word: Word) -> _Term:
     choices = {name: name for name in (*map(str, Severity), _NO_FINDING, _UNCHECKED)}
-    chosen, missing = choose(word.parts, choices, "a finding", elsewhere(STATUSES, "state"))
+    chosen, missing = choose(word.parts, choices, "a finding", other_key_hint(STATUSES, "state"))
     if not chosen:
         return _Term(None, missing=missing)
     wanted = frozenset(chosen)
@@ -266,7 +266,7 @@ def _check(word: Word) -> _Term:
 
 def _camera(word: Word) -> _Term:
     choices = {name: name for name in _CAMERAS}
-    chosen, missing = choose(word.parts, choices, "a state of a camera", elsewhere(_FLAGS, "is"))
+    chosen, missing = choose(word.parts, choices, "a state of a camera", other_key_hint(_FLAGS, "is"))
     if not chosen:
         return _Term(None, missing=missing)
     wanted = [_CAMERAS[name] for name in chosen]
@@ -275,12 +275,12 @@ def _camera(word: Word) -> _Term:
 
 def _has(word: Word, field: Field) -> _Term:
     known = [*field.index, *field.classes_without_geometry]
-    names = {plain(e.title): e.name for e in field.elements} | {plain(n): n for n in known}
-    spelled = {plain(text): text for text in (*known, *(e.title for e in field.elements))}
+    names = {normalised_text(e.title): e.name for e in field.elements} | {normalised_text(n): n for n in known}
+    spelled = {normalised_text(text): text for text in (*known, *(e.title for e in field.elements))}
     written = [part for part in word.parts if "*" not in part.text]
-    others = elsewhere(STATUSES, "state") | {"comment": "comments:>0"}
+    others = other_key_hint(STATUSES, "state") | {"comment": "comments:>0"}
     chosen, missing = choose(written, spelled, "a class", others)
-    patterns = [pattern(plain(part.text)) for part in word.parts if "*" in part.text]
+    patterns = [pattern(normalised_text(part.text)) for part in word.parts if "*" in part.text]
     chosen += [key for key in names if any(p.fullmatch(key) for p in patterns)]
     wanted = frozenset(names[key].strip() for key in chosen)
     if not wanted and not patterns:
@@ -290,7 +290,7 @@ def _has(word: Word, field: Field) -> _Term:
         if facts.annotated is None:
             return None
         return any(
-            name.strip() in wanted or any(p.fullmatch(plain(name)) for p in patterns)
+            name.strip() in wanted or any(p.fullmatch(normalised_text(name)) for p in patterns)
             for name in facts.annotated
         )
 
@@ -313,7 +313,7 @@ def _elements(word: Word) -> _Term:
 
 
 def _comments(word: Word) -> _Term:
-    given = plain(word.value.text)
+    given = normalised_text(word.value.text)
     if given == "open":
         return _Term(lambda facts: facts.open_comments > 0)
     if given == "none":
@@ -330,8 +330,8 @@ def _comments(word: Word) -> _Term:
 def _jac(word: Word, written_tau: str | None) -> _Term:
     tau = None if written_tau is None else float(written_tau)
     if tau is not None and not 0 < tau < inf:
-        raise wrong(word.place, f"tau is a distance above 0 px, not {cut(written_tau or '')}")
-    given = plain(word.value.text)
+        raise syntax_error(word.place, f"tau is a distance above 0 px, not {cut(written_tau or '')}")
+    given = normalised_text(word.value.text)
     if given == "none":
         return _Term(lambda facts: facts.jac(tau) is None, _JAC)
     if given and "none".startswith(given):

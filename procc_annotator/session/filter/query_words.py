@@ -99,7 +99,7 @@ def cut(text: str) -> str:
     return repr(text if len(text) <= 40 else text[:39] + "…")
 
 
-def wrong(place: int, problem: str) -> UsageError:
+def syntax_error(place: int, problem: str) -> UsageError:
     """The error for a filter that cannot be read from some character on."""
     return UsageError(f"filter, character {place}: {problem}")
 
@@ -159,7 +159,7 @@ def _range(low: str, high: str, place: int, whole: bool, example: str) -> Number
     # 0.8..0 may become 0.8..0.9 and 8..1 may become 8..12 when more is typed
     if whole or float(high + ("9" * 9 if "." in high else ".999999999")) >= first:
         return f"the range {first:g}..{last:g} ends before it begins"
-    raise wrong(place, f"the range {first:g}..{last:g} ends before it begins; turn it around")
+    raise syntax_error(place, f"the range {first:g}..{last:g} ends before it begins; turn it around")
 
 
 def _begun(text: str) -> bool:
@@ -171,14 +171,14 @@ def _number(text: str, place: int, whole: bool, example: str) -> float:
     if not _NUMBER.fullmatch(text):
         if _NUMBER.fullmatch(text.replace(",", ".")):
             advice = f"write decimals with a point: {text.replace(',', '.')}"
-            raise wrong(place, f"{cut(text)} is not a number; {advice}")
-        raise wrong(place, f"{cut(text)} is not a number; write it as in {example}")
+            raise syntax_error(place, f"{cut(text)} is not a number; {advice}")
+        raise syntax_error(place, f"{cut(text)} is not a number; write it as in {example}")
     value = float(text)
     if whole and "." in text:
-        raise wrong(place, f"{cut(text)} is not a whole number; write it as in {example}")
+        raise syntax_error(place, f"{cut(text)} is not a whole number; write it as in {example}")
     if not whole and value > 1:
         advice = f" ({value:g} % is {value / 100:g})" if value <= 100 else ""
-        raise wrong(place, f"JaC runs from 0 to 1, not to {cut(text)}{advice}")
+        raise syntax_error(place, f"JaC runs from 0 to 1, not to {cut(text)}{advice}")
     return value
 
 
@@ -199,13 +199,13 @@ def choose(
     chosen = []
     missing = ""
     for part in parts:
-        given = plain(part.text)
+        given = normalised_text(part.text)
         if given in choices:
             chosen.append(given)
             continue
         begun = [text for key, text in choices.items() if key.startswith(given)]
         if not begun:
-            raise wrong(part.place, _unknown(part, given, choices, what, others))
+            raise syntax_error(part.place, _unknown(part, given, choices, what, others))
         more = ["…"] if len(begun) > 5 else []
         some = ", ".join([*(quoted(text.strip()) for text in begun[:5]), *more])
         lacks = f"{cut(part.text)} is not finished" if given else f"{what} is missing"
@@ -227,12 +227,12 @@ def _unknown(
     return f"{said}; choose one of {', '.join(choices)}"
 
 
-def elsewhere(names: Iterable[str], key: str) -> dict[str, str]:
+def other_key_hint(names: Iterable[str], key: str) -> dict[str, str]:
     """What belongs behind another key, and how it is written there."""
     return {name: f"{key}:{quoted(name)}" for name in names}
 
 
-def plain(text: str) -> str:
+def normalised_text(text: str) -> str:
     """The spelling that is compared: no capitals, single spaces, underscores as spaces."""
     return " ".join(text.replace("_", " ").casefold().split())
 

@@ -13,7 +13,7 @@ from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.errors import CameraError
 from procc_annotator.field.model import Element, Field
 from procc_annotator.fit.fitting import fit_camera
-from procc_annotator.io.annotation_files.label_map import LEFT_TO_RIGHT, ORDERS, LabelMap, Ordered
+from procc_annotator.io.annotation_files.label_map import LEFT_TO_RIGHT, ORDERS, LabelMap, OrderedClasses
 from procc_annotator.metric.measure import measure_projected
 from procc_annotator.metric.project import ProjectedField, project_field
 from procc_annotator.metric.setup import EvaluationSetup
@@ -41,7 +41,7 @@ class LabelPlaces:
 
     on: Counter[str]
     shapes: int
-    orders: Counter[Ordered]
+    orders: Counter[OrderedClasses]
     frames: int
 
     @classmethod
@@ -143,7 +143,7 @@ def _could_be(element: Element, count: int) -> bool:
     return element.is_straight or count >= _POINTS_OF_A_CURVE
 
 
-def _orders(shapes: Sequence[Points], names: Sequence[str | None]) -> list[Ordered]:
+def _orders(shapes: Sequence[Points], names: Sequence[str | None]) -> list[OrderedClasses]:
     """In which orders the shapes of a frame are on these classes, both ways of ordering."""
     known = [name for name in names if name is not None]
     if len(known) < 2 or len(set(known)) < len(names):
@@ -152,5 +152,5 @@ def _orders(shapes: Sequence[Points], names: Sequence[str | None]) -> list[Order
     for order in ORDERS:
         axis = 0 if order == LEFT_TO_RIGHT else 1
         pairs = sorted(zip(shapes, known, strict=True), key=lambda one: middle(one[0])[axis])
-        found.append(Ordered(order, tuple(name for _, name in pairs)))
+        found.append(OrderedClasses(order, tuple(name for _, name in pairs)))
     return found

@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Literal
 
 from procc_annotator.field.model import Field
-from procc_annotator.field.similar_names import Similar, similar_classes
-from procc_annotator.io.annotation_files.label_map import LABELS_FILE, LabelMap, Ordered, Rule
+from procc_annotator.field.similar_names import ClassMatch, matching_classes
+from procc_annotator.io.annotation_files.label_map import LABELS_FILE, LabelMap, OrderedClasses, Rule
 from procc_annotator.session.labels.label_places import (
     CameraOf,
     LabelPlaces,
@@ -17,10 +17,10 @@ from procc_annotator.session.labels.label_places import (
     fitted_cameras,
 )
 from procc_annotator.session.labels.label_shapes import LabelCount, LabelledFrame, label_counts
-from procc_annotator.session.labels.line_order import Orders, find_orders
-from procc_annotator.words import count_of
+from procc_annotator.session.labels.line_order import LineOrders, find_orders
+from procc_annotator.words import count_words
 
-Surety = Literal["sure", "likely", "open"]
+Confidence = Literal["sure", "likely", "open"]
 _MOST_FRAMES = 16  # are looked at with a camera
 _MOST = 0.7  # of the shapes or frames, that something is called likely by geometry
 _FEWEST = 2  # shapes, frames
@@ -44,7 +44,7 @@ class LabelProposal:
 
     count: LabelCount
     rule: Rule
-    surety: Surety
+    surety: Confidence
     why: str
     like: tuple[str, ...] = ()
 
@@ -64,9 +64,9 @@ def propose_labels(
         camera_of: given cameras; None: none are.
     """
     counts = label_counts(frames)
-    names = {count.label: similar_classes(count.label, field) for count in counts}
+    names = {count.label: matching_classes(count.label, field) for count in counts}
     alone = {label: found.classes[0] for label, found in names.items() if len(found.classes) == 1}
-    orders = Orders({})
+    orders = LineOrders({})
     if camera_of is None:
         families = {
             c.label: names[c.label].classes
@@ -103,7 +103,7 @@ def _each_once(proposals: list[LabelProposal]) -> list[LabelProposal]:
 
 
 def _proposal(
-    count: LabelCount, similar: Similar, orders: Orders, places: LabelPlaces
+    count: LabelCount, similar: ClassMatch, orders: LineOrders, places: LabelPlaces
 ) -> LabelProposal:
     if (ordered := orders.rules.get(count.label)) is not None:
         return _by_order(count, ordered, orders, places)
@@ -113,23 +113,23 @@ def _proposal(
 
 
 def _by_order(
-    count: LabelCount, rule: Ordered, orders: Orders, places: LabelPlaces
+    count: LabelCount, rule: OrderedClasses, orders: LineOrders, places: LabelPlaces
 ) -> LabelProposal:
-    fit = f"in this order {orders.fitting} of {count_of(orders.frames, 'frame')} fit one camera"
-    surety: Surety = "sure" if orders.fitting >= max(_FEWEST, _MOST * orders.frames) else "likely"
+    fit = f"in this order {orders.fitting} of {count_words(orders.frames, 'frame')} fit one camera"
+    surety: Confidence = "sure" if orders.fitting >= max(_FEWEST, _MOST * orders.frames) else "likely"
     if not orders.fitting:
         return LabelProposal(count, None, "open", f"by name, but {fit}", rule.classes)
     on = sum(places.on[name] for name in rule.classes)
-    seen = f"; {on} of {count_of(places.shapes, 'shape')} on them" if places.shapes else ""
+    seen = f"; {on} of {count_words(places.shapes, 'shape')} on them" if places.shapes else ""
     return LabelProposal(count, rule, surety, f"by name; {fit}{seen}")
 
 
-def _of_several(count: LabelCount, similar: Similar, places: LabelPlaces) -> LabelProposal:
+def _of_several(count: LabelCount, similar: ClassMatch, places: LabelPlaces) -> LabelProposal:
     """Of a label that a frame has several shapes of, and no order by homographies."""
     found = next(iter(places.orders.most_common(1)), None)
     if found is not None:
         rule, times = found
-        why = f"on these lines in this order in {times} of {count_of(places.frames, 'frame')}"
+        why = f"on these lines in this order in {times} of {count_words(places.frames, 'frame')}"
         if times >= max(_FEWEST, _MOST * places.frames):
             named = set(rule.classes) <= set(similar.classes)
             return LabelProposal(count, rule, "sure" if named else "likely", why)
@@ -140,10 +140,10 @@ def _of_several(count: LabelCount, similar: Similar, places: LabelPlaces) -> Lab
     return LabelProposal(count, None, "open", _nothing(similar), similar.classes)
 
 
-def _of_one(count: LabelCount, similar: Similar, places: LabelPlaces) -> LabelProposal:
+def _of_one(count: LabelCount, similar: ClassMatch, places: LabelPlaces) -> LabelProposal:
     """Of a label that a frame has one shape of."""
     place, times = next(iter(places.on.most_common(1)), ("", 0))
-    on = f"{times} of {count_of(places.shapes, 'shape')} on it"
+    on = f"{times} of {count_words(places.shapes, 'shape')} on it"
     clear = times >= max(_FEWEST, _MOST * places.shapes)
     if clear and place in similar.classes:
         return LabelProposal(count, place, "sure", f"by name; {on}")
@@ -159,5 +159,5 @@ def _of_one(count: LabelCount, similar: Similar, places: LabelPlaces) -> LabelPr
     return LabelProposal(count, None, "open", _nothing(similar), similar.classes)
 
 
-def _nothing(similar: Similar) -> str:
+def _nothing(similar: ClassMatch) -> str:
     return "its name may be any of these" if similar.classes else "no class is called alike"

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from procc_annotator.field.geometry import Line
 from procc_annotator.field.model import Field
-from procc_annotator.io.annotation_files.label_map import LEFT_TO_RIGHT, TOP_DOWN, Ordered, Rule
+from procc_annotator.io.annotation_files.label_map import LEFT_TO_RIGHT, TOP_DOWN, OrderedClasses, Rule
 from procc_annotator.session.labels.label_shapes import LabelledFrame, Points, middle
 
 FloatArray = NDArray[np.float64]
@@ -32,7 +32,7 @@ _CAPPED = 0.02  # of the picture's width: a frame where no order fits decides no
 
 
 @dataclass(frozen=True, slots=True)
-class Orders:
+class LineOrders:
     """The orders of labels that lines share.
 
     Attributes:
@@ -41,7 +41,7 @@ class Orders:
         frames: that were tried.
     """
 
-    rules: Mapping[str, Ordered]
+    rules: Mapping[str, OrderedClasses]
     fitting: int = 0
     frames: int = 0
 
@@ -51,7 +51,7 @@ def find_orders(
     alone: Mapping[str, str],
     families: Mapping[str, Sequence[str]],
     field: Field,
-) -> Orders:
+) -> LineOrders:
     """Find the order of the shapes of labels that several lines share.
 
     Args:
@@ -64,33 +64,33 @@ def find_orders(
     usable = all(len(s) <= _LARGEST_FAMILY and lines.keys() >= set(s) for s in families.values())
     told = [frame for frame in frames if _is_whole(frame, families)]
     if not families or not usable or not told:
-        return Orders({})
+        return LineOrders({})
     told.sort(key=lambda frame: -sum(map(len, frame.shapes.values())))
     told = told[:: max(1, len(told) // _MOST_FRAMES)][:_MOST_FRAMES]
     choices = [
-        [Ordered(way, names) for way in _ways(told, label) for names in permutations(some)]
+        [OrderedClasses(way, names) for way in _ways(told, label) for names in permutations(some)]
         for label, some in families.items()
     ]
     if math.prod(map(len, choices)) > _MOST_ORDERS:
-        return Orders({})
-    best = (math.inf, Orders({}))
+        return LineOrders({})
+    best = (math.inf, LineOrders({}))
     for chosen in product(*choices):
         rules = dict(zip(families, chosen, strict=True))
         offs = [_off(_labelled(frame, rules, alone), frame, lines) for frame in told]
         known = [off for off in offs if off is not None]
         off = round(float(np.mean(known)), 9) if known else math.inf
         if off < best[0]:
-            best = off, Orders(rules, sum(off < _FITS for off in known), len(known))
-    return replace(best[1], rules=_first_turned(best[1].rules, alone, field))
+            best = off, LineOrders(rules, sum(off < _FITS for off in known), len(known))
+    return replace(best[1], rules=_first_rotated(best[1].rules, alone, field))
 
 
-def _first_turned(
-    rules: Mapping[str, Ordered], alone: Mapping[str, str], field: Field
-) -> Mapping[str, Ordered]:
+def _first_rotated(
+    rules: Mapping[str, OrderedClasses], alone: Mapping[str, str], field: Field
+) -> Mapping[str, OrderedClasses]:
     """Of orders that are as good on the turned field those whose classes come first in it: a set
     that is looked at again, or in parts, gets the same ones."""
 
-    def place(some: Mapping[str, Ordered]) -> list[list[int]]:
+    def place(some: Mapping[str, OrderedClasses]) -> list[list[int]]:
         return [[field.index[n] for n in some[label].classes] for label in sorted(some)]
 
     turned = [
@@ -147,7 +147,7 @@ def _labelled(
     found = [(p.class_name, p.points) for p in frame.known.polylines]
     for label, shapes in frame.shapes.items():
         rule = rules.get(label, alone.get(label))
-        if isinstance(rule, Ordered):
+        if isinstance(rule, OrderedClasses):
             axis = 0 if rule.order == LEFT_TO_RIGHT else 1
             ordered = sorted(shapes, key=lambda points: middle(points)[axis])
             found += zip(rule.classes, ordered, strict=True)

@@ -6,11 +6,11 @@ from collections.abc import Sequence
 
 from procc_annotator.field.load import field_names, load_field
 from procc_annotator.field.model import Field
-from procc_annotator.field.similar_names import similar_classes
+from procc_annotator.field.similar_names import matching_classes
 from procc_annotator.io.annotation_files.label_map_text import WrittenRule, label_map_text
 from procc_annotator.session.dataset.field_match import loadable
 from procc_annotator.session.labels.label_proposal import LabelProposal
-from procc_annotator.words import count_of
+from procc_annotator.words import count_words
 
 _MUCH_MORE = 1.3  # of the likeness of all labels
 
@@ -42,7 +42,7 @@ def proposed_text(
 
 
 def _written(one: LabelProposal) -> WrittenRule:
-    shapes = count_of(one.count.shapes, "shape")
+    shapes = count_words(one.count.shapes, "shape")
     like = f"; may be {', '.join(name.strip() for name in one.like)}" if one.like else ""
     comment = f"{one.surety}, {shapes}: {one.why}{like}"
     return WrittenRule(one.count.label, one.rule, comment, used=one.surety != "open")
@@ -66,5 +66,5 @@ def better_field(labels: Sequence[str], field: Field) -> str | None:
 
 
 def _likeness(labels: Sequence[str], field: Field) -> float:
-    found = (similar_classes(label, field) for label in labels)
+    found = (matching_classes(label, field) for label in labels)
     return sum(one.likeness for one in found if one.classes)

@@ -43,7 +43,7 @@ def read_landmarks_in(folder: Path) -> tuple[LandmarkFile, ViewGroups]:
     return load_landmarks(folder / LANDMARKS_FILE), load_views(folder / VIEWS_FILE)
 
 
-def strange_rows_of(groups: ViewGroups, workspace: Workspace) -> str:
+def unknown_frames_message(groups: ViewGroups, workspace: Workspace) -> str:
     """What is to say of rows that name a frame which a dataset has not, in one sentence; empty
     where there are none.
 
@@ -51,13 +51,13 @@ def strange_rows_of(groups: ViewGroups, workspace: Workspace) -> str:
         groups: of its ``views.csv``.
         workspace: its frames; safe from any thread.
     """
-    if not workspace.frames or not groups.strange_names(workspace.index):
+    if not workspace.frames or not groups.unknown_frames(workspace.index):
         return ""
     there = {*workspace.index, *_annotated_in(workspace.annotations)}
-    count = len(groups.strange_names(there))
+    count = len(groups.unknown_frames(there))
     if not count:
         return ""
-    (first,) = groups.strange_rows(there, 1)
+    (first,) = groups.unknown_rows(there, 1)
     if count == 1:
         return first
     return f"{first} (and {count - 1:,} more {'row' if count == 2 else 'rows'} like it)"

@@ -9,11 +9,11 @@ from dataclasses import field as dataclass_field
 from natsort import natsorted
 
 from procc_annotator.annotation import FrameAnnotation, Point
-from procc_annotator.field.landmarks import by_name, is_moving, without_landmarks
+from procc_annotator.field.landmarks import landmarks_by_name, is_moving, without_landmarks
 from procc_annotator.field.model import Field, Landmark
-from procc_annotator.fit.triangulation import Triangulated
+from procc_annotator.fit.triangulation import Triangulation
 from procc_annotator.io.landmark_file import LandmarkFile
-from procc_annotator.language import Said, said
+from procc_annotator.language import TranslatableText, translatable
 from procc_annotator.session.landmarks.view_groups import ViewGroups
 
 
@@ -55,7 +55,7 @@ class LocatedLandmark:
     """
 
     clicked: ClickedLandmark
-    found: Triangulated
+    found: Triangulation
     without_view: tuple[tuple[str, str], ...] = ()
     kept: bool = False
     astray: tuple[str, ...] = ()
@@ -153,7 +153,7 @@ def with_positions(file: LandmarkFile, located: Iterable[LocatedLandmark]) -> La
         name, instant = one.clicked.name, one.clicked.instant
         if one.kept or one.found.position is None or why_kept(file, name, instant):
             continue
-        entries = by_name(file.landmarks).get(name, [])
+        entries = landmarks_by_name(file.landmarks).get(name, [])
         own = next((mark for mark in entries if mark.instant == instant), None)
         if instant is not None and not any(mark.moving for mark in entries):
             # What it is called and how it looks is said once, of the object.
@@ -180,22 +180,22 @@ def why_kept(file: LandmarkFile, name: str, instant: str | None = None) -> str:
         name: of the landmark.
         instant: of the position; None for what stays.
     """
-    if surveyed_at(file.landmarks, name, instant) is not None:
-        return said("{title} was surveyed: its position stays as it is", title=title_in(file, name))
-    if instant is None and any(map(is_moving, by_name(file.landmarks).get(name, []))):
-        return said(
+    if surveyed_entry(file.landmarks, name, instant) is not None:
+        return translatable("{title} was surveyed: its position stays as it is", title=title_in(file, name))
+    if instant is None and any(map(is_moving, landmarks_by_name(file.landmarks).get(name, []))):
+        return translatable(
             "{title} moves: its positions hold for an instant each", title=title_in(file, name)
         )
     return ""
 
 
-def title_in(file: LandmarkFile, name: str) -> Said:
+def title_in(file: LandmarkFile, name: str) -> TranslatableText:
     """What people call a landmark; its name where the file does not know it."""
-    entries = by_name(file.landmarks).get(name)
-    return said(entries[0].shown_title if entries else name.strip())
+    entries = landmarks_by_name(file.landmarks).get(name)
+    return translatable(entries[0].shown_title if entries else name.strip())
 
 
-def surveyed_at(known: Iterable[Landmark], name: str, instant: str | None) -> Landmark | None:
+def surveyed_entry(known: Iterable[Landmark], name: str, instant: str | None) -> Landmark | None:
     """The entry with a landmark's place at an instant, or the one it has at all times, as far as
     somebody gave it."""
     return next(

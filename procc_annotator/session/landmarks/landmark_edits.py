@@ -12,7 +12,7 @@ from procc_annotator.field.model import Field, Landmark
 from procc_annotator.io.landmark_file import LandmarkFile, encode_landmarks, read_landmarks
 
 
-def added(file: LandmarkFile, name: str, field: Field) -> LandmarkFile:
+def with_new_landmark(file: LandmarkFile, name: str, field: Field) -> LandmarkFile:
     """With a new landmark whose position is not known yet.
 
     Raises:
@@ -36,14 +36,14 @@ def require_free(name: str, field: Field) -> None:
         raise UsageError(f"{name!r} is a class of the field: give the landmark another name")
 
 
-def surveyed(file: LandmarkFile, name: str, position: Vector) -> LandmarkFile:
+def with_surveyed_position(file: LandmarkFile, name: str, position: Vector) -> LandmarkFile:
     """With the place of a landmark that somebody measured; one that is not known yet is added.
 
     Raises:
         UsageError: it moves, or it cannot be a landmark's name or place.
     """
     entries = _entries(file, name) or [Landmark(name)]
-    own = _looks(entries)
+    own = _appearance_entry(entries)
     if any(map(is_moving, entries)):
         raise UsageError(f"{own.shown_title} moves: its positions hold for an instant each")
     return checked_landmarks(
@@ -62,14 +62,14 @@ def with_title(file: LandmarkFile, name: str, title: str) -> LandmarkFile:
     entries = _entries(file, name)
     if not entries:
         raise UsageError(f"there is no landmark {name!r}")
-    own = _looks(entries)
+    own = _appearance_entry(entries)
     title = title.strip()
     return checked_landmarks(
         file.with_landmark(replace(own, title="" if title == name.strip() else title))
     )
 
 
-def parse_place(text: str) -> Vector:
+def parse_position(text: str) -> Vector:
     """Read ``x, y, z``, metres.
 
     Raises:
@@ -93,7 +93,7 @@ def parse_surveyed(text: str) -> tuple[str, Vector]:
     name, _, place = text.rpartition("=")
     if not name.strip():
         raise UsageError(f"{text!r} names no landmark: expected NAME=X,Y,Z")
-    return name.strip(), parse_place(place)
+    return name.strip(), parse_position(place)
 
 
 def checked_landmarks(file: LandmarkFile) -> LandmarkFile:
@@ -112,6 +112,6 @@ def _entries(file: LandmarkFile, name: str) -> list[Landmark]:
     return [mark for mark in file.landmarks if mark.name.strip() == name.strip()]
 
 
-def _looks(entries: Sequence[Landmark]) -> Landmark:
+def _appearance_entry(entries: Sequence[Landmark]) -> Landmark:
     """The entry that says what a landmark is called and how it looks."""
     return next((mark for mark in entries if mark.instant is None), entries[0])

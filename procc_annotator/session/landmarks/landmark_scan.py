@@ -10,16 +10,16 @@ from pathlib import Path
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError
 from procc_annotator.field.model import Field
-from procc_annotator.fit.click_noise import noise_together
+from procc_annotator.fit.click_noise import pooled_noise_factor
 from procc_annotator.io.landmark_file import LandmarkFile
 from procc_annotator.session.dataset.camera_set import FrameCameras
 from procc_annotator.session.dataset.fit_sizes import FitSizes
 from procc_annotator.session.landmarks.landmark_clicks import (
     ClickGathering,
     LocatedLandmark,
-    surveyed_at,
+    surveyed_entry,
 )
-from procc_annotator.session.landmarks.landmark_views import FittedViews, Views, ViewsOfSet, locate
+from procc_annotator.session.landmarks.landmark_views import FittedViews, ViewCameras, ViewsOfSet, locate
 from procc_annotator.session.landmarks.view_groups import ViewGroups
 
 Readers = Mapping[str, Callable[[], FrameAnnotation]]
@@ -27,7 +27,7 @@ Progress = Callable[[int, int], None]
 
 
 @dataclass(frozen=True)
-class PlaceOfFiles:
+class DatasetPaths:
     """Where pictures and annotations of a dataset lie: the pictures tell the shape of frames.
 
     Attributes:
@@ -42,7 +42,7 @@ class PlaceOfFiles:
 
 
 @dataclass(frozen=True)
-class Search:
+class TriangulationSettings:
     """How landmarks are looked for.
 
     Attributes:
@@ -108,8 +108,8 @@ def clicked_in(annotation: FrameAnnotation, names: Sequence[str]) -> frozenset[s
 def locate_in_dataset(
     read: Readers,
     field: Field,
-    place: PlaceOfFiles,
-    search: Search,
+    place: DatasetPaths,
+    search: TriangulationSettings,
     progress: Progress = lambda done, total: None,
 ) -> FoundInDataset:
     """Triangulate landmarks of a dataset; safe from any thread.
@@ -141,25 +141,25 @@ def locate_in_dataset(
     located = []
     for done, one in enumerate(clicked):
         progress(len(read) + len(read) * done // len(clicked), 2 * len(read))
-        kept = surveyed_at(search.known.landmarks, one.name, one.instant)
+        kept = surveyed_entry(search.known.landmarks, one.name, one.instant)
         located.append(locate(one, views, click_px=search.click_px, kept=kept))
     if search.click_px is None:
-        located = _by_the_same_hand(located, views)
+        located = _with_common_click_noise(located, views)
     return FoundInDataset(tuple(located), tuple(problems))
 
 
-def _by_the_same_hand(located: list[LocatedLandmark], views: Views) -> list[LocatedLandmark]:
+def _with_common_click_noise(located: list[LocatedLandmark], views: ViewCameras) -> list[LocatedLandmark]:
     """The same, the clicks of all of them telling together how far clicks are off."""
     # Who is left out, and so the residuals, may change with it.
     for _ in range(2):
-        noise = noise_together([(one.found.squares, one.found.spare) for one in located])
+        noise = pooled_noise_factor([(one.found.squares, one.found.spare) for one in located])
         located = [one if one.kept else locate(one.clicked, views, noise=noise) for one in located]
     return located
 
 
 def _views(
-    field: Field, annotations: Mapping[str, FrameAnnotation], place: PlaceOfFiles, search: Search
-) -> Views:
+    field: Field, annotations: Mapping[str, FrameAnnotation], place: DatasetPaths, search: TriangulationSettings
+) -> ViewCameras:
     names = place.frames or tuple(annotations)
     sizes = FitSizes.of(search.size, place.dataset, place.annotations, names)
 

@@ -15,19 +15,19 @@ from procc_annotator.camera.projections import ElementProjections
 from procc_annotator.errors import CameraError
 from procc_annotator.field.landmarks import is_moving, with_landmarks
 from procc_annotator.field.model import Field, Landmark
-from procc_annotator.field.stadiums import field_of_frame
-from procc_annotator.fit.determined import hardly_determined
+from procc_annotator.field.stadiums import field_for_frame
+from procc_annotator.fit.determined import ill_conditioned_reason
 from procc_annotator.fit.fitting import fit_camera
-from procc_annotator.fit.place_agreement import agreement_of_views
+from procc_annotator.fit.place_agreement import compare_with_survey
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.triangulation import (
     CameraCovariance,
-    Triangulated,
-    View,
+    Triangulation,
+    ClickedView,
     triangulate,
-    usual_click_px,
+    default_click_sd_px,
 )
-from procc_annotator.language import said
+from procc_annotator.language import translatable
 from procc_annotator.session.dataset.camera_set import FrameCameras
 from procc_annotator.session.landmarks.landmark_clicks import (
     Click,
@@ -47,7 +47,7 @@ class FrameView:
     covariance: CameraCovariance | None = None
 
 
-class Views(Protocol):
+class ViewCameras(Protocol):
     """Where the cameras of clicked frames come from."""
 
     def of(self, frame: str) -> FrameView | str:
@@ -107,7 +107,7 @@ class FittedViews:
         if fit is None:
             fit = self._fits[frame] = fit_camera(
                 self.annotation_of(frame),
-                field_of_frame(self.field, frame),
+                field_for_frame(self.field, frame),
                 model=self.model,
                 size=self.size_of(frame),
             )
@@ -123,15 +123,15 @@ def surveyed_only(field: Field) -> Field:
 def view_of_fit(fit: FitResult) -> FrameView | str:
     """A fitted camera with its uncertainty, or why there is none."""
     if fit.camera is None:
-        return fit.failure or said("no camera was found")
-    if left_open := hardly_determined(fit):
-        return said("its camera is hardly determined: {what}", what=left_open)
+        return fit.failure or translatable("no camera was found")
+    if left_open := ill_conditioned_reason(fit):
+        return translatable("its camera is hardly determined: {what}", what=left_open)
     return FrameView(fit.camera, fit.size, fit.projected_covariance)
 
 
 def locate(
     clicked: ClickedLandmark,
-    views: Views,
+    views: ViewCameras,
     *,
     click_px: float | None = None,
     noise: float | None = None,
@@ -148,8 +148,8 @@ def locate(
         kept: the entry whose position somebody gave: it is left alone, and compared to the clicks.
     """
     if clicked.problem and kept is None:
-        return LocatedLandmark(clicked, Triangulated(failure=clicked.problem))
-    seen: list[View] = []
+        return LocatedLandmark(clicked, Triangulation(failure=clicked.problem))
+    seen: list[ClickedView] = []
     missing: list[tuple[str, str]] = []
     for click in clicked.clicks:
         found = views.of(click.frame)
@@ -158,34 +158,34 @@ def locate(
         else:
             seen.append(_view(click, found, click_px))
     if kept is not None and kept.position is not None:
-        agreed = agreement_of_views(
+        agreed = compare_with_survey(
             seen, kept.position, kept.covariance, estimate_noise=click_px is None
         )
-        result = Triangulated(
-            residuals_px=agreed.residuals_px, failure=said("surveyed: kept as it is")
+        result = Triangulation(
+            residuals_px=agreed.residuals_px, failure=translatable("surveyed: kept as it is")
         )
         return LocatedLandmark(clicked, result, tuple(missing), True, agreed.astray)
     result = triangulate(seen, estimate_noise=click_px is None, noise=noise)
     return LocatedLandmark(clicked, _explained(result, missing, len(seen)), tuple(missing))
 
 
-def _explained(found: Triangulated, missing: Sequence[tuple[str, str]], seen: int) -> Triangulated:
+def _explained(found: Triangulation, missing: Sequence[tuple[str, str]], seen: int) -> Triangulation:
     """Where cameras are missing, that is why nothing was found."""
     if found.position is not None or seen > 1 or not missing:
         return found
     frame, why = missing[0]
     others = len(missing) - 1
     if others:
-        problem = said(
+        problem = translatable(
             "no camera in {frame} ({why}), and {count} more", frame=frame, why=why, count=others
         )
     else:
-        problem = said("no camera in {frame} ({why})", frame=frame, why=why)
-    return Triangulated(failure=problem)
+        problem = translatable("no camera in {frame} ({why})", frame=frame, why=why)
+    return Triangulation(failure=problem)
 
 
-def _view(click: Click, of: FrameView, click_px: float | None) -> View:
+def _view(click: Click, of: FrameView, click_px: float | None) -> ClickedView:
     scale = np.array(of.size) - 1.0
     point = np.array([click.point.u, click.point.v]) * scale
-    noise = usual_click_px(of.size[0]) if click_px is None else click_px
-    return View(click.frame, of.camera, point, noise, of.covariance)
+    noise = default_click_sd_px(of.size[0]) if click_px is None else click_px
+    return ClickedView(click.frame, of.camera, point, noise, of.covariance)

@@ -18,18 +18,18 @@ from pathlib import Path
 from natsort import natsorted
 
 from procc_annotator.errors import InputError, SaveError
-from procc_annotator.field.words import did_you_mean, printed
+from procc_annotator.field.words import did_you_mean, short_repr
 from procc_annotator.io.atomic import write_atomic
-from procc_annotator.io.csv_text import no_formula, read_frame_table
+from procc_annotator.io.csv_text import escape_formula, read_frame_table
 from procc_annotator.io.frame_names import FrameTable
-from procc_annotator.io.source import read_if_there
+from procc_annotator.io.source import read_optional
 
 _FRAME, _INSTANT, _VIEW = "frame", "instant", "view"
 _ADVICE = "the file needs a header like: frame,instant,view"
 
 
 @dataclass(frozen=True, slots=True)
-class ViewOf:
+class ViewAssignment:
     """When a frame was taken, and by which camera; "" where nobody says."""
 
     instant: str
@@ -46,7 +46,7 @@ class ViewGroups:
         lines: frame -> its line in the file that says so.
     """
 
-    frames: FrameTable[ViewOf] = field(default_factory=FrameTable)
+    frames: FrameTable[ViewAssignment] = field(default_factory=FrameTable)
     told_by: str = field(default="", compare=False)
     lines: Mapping[str, int] = field(default_factory=dict, compare=False)
 
@@ -68,7 +68,7 @@ class ViewGroups:
         group = self.groups[self.frames[own].instant]
         return tuple(name for name in group if name != own)
 
-    def strange_names(self, frames: Iterable[str]) -> tuple[str, ...]:
+    def unknown_frames(self, frames: Iterable[str]) -> tuple[str, ...]:
         """The frames that rows name and which there are not, in the file's order.
 
         Args:
@@ -77,7 +77,7 @@ class ViewGroups:
         there = FrameTable.fromkeys(frames)
         return tuple(name for name in self.lines if name not in there)
 
-    def strange_rows(self, frames: Iterable[str], most: int | None = None) -> tuple[str, ...]:
+    def unknown_rows(self, frames: Iterable[str], most: int | None = None) -> tuple[str, ...]:
         """One sentence for each row that names a frame which there is not.
 
         Args:
@@ -87,8 +87,8 @@ class ViewGroups:
         there = FrameTable.fromkeys(frames)
         return tuple(
             f"{self.told_by}: line {self.lines[name]}: there is neither a picture nor an annotation"
-            f" of {printed(name)}{did_you_mean(name, there)}"
-            for name in self.strange_names(there)[:most]
+            f" of {short_repr(name)}{did_you_mean(name, there)}"
+            for name in self.unknown_frames(there)[:most]
         )
 
     @cached_property
@@ -109,12 +109,12 @@ def load_views(path: Path) -> ViewGroups:
     if not path.exists():
         return ViewGroups()
     _, table = read_frame_table(path, (_INSTANT,), _ADVICE)
-    found: dict[str, ViewOf] = {}
-    taken: dict[ViewOf, int] = {}
+    found: dict[str, ViewAssignment] = {}
+    taken: dict[ViewAssignment, int] = {}
     for line, row in table:
         if not row[_INSTANT]:
             continue  # the frame stands alone
-        of = found[row[_FRAME]] = ViewOf(row[_INSTANT], row.get(_VIEW, ""))
+        of = found[row[_FRAME]] = ViewAssignment(row[_INSTANT], row.get(_VIEW, ""))
         if of.view and (first := taken.setdefault(of, line)) != line:
             raise InputError(
                 path,
@@ -137,7 +137,7 @@ def save_views(path: Path, groups: ViewGroups) -> None:
     writer.writerow((_FRAME, _INSTANT, _VIEW))
     for frame in natsorted(groups.frames):
         of = groups.frames[frame]
-        writer.writerow([no_formula(cell) for cell in (frame, of.instant, of.view)])
+        writer.writerow([escape_formula(cell) for cell in (frame, of.instant, of.view)])
     write_atomic(path, text.getvalue().encode("utf-8", "backslashreplace"), inside=path.parent)
 
 
@@ -156,7 +156,7 @@ def replace_views(path: Path, groups: ViewGroups, known: bytes | None = None) ->
         SaveError: it could not be written.
     """
     try:
-        there = read_if_there(path)
+        there = read_optional(path)
     except InputError as error:
         raise SaveError(str(error)) from error
     if there is not None and there != known:

@@ -12,7 +12,7 @@ from natsort import natsorted
 
 from procc_annotator.errors import UsageError
 from procc_annotator.io.frame_names import FrameTable
-from procc_annotator.session.landmarks.view_groups import ViewGroups, ViewOf
+from procc_annotator.session.landmarks.view_groups import ViewGroups, ViewAssignment
 
 INSTANT, VIEW = "instant", "view"
 
@@ -64,7 +64,7 @@ def views_by_name(names: Iterable[str], pattern: str) -> NamedViews:
         UsageError: the pattern names no instant, or cannot be understood.
     """
     expression = _expression(pattern)
-    found: dict[str, ViewOf] = {}
+    found: dict[str, ViewAssignment] = {}
     alone = []
     for name in names:
         if (of := _view_of(name, expression)) is None:
@@ -83,17 +83,17 @@ def suggested_pattern(names: Sequence[str]) -> str:
     """
     best, suggestion = None, ""
     for pattern in _candidates(names):
-        worth = _worth(names, pattern)
+        worth = _pattern_score(names, pattern)
         if worth is not None and (best is None or worth > best):
             best, suggestion = worth, pattern
     return suggestion
 
 
-def _view_of(name: str, expression: re.Pattern[str]) -> ViewOf | None:
+def _view_of(name: str, expression: re.Pattern[str]) -> ViewAssignment | None:
     match = expression.fullmatch(name)
     if match is None or not match[INSTANT]:
         return None
-    return ViewOf(match[INSTANT], match.groupdict().get(VIEW) or "")
+    return ViewAssignment(match[INSTANT], match.groupdict().get(VIEW) or "")
 
 
 def _no_group(groups: ViewGroups, pattern: str, total: int) -> str:
@@ -105,7 +105,7 @@ def _no_group(groups: ViewGroups, pattern: str, total: int) -> str:
 
 
 def _same_view(groups: ViewGroups, pattern: str) -> str:
-    seen: dict[ViewOf, str] = {}
+    seen: dict[ViewAssignment, str] = {}
     for name, of in groups.frames.items():
         if of.view and (other := seen.setdefault(of, name)) != name:
             return (
@@ -177,7 +177,7 @@ def _candidates(names: Sequence[str]) -> Iterator[str]:
     yield from _TOGETHER
 
 
-def _worth(names: Sequence[str], pattern: str) -> tuple[int, int, int] | None:
+def _pattern_score(names: Sequence[str], pattern: str) -> tuple[int, int, int] | None:
     """How well a pattern groups names, larger is better; None where it is none for them."""
     expression = _expression(pattern)
     found = [of for name in names if (of := _view_of(name, expression)) is not None]

@@ -7,8 +7,8 @@ from collections.abc import Collection, Sequence
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.io.source import FileSource
-from procc_annotator.metric.agreement import AgreementSummary, AgreementSums
-from procc_annotator.session.runs.consensus_run import ConsensusRun, SeveralResult
+from procc_annotator.metric.agreement import AgreementSummary, AgreementAccumulator
+from procc_annotator.session.runs.consensus_run import ConsensusRun, ConsensusResult
 
 
 class AgreementRun(ConsensusRun):
@@ -48,9 +48,9 @@ class AgreementRun(ConsensusRun):
             self.only_a = tuple(name for name in self.only_a if name in own)
         if not self.frames:
             raise UsageError("nothing to do: none of the frames asked for has annotations of both")
-        self._sums = AgreementSums(self.thresholds, self.only_a, self.only_b)
+        self._sums = AgreementAccumulator(self.thresholds, self.only_a, self.only_b)
 
-    def _take(self, results: Sequence[SeveralResult], sums: None) -> None:
+    def _take(self, results: Sequence[ConsensusResult], sums: None) -> None:
         for result in results:
             if result.agreement is not None:
                 self._sums.add(result.name, result.agreement)

@@ -10,23 +10,23 @@ from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.errors import InputError
 from procc_annotator.field.model import Field
-from procc_annotator.field.stadiums import field_of_frame
+from procc_annotator.field.stadiums import field_for_frame
 from procc_annotator.fit.predict.ghosts import find_ghosts
-from procc_annotator.fit.predict.given_camera import given_camera
+from procc_annotator.fit.predict.given_camera import external_camera_fit
 from procc_annotator.image.decode import decode_bgra
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.camera_writers import OFFICIAL_SIZE
 from procc_annotator.io.camera_files.cameras import fit_to_size
 from procc_annotator.session.dataset.frames import Frame
-from procc_annotator.session.runs.set_run import KeptOpen, SetRun, cameras_kept_open
+from procc_annotator.session.runs.set_run import ReopenableHandle, SetRun, reopenable_cameras
 from procc_annotator.session.strokes.ghost_points import accept_all, find_points
 
 _NOTHING = FrameAnnotation(())
 
 
 @dataclass(frozen=True, slots=True)
-class PaintedFrame:
+class AnnotatedPicture:
     """What was found of one picture.
 
     Attributes:
@@ -55,28 +55,28 @@ class AnnotatePictures:
             takes those that say nothing for the official evaluation's size.
     """
 
-    cameras: KeptOpen[CameraCollection]
+    cameras: ReopenableHandle[CameraCollection]
     field: Field
     camera_size: tuple[int, int] | None = None
 
-    def __call__(self, chunk: Sequence[Frame]) -> tuple[list[PaintedFrame], None]:
+    def __call__(self, chunk: Sequence[Frame]) -> tuple[list[AnnotatedPicture], None]:
         return [self._annotate(frame) for frame in chunk], None
 
-    def _annotate(self, frame: Frame) -> PaintedFrame:
+    def _annotate(self, frame: Frame) -> AnnotatedPicture:
         try:
             loaded = self.cameras.opened.read(frame.name, self.field)
             picture = decode_bgra(frame.image_path)
         except InputError as error:
-            return PaintedFrame(frame.name, error=str(error))
+            return AnnotatedPicture(frame.name, error=str(error))
         size = picture.shape[1], picture.shape[0]
         camera, _ = fit_to_size(loaded, size, self.camera_size, OFFICIAL_SIZE)
         if not isinstance(camera, PinholeCamera | HomographyCamera):
             shown = self.cameras.opened.display(frame.name)
             why = f"{shown}: a camera of the kind {loaded.model} is of no use here"
-            return PaintedFrame(
+            return AnnotatedPicture(
                 frame.name, error=f"{why} (convert it to a pinhole or a homography)"
             )
-        found = painted(frame.name, picture, camera, self.field)
+        found = annotate_picture(frame.name, picture, camera, self.field)
         return replace(found, notices=loaded.notices)
 
     def close(self) -> None:
@@ -84,9 +84,9 @@ class AnnotatePictures:
         self.cameras.close()
 
 
-def painted(
+def annotate_picture(
     name: str, picture: PixelArray, camera: PinholeCamera | HomographyCamera, field: Field
-) -> PaintedFrame:
+) -> AnnotatedPicture:
     """The elements of a picture whose paint is seen where a camera shows them.
 
     Args:
@@ -96,14 +96,14 @@ def painted(
         field: the elements, metres.
     """
     size = picture.shape[1], picture.shape[0]
-    shown = field_of_frame(field, name)
-    ghosts = find_ghosts(_NOTHING, shown, given_camera(camera, size))
+    shown = field_for_frame(field, name)
+    ghosts = find_ghosts(_NOTHING, shown, external_camera_fit(camera, size))
     found = [find_points(ghost, picture, shown, size) for ghost in ghosts]
     accepted = accept_all(_NOTHING, found)
-    return PaintedFrame(name, accepted.annotation, len(accepted.left))
+    return AnnotatedPicture(name, accepted.annotation, len(accepted.left))
 
 
-class AnnotationRun(SetRun[Frame, PaintedFrame, None]):
+class AnnotationRun(SetRun[Frame, AnnotatedPicture, None]):
     """One pass over pictures that have a camera; iterate it once."""
 
     chunk = 1  # a second's work, and what is found is written as it comes
@@ -116,4 +116,4 @@ class AnnotationRun(SetRun[Frame, PaintedFrame, None]):
         field: Field,
         camera_size: tuple[int, int] | None = None,
     ) -> None:
-        super().__init__(frames, AnnotatePictures(cameras_kept_open(cameras), field, camera_size))
+        super().__init__(frames, AnnotatePictures(reopenable_cameras(cameras), field, camera_size))

@@ -14,10 +14,10 @@ from numpy.typing import NDArray
 from procc_annotator.camera.fisheye import FisheyeCamera
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.camera.projections import CameraOrProjections
-from procc_annotator.field.landmarks import titles_of_all_frames
-from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, Fitted
+from procc_annotator.field.landmarks import element_titles
+from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, FitCounts
 from procc_annotator.metric.measure import Measurement, nearest_points
-from procc_annotator.metric.score import jac_curve, score_to_read
+from procc_annotator.metric.score import jac_curve, display_score
 
 # Every threshold a slider can take, so that moving it computes nothing: 1.2 KB a frame.
 TAU_GRID = np.round(np.arange(0.5, 30.05, 0.1), 1)
@@ -46,7 +46,7 @@ class FrameAudit:
         model: the camera's model, for people.
         jac: (T,) float32, JaC at each of `TAU_GRID`.
         class_rows: (n,) place of each point's class, as the annotator labelled it, in
-            `titles_of_all_frames`; -1 for one without geometry.
+            `element_titles`; -1 for one without geometry.
         points_px: (n, 2) float32 px of the evaluation size.
         residuals_px: (n, 2) float32, nearest projected position minus clicked point; NaN where
             the protocol gives a point no distance.
@@ -65,7 +65,7 @@ class FrameAudit:
     residuals_px: NDArray[np.float32]
     pose: Pose | None
     mirrored: bool = False
-    fitted: Fitted = NOT_FITTED
+    fitted: FitCounts = NOT_FITTED
     counted_rows: NDArray[np.int16] | None = None
 
     @property
@@ -85,7 +85,7 @@ def audit_frame(
     measurement: Measurement,
     tau: float,
     *,
-    fitted: Fitted = NOT_FITTED,
+    fitted: FitCounts = NOT_FITTED,
 ) -> FrameAudit:
     """Keep what plots and reports need of a measured frame.
 
@@ -97,7 +97,7 @@ def audit_frame(
         tau: px, decides whether mirrored labels count; on a tie the labels as they are.
         fitted: whether the camera was fitted to the annotation.
     """
-    read = score_to_read(measurement, tau)
+    read = display_score(measurement, tau)
     labelling = read.labelling
     nearest = nearest_points(measurement, labelling)
     counts = np.array(labelling.point_counts, dtype=np.intp)
@@ -105,12 +105,12 @@ def audit_frame(
     kept = [i for i, feet in enumerate(nearest) if feet is not None]
     feet = [f for f in nearest if f is not None]
     points = [measurement.points_px[starts[i] : starts[i] + counts[i]] for i in kept]
-    places = {name: i for i, name in enumerate(titles_of_all_frames(measurement.setup.field))}
+    places = {name: i for i, name in enumerate(element_titles(measurement.setup.field))}
     rows, counted = (
         np.repeat(np.array([places.get(names[i], -1) for i in kept], dtype=np.int16), counts[kept])
         for names in (measurement.plain.names, labelling.names)
     )
-    residuals = _joined([f - p for f, p in zip(feet, points, strict=True)])
+    residuals = _concatenate_rows([f - p for f, p in zip(feet, points, strict=True)])
     # A foot is found where the protocol knows no distance, too.
     residuals[np.isnan(labelling.all_distances)] = np.nan
     return FrameAudit(
@@ -118,7 +118,7 @@ def audit_frame(
         model,
         jac_curve(measurement, TAU_GRID).astype(np.float32),
         rows,
-        _joined(points),
+        _concatenate_rows(points),
         residuals,
         pose_in_degrees(camera),
         read.mirrored,
@@ -140,7 +140,7 @@ def pose_in_degrees(camera: CameraOrProjections) -> Pose | None:
     )
 
 
-def _joined(parts: list[NDArray[np.float64]]) -> NDArray[np.float32]:
+def _concatenate_rows(parts: list[NDArray[np.float64]]) -> NDArray[np.float32]:
     if not parts:
         return np.empty((0, 2), dtype=np.float32)
     return np.concatenate(parts).astype(np.float32)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from procc_annotator.metric.chance.bands import CurveBand, curve_band
-from procc_annotator.metric.chance.sampling import Draws, Ratios, sample
+from procc_annotator.metric.chance.sampling import BootstrapSettings, RatioMetrics, bootstrap
 from procc_annotator.metric.polylines import FloatArray
 from procc_annotator.session.runs.audit import TAU_GRID, FrameAudit
 from procc_annotator.session.runs.clusters import clusters_of
@@ -16,7 +16,7 @@ from procc_annotator.session.runs.frame_order import FrameOrder
 
 # Bands are smooth: every 0.5 px is enough, and a few hundredths of a second for a thousand frames.
 _EVERY = 5
-_DRAWS = Draws(1000)
+_DRAWS = BootstrapSettings(1000)
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,7 +71,7 @@ def _band(
         nothing = np.full(count, np.nan)
         return AuditBand(CurveBand(nothing, nothing, nothing), 0, clusters.described)
     every = np.array(curves, dtype=np.float64)
-    found = curve_band(sample(Ratios.mean(every[:, ::_EVERY]), clusters.numbers, _DRAWS), _DRAWS)
+    found = curve_band(bootstrap(RatioMetrics.mean(every[:, ::_EVERY]), clusters.numbers, _DRAWS), _DRAWS)
     values, taus = every.mean(axis=0), TAU_GRID[::_EVERY]
     half = np.interp(TAU_GRID, taus, found.high - found.values)
     low, high = (np.clip(values + sign * half, least, 1.0) for sign in (-1, 1))

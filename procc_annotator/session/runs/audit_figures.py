@@ -35,7 +35,7 @@ _SMALLEST_JUMP = np.array([0.5, 0.5, 0.5, 10.0, 0.5, 0.5, 0.5])
 
 
 @dataclass(frozen=True, eq=False)
-class Table:
+class PlotData:
     """Numbers as columns of equal length, for a file; NaN is undefined."""
 
     header: tuple[str, ...]

@@ -11,32 +11,32 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.fisheye import FisheyeCamera
 from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.errors import InputError
-from procc_annotator.field.stadiums import field_of_frame
-from procc_annotator.fit.determined import hardly_determined
+from procc_annotator.field.stadiums import field_for_frame
+from procc_annotator.fit.determined import ill_conditioned_reason
 from procc_annotator.fit.fitting import AUTO, fit_cameras
-from procc_annotator.fit.result import FitResult, PoseDeviations
+from procc_annotator.fit.result import FitResult, PoseStandardDeviations
 from procc_annotator.io.camera_files.camera_writers import encode_camera
 from procc_annotator.io.camera_files.fitted_on import DIGEST, FIT_KEY, annotation_digest
-from procc_annotator.io.camera_files.held_out_table import HeldOut
+from procc_annotator.io.camera_files.held_out_table import LeftOutResult
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.camera_files.soccernet_camera import write_camera
 from procc_annotator.io.collections import camera_name
 from procc_annotator.io.frame_names import file_of_frame
 from procc_annotator.io.source import FileSource
-from procc_annotator.metric.folds import folds_into_picture
+from procc_annotator.metric.folds import folds_into_image
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import FrameScore, score
 from procc_annotator.metric.sets import SetAccumulator, SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.dataset.fit_sizes import FitSizes, FrameSize, SizesUsed
-from procc_annotator.session.runs.held_out import held_out_terms
-from procc_annotator.session.runs.leaving_out import held_out_elements
+from procc_annotator.session.runs.held_out import left_out_settings
+from procc_annotator.session.runs.leaving_out import leave_one_out
 from procc_annotator.session.runs.set_run import (
     AnnotationTask,
     FrameFile,
     SetRun,
     annotation_files,
-    source_kept_open,
+    reopenable_source,
 )
 
 
@@ -71,13 +71,13 @@ class Calibrated:
     elements: int = 0
     left_out: tuple[str, ...] = ()
     scores: Mapping[float, FrameScore] = field(default_factory=dict)
-    deviations: PoseDeviations | None = None
+    deviations: PoseStandardDeviations | None = None
     place: str = ""
     size: FrameSize | None = None
     open: str = ""
     folds: bool = False
     digest: str = ""
-    held_out: HeldOut | None = None
+    held_out: LeftOutResult | None = None
 
     @property
     def has_camera(self) -> bool:
@@ -106,7 +106,7 @@ class CalibrateChunk(AnnotationTask):
             except InputError as error:
                 found[name] = Calibrated(name, self.model, error=str(error))
         field = self.setup.field
-        given = [(clicks, field_of_frame(field, name), size.fitted) for name, clicks, size in read]
+        given = [(clicks, field_for_frame(field, name), size.fitted) for name, clicks, size in read]
         for (name, annotation, size), fit in zip(
             read, fit_cameras(given, model=self.model), strict=True
         ):
@@ -125,8 +125,8 @@ class CalibrateChunk(AnnotationTask):
         if not self.hold_out:
             return result
         own = self.setup.at(fit.size).of_frame(name)
-        elements = held_out_elements(annotation, fit, own, self.model)
-        return replace(result, held_out=HeldOut(held_out_terms(self.setup.at(fit.size)), elements))
+        elements = leave_one_out(annotation, fit, own, self.model)
+        return replace(result, held_out=LeftOutResult(left_out_settings(self.setup.at(fit.size)), elements))
 
 
 def scored(
@@ -168,8 +168,8 @@ def scored(
         deviations=fit.deviations,
         place=place,
         size=used,
-        open=hardly_determined(fit),
-        folds=folds_into_picture(fit.camera, sums.setup.tables, fit.size),
+        open=ill_conditioned_reason(fit),
+        folds=folds_into_image(fit.camera, sums.setup.tables, fit.size),
         digest=digest,
     )
 
@@ -219,7 +219,7 @@ class CalibrationRun(SetRun[FrameFile, Calibrated, SetAccumulator]):
         *,
         hold_out: bool = False,
     ) -> None:
-        task = CalibrateChunk(source_kept_open(source), setup, sizes, thresholds, model, hold_out)
+        task = CalibrateChunk(reopenable_source(source), setup, sizes, thresholds, model, hold_out)
         super().__init__(annotation_files(source), task)
         self.counted = self.with_camera = 0
         self.models = Counter[str]()

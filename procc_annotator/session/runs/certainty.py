@@ -11,19 +11,19 @@ import numpy as np
 
 from procc_annotator.errors import UsageError
 from procc_annotator.metric.chance.bands import CurveBand, curve_band
-from procc_annotator.metric.chance.intervals import Interval, Method, intervals
+from procc_annotator.metric.chance.intervals import Interval, IntervalMethodName, confidence_intervals
 from procc_annotator.metric.chance.paired import (
     PairedDifference,
     corrected_for,
-    fewest_clusters,
+    min_clusters_for_significance,
     paired_differences,
 )
-from procc_annotator.metric.chance.ranking import chances_of_being_best, ranks, sole_best
-from procc_annotator.metric.chance.sampling import Draws, Ratios, Sampled, sample
+from procc_annotator.metric.chance.ranking import probability_of_best, significant_ranks, significantly_best
+from procc_annotator.metric.chance.sampling import BootstrapSettings, RatioMetrics, BootstrapSample, bootstrap
 from procc_annotator.metric.polylines import BoolArray
 from procc_annotator.session.runs.clusters import Clusters
 from procc_annotator.session.runs.frame_sums import SourceSums
-from procc_annotator.words import count_of
+from procc_annotator.words import count_words
 
 # Figures with an interval, attributes of `SetSummary`, and whether more is better.
 BETTER = {
@@ -37,7 +37,7 @@ BETTER = {
 # Those that sources are compared by; the others follow from them.
 COMPARED = ("mean_jac", "final_score", "mean_error", "completeness")
 # 435 pairs take some seconds to be tested; of 100 sources it would be 4,950.
-MOST_COMPARED = 30
+MAX_COMPARED = 30
 # Taken over all frames that count, with a camera or not.
 _OVER_ALL = ("completeness", "final_score")
 _FEW = 10  # clusters
@@ -45,7 +45,7 @@ _BAND_DRAWS = 2000  # the largest deviation of a whole curve takes no more
 
 
 @dataclass(frozen=True, eq=False)
-class SourcePair:
+class MethodPair:
     """Two sources against each other.
 
     Attributes:
@@ -64,7 +64,7 @@ class SourcePair:
 
 
 @dataclass(frozen=True, eq=False)
-class Certainty:
+class Inference:
     """Sources over the same frames, chance considered.
 
     Attributes:
@@ -76,8 +76,8 @@ class Certainty:
 
     sources: tuple[SourceSums, ...]
     clusters: Clusters
-    draws: Draws = field(default_factory=Draws)
-    method: Method = "t"
+    draws: BootstrapSettings = field(default_factory=BootstrapSettings)
+    method: IntervalMethodName = "t"
     among: tuple[int, ...] | None = None
 
     def __post_init__(self) -> None:
@@ -119,9 +119,9 @@ class Certainty:
                 f"Of so few {alike}s ({count}) percentile and BCa intervals hold the truth in 88 to"
                 " 93 of 100 sets, t in 92 to 97."
             )
-        if len(self.sources) > 1 and count < fewest_clusters(self.draws.level):
+        if len(self.sources) > 1 and count < min_clusters_for_significance(self.draws.level):
             said.append(
-                f"Of {count_of(count, alike)} no p is below {2.0 ** (1 - count):.2g}: no difference"
+                f"Of {count_words(count, alike)} no p is below {2.0 ** (1 - count):.2g}: no difference"
                 " can be beyond chance."
             )
         return tuple(said)
@@ -132,13 +132,13 @@ class Certainty:
         keys = [(key, tau) for key in BETTER for tau in self.thresholds]
         # All sources at once: drawing sets costs more than what is summed over them.
         every = [source.ratios(key) for source in self.sources for key in BETTER]
-        ends = iter(intervals(self._sampled(Ratios.beside(every)), self.draws, self.method))
+        ends = iter(confidence_intervals(self._sampled(RatioMetrics.beside(every)), self.draws, self.method))
         return tuple(
             {(key, tau): _possible(key, next(ends)) for key, tau in keys} for _ in self.sources
         )
 
     @cached_property
-    def pairs(self) -> tuple[SourcePair, ...]:
+    def pairs(self) -> tuple[MethodPair, ...]:
         """Every two of the sources `compared`; what is tested is corrected for as many comparisons
         at a threshold."""
         found = [self._pair(a, b) for a, b in combinations(self.compared, 2)]
@@ -147,7 +147,7 @@ class Certainty:
         keys = list(found[0].differences)
         corrected = {key: corrected_for([pair.differences[key] for pair in found]) for key in keys}
         return tuple(
-            SourcePair(
+            MethodPair(
                 pair.a, pair.b, pair.shared, pair.only_a, pair.only_b,
                 {key: corrected[key][n] for key in keys},
             )
@@ -164,7 +164,7 @@ class Certainty:
 
         def badness(at: int) -> tuple[bool, float]:
             own = self.sources[at].ratios("mean_jac")
-            frames = own.wholes[:, 0].sum()
+            frames = own.denominators[:, 0].sum()
             return bool(self.sources[at].fitted), -float(own.parts[:, 0].sum() / max(frames, 1.0))
 
         return tuple(sorted(sorted(range(len(self.sources)), key=badness)[:count]))
@@ -172,7 +172,7 @@ class Certainty:
     @cached_property
     def compared(self) -> tuple[int, ...]:
         """The sources that are compared with each other: all, or of many those that lead."""
-        return self.highest(MOST_COMPARED) if self.among is None else self.among
+        return self.highest(MAX_COMPARED) if self.among is None else self.among
 
     @cached_property
     def methods(self) -> list[int]:
@@ -182,17 +182,17 @@ class Certainty:
     def ranks(self, key: str, tau: float) -> list[int | None]:
         """The place of each source; those that the data cannot tell apart share it."""
         found: list[int | None] = [None] * len(self.sources)
-        places = ranks(len(self.methods), self._among_methods(key, tau), BETTER[key])
+        places = significant_ranks(len(self.methods), self._among_methods(key, tau), BETTER[key])
         for at, place in zip(self.methods, places, strict=True):
             found[at] = place
         return found
 
     def best(self, key: str, tau: float) -> int | None:
         """Which source is better than all others beyond chance."""
-        best = sole_best(len(self.methods), self._among_methods(key, tau), BETTER[key])
+        best = significantly_best(len(self.methods), self._among_methods(key, tau), BETTER[key])
         return None if best is None else self.methods[best]
 
-    def may_be_bold(self, a: int, b: int, key: str) -> bool:
+    def can_be_bold(self, a: int, b: int, key: str) -> bool:
         """Whether a difference of two sources may be told as one between methods: none of them was
         fitted to the clicks, and their errors are of the same points."""
         if not {a, b} <= set(self.methods):
@@ -220,19 +220,19 @@ class Certainty:
         if len(np.unique(self.clusters.numbers[everywhere])) < 2:
             return found
         ratios = [source.ratios("mean_jac").of(everywhere) for source in ranked]
-        drawn = sample(Ratios.beside(ratios), self.clusters.numbers, self.draws).drawn
+        drawn = bootstrap(RatioMetrics.beside(ratios), self.clusters.numbers, self.draws).drawn
         count = len(self.thresholds)
         for at, tau in enumerate(self.thresholds):
-            chances = chances_of_being_best(list(drawn[:, at::count].T), +1)
+            chances = probability_of_best(list(drawn[:, at::count].T), +1)
             for place, chance in zip(self.methods, chances, strict=True):
                 found[tau][place] = chance
         return found
 
-    def jac_alone(self, source: int) -> tuple[Sampled, int]:
+    def jac_alone(self, source: int) -> tuple[BootstrapSample, int]:
         """The mean JaC of a source at each threshold, and its frames with a camera."""
         ratios = self.sources[source].ratios("mean_jac")
         frames = int(self.sources[source].with_camera.sum())
-        return sample(ratios, self.clusters.numbers, None), frames
+        return bootstrap(ratios, self.clusters.numbers, None), frames
 
     def curve(self, source: int) -> CurveBand:
         """The mean JaC of a source over `TAU_GRID`, with its band."""
@@ -243,30 +243,30 @@ class Certainty:
         mine, other = self.sources[a].curves(), self.sources[b].curves()
         shared = self._shared(a, b)[:, None]
         more = np.where(shared, mine.parts - other.parts, 0.0)
-        return self._band(Ratios(more, mine.wholes * shared), -1.0)
+        return self._band(RatioMetrics(more, mine.denominators * shared), -1.0)
 
-    def _band(self, ratios: Ratios, least: float) -> CurveBand:
-        draws = Draws(min(_BAND_DRAWS, self.draws.count), self.draws.seed, self.draws.level)
-        return curve_band(sample(ratios, self.clusters.numbers, draws), draws, least, 1.0)
+    def _band(self, ratios: RatioMetrics, least: float) -> CurveBand:
+        draws = BootstrapSettings(min(_BAND_DRAWS, self.draws.count), self.draws.seed, self.draws.level)
+        return curve_band(bootstrap(ratios, self.clusters.numbers, draws), draws, least, 1.0)
 
-    def _sampled(self, ratios: Ratios) -> Sampled:
+    def _sampled(self, ratios: RatioMetrics) -> BootstrapSample:
         draws = None if self.method == "t" else self.draws
-        return sample(ratios, self.clusters.numbers, draws)
+        return bootstrap(ratios, self.clusters.numbers, draws)
 
     def _shared(self, a: int, b: int) -> BoolArray:
         return self.sources[a].with_camera & self.sources[b].with_camera
 
-    def _pair(self, a: int, b: int) -> SourcePair:
+    def _pair(self, a: int, b: int) -> MethodPair:
         shared = self._shared(a, b)
         sides = [self._compared(self.sources[at], shared) for at in (a, b)]
         columns = sides[0].parts.shape[1]
-        both = self._sampled(Ratios.beside(sides))
+        both = self._sampled(RatioMetrics.beside(sides))
         pair = both.at(slice(0, columns)), both.at(slice(columns, None))
         found = paired_differences(
             sides[0], sides[1], pair, self.clusters.numbers, self.draws, self.method
         )
         keys = [(key, tau) for key in COMPARED for tau in self.thresholds]
-        return SourcePair(
+        return MethodPair(
             a,
             b,
             int(shared.sum()),
@@ -275,12 +275,12 @@ class Certainty:
             dict(zip(keys, found, strict=True)),
         )
 
-    def _compared(self, source: SourceSums, shared: BoolArray) -> Ratios:
+    def _compared(self, source: SourceSums, shared: BoolArray) -> RatioMetrics:
         several = []
         for key in COMPARED:
             ratios = source.ratios(key)
             several.append(ratios if key in _OVER_ALL else ratios.of(shared))
-        return Ratios.beside(several)
+        return RatioMetrics.beside(several)
 
     def _only(self, a: int, b: int) -> tuple[str, ...]:
         own = self.sources[a].with_camera & ~self.sources[b].with_camera
@@ -295,7 +295,7 @@ def _possible(key: str, interval: Interval | None) -> Interval | None:
     return replace(interval, low=max(0.0, interval.low), high=min(highest, interval.high))
 
 
-def same_frames(sources: Sequence[SourceSums]) -> tuple[SourceSums, ...]:
+def restrict_to_common_frames(sources: Sequence[SourceSums]) -> tuple[SourceSums, ...]:
     """Sources over the frames that all of them were judged on; an annotation that one run could
     not read any more is left out for all."""
     if not sources:

@@ -8,17 +8,17 @@ from dataclasses import dataclass
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import ImageError, InputError, ProccError
 from procc_annotator.field.model import Field
-from procc_annotator.field.stadiums import field_of_frame
-from procc_annotator.fit.fitting import ToFit, fit_cameras
-from procc_annotator.fit.labels.seen_paint import ElementPaint
+from procc_annotator.field.stadiums import field_for_frame
+from procc_annotator.fit.fitting import FitRequest, fit_cameras
+from procc_annotator.fit.labels.seen_paint import LineEvidence
 from procc_annotator.fit.result import FitResult
-from procc_annotator.fit.which_side import frames_on_other_side
+from procc_annotator.fit.which_side import find_opposite_frames
 from procc_annotator.io.source import FileSource
 from procc_annotator.session.dataset.fit_sizes import FitSizes, SizesUsed
 from procc_annotator.session.facts.frame_check import (
     FrameCheck,
     check_frame,
-    check_on_other_side,
+    check_with_camera_side,
     check_without_fit,
 )
 from procc_annotator.session.runs.set_run import (
@@ -26,7 +26,7 @@ from procc_annotator.session.runs.set_run import (
     FrameFile,
     SetRun,
     annotation_files,
-    source_kept_open,
+    reopenable_source,
 )
 
 Checked = tuple[str, FrameCheck | str]  # a frame's name; what was found, or why nothing could be
@@ -61,7 +61,7 @@ class CheckFrames:
         return [(frame.name, self._check(frame)) for frame in chunk]
 
     def _check(self, frame: FrameToCheck) -> FrameCheck | str:
-        given = frame.annotation, field_of_frame(self.field, frame.name)
+        given = frame.annotation, field_for_frame(self.field, frame.name)
         try:
             if not frame.fitted:
                 return check_without_fit(*given, size=frame.size)
@@ -90,37 +90,37 @@ class CheckFiles(AnnotationTask):
             for name, frame in read
         ], used
 
-    def _read(self, name: str, file: str, used: SizesUsed) -> ToFit | str:
+    def _read(self, name: str, file: str, used: SizesUsed) -> FitRequest | str:
         try:
             annotation = self.read(file, self.field)
         except InputError as error:
             return str(error)
         size = self.sizes.of_frame(name, annotation)
         used.add(size)
-        return annotation, field_of_frame(self.field, name), size.fitted
+        return annotation, field_for_frame(self.field, name), size.fitted
 
-    def _check(self, name: str, given: ToFit, fit: FitResult) -> FrameCheck:
+    def _check(self, name: str, given: FitRequest, fit: FitResult) -> FrameCheck:
         annotation, field, size = given
         paint = self._paint(name, annotation, field) if self.looks else None
         return check_frame(annotation, field, size=size, model=self.model, paint=paint, fit=fit)
 
     def _paint(
         self, name: str, annotation: FrameAnnotation, field: Field
-    ) -> Mapping[str, ElementPaint] | None:
+    ) -> Mapping[str, LineEvidence] | None:
         path = self.sizes.picture_of(name)
         if path is None:
             return None
         # OpenCV: only where there are pictures.
         from procc_annotator.image.decode import decode_for_camera
-        from procc_annotator.session.strokes.paint_evidence import paint_by_class
+        from procc_annotator.session.strokes.paint_evidence import line_evidence_by_class
 
         try:
-            return paint_by_class(annotation, decode_for_camera(path), field)
+            return line_evidence_by_class(annotation, decode_for_camera(path), field)
         except ImageError:
             return None  # its size is told by its header or the others, and nothing of paint
 
 
-def told_by_set(
+def with_set_findings(
     checked: Iterable[Checked], field: Field, read: Callable[[str], FrameAnnotation]
 ) -> dict[str, FrameCheck]:
     """The checks that get a finding once all frames are looked at together: which side of the field
@@ -134,8 +134,8 @@ def told_by_set(
     known = {name: found for name, found in checked if isinstance(found, FrameCheck)}
     stands = {name: found.stand for name, found in known.items() if found.stand is not None}
     return {
-        name: check_on_other_side(known[name], read(name), field_of_frame(field, name), other)
-        for name, other in frames_on_other_side(stands, field).items()
+        name: check_with_camera_side(known[name], read(name), field_for_frame(field, name), other)
+        for name, other in find_opposite_frames(stands, field).items()
     }
 
 
@@ -159,7 +159,7 @@ class CheckRun(SetRun[FrameFile, Checked, SizesUsed]):
         *,
         looks: bool = False,
     ) -> None:
-        task = CheckFiles(source_kept_open(source), field, sizes, model, looks)
+        task = CheckFiles(reopenable_source(source), field, sizes, model, looks)
         super().__init__(annotation_files(source), task)
         self.sizes = SizesUsed(sizes.asked)
         self.looks, self.seen = looks, 0
@@ -176,7 +176,7 @@ class CheckRun(SetRun[FrameFile, Checked, SizesUsed]):
         """
         alone, files = list(checked), dict(self.frames)
         field = self.task.field
-        told = told_by_set(alone, field, lambda name: self.task.read(files[name], field))
+        told = with_set_findings(alone, field, lambda name: self.task.read(files[name], field))
         return [(name, told.get(name, what)) for name, what in alone]
 
     def describe(self) -> str:

@@ -6,16 +6,16 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from procc_annotator.metric.chance.clicks import ClickSpread, click_spread
-from procc_annotator.metric.chance.distributions import normal_quantile
-from procc_annotator.metric.chance.sampling import Ratios, sample
+from procc_annotator.metric.chance.clicks import AnnotationNoiseSensitivity, annotation_noise_sensitivity
+from procc_annotator.metric.chance.distributions import normal_ppf
+from procc_annotator.metric.chance.sampling import RatioMetrics, bootstrap
 from procc_annotator.metric.polylines import BoolArray, FloatArray
-from procc_annotator.session.runs.certainty import Certainty
+from procc_annotator.session.runs.certainty import Inference
 from procc_annotator.session.runs.frame_sums import SPARSE, SPARSE_TAUS, SourceSums
 
 
 @dataclass(frozen=True, eq=False)
-class PairUnderClicks:
+class PairUnderClickNoise:
     """Two sources with the same points moved alike for both.
 
     Attributes:
@@ -27,18 +27,18 @@ class PairUnderClicks:
 
     a: int
     b: int
-    spread: ClickSpread
-    told_apart_from: float | None
+    spread: AnnotationNoiseSensitivity
+    distinguishable_from: float | None
 
 
-def spread_of(certainty: Certainty, source: int) -> ClickSpread:
+def click_noise_spread(certainty: Inference, source: int) -> AnnotationNoiseSensitivity:
     """Of the mean JaC of a source at each threshold; its frames were judged with moved points."""
     sums = certainty.sources[source]
     own = sums.ratios("mean_jac")
     return _spread(certainty, own, _moved(sums, sums.with_camera), len(certainty.thresholds))
 
 
-def pairs_under_clicks(certainty: Certainty) -> list[PairUnderClicks]:
+def pairs_under_click_noise(certainty: Inference) -> list[PairUnderClickNoise]:
     """Every two sources."""
     count = len(certainty.thresholds)
     found = []
@@ -47,13 +47,13 @@ def pairs_under_clicks(certainty: Certainty) -> list[PairUnderClicks]:
         shared = a.with_camera & b.with_camera
         moved = _moved(a, shared) - _moved(b, shared)
         jac_a, jac_b = (s.ratios("mean_jac").of(shared) for s in (a, b))
-        off = Ratios(jac_a.parts - jac_b.parts, jac_a.wholes)
+        off = RatioMetrics(jac_a.parts - jac_b.parts, jac_a.denominators)
         found.append(
-            PairUnderClicks(
+            PairUnderClickNoise(
                 pair.a,
                 pair.b,
                 _spread(certainty, off, moved, count),
-                _told_apart_from(certainty, pair.a, pair.b, moved[..., count:]),
+                _distinguishable_from(certainty, pair.a, pair.b, moved[..., count:]),
             )
         )
     return found
@@ -67,14 +67,14 @@ def _moved(sums: SourceSums, chosen: BoolArray) -> FloatArray:
     return np.array(known, dtype=np.float64).reshape(len(known), *shape)
 
 
-def _spread(certainty: Certainty, own: Ratios, moved: FloatArray, count: int) -> ClickSpread:
-    return click_spread(moved[..., :count], sample(own, certainty.clusters.numbers, None).deviation)
+def _spread(certainty: Inference, own: RatioMetrics, moved: FloatArray, count: int) -> AnnotationNoiseSensitivity:
+    return annotation_noise_sensitivity(moved[..., :count], bootstrap(own, certainty.clusters.numbers, None).deviation)
 
 
-def _told_apart_from(certainty: Certainty, a: int, b: int, moved: FloatArray) -> float | None:
+def _distinguishable_from(certainty: Inference, a: int, b: int, moved: FloatArray) -> float | None:
     band = certainty.curve_of_difference(a, b)
     sides = band.beyond_chance[SPARSE]
-    clicks = click_spread(moved, np.full(len(SPARSE_TAUS), np.nan))
-    far = normal_quantile((1 + certainty.draws.level) / 2) * clicks.deviations
+    clicks = annotation_noise_sensitivity(moved, np.full(len(SPARSE_TAUS), np.nan))
+    far = normal_ppf((1 + certainty.draws.level) / 2) * clicks.deviations
     apart = (sides * clicks.means > far) & (sides != 0)
     return float(SPARSE_TAUS[int(np.argmax(apart))]) if apart.any() else None

@@ -10,11 +10,11 @@ import numpy as np
 from procc_annotator.errors import UsageError
 from procc_annotator.metric.polylines import IntArray
 from procc_annotator.session.runs.frame_order import FrameOrder, shots_in
-from procc_annotator.words import count_of
+from procc_annotator.words import count_words
 
 SHOT = "shot"  # by the names of the frames, or the dataset's frames.csv
 NONE = "none"  # every frame for itself
-_RELIED_ON = 5
+_MIN_RELIABLE = 5
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,9 +44,9 @@ class Clusters:
     @property
     def caution(self) -> str:
         """A sentence where there are too few for any interval, else empty."""
-        if self.count >= _RELIED_ON:
+        if self.count >= _MIN_RELIABLE:
             return ""
-        return f"Of fewer than {_RELIED_ON} {self.thing}s no interval is to be relied on."
+        return f"Of fewer than {_MIN_RELIABLE} {self.thing}s no interval is to be relied on."
 
 
 def clusters_of(
@@ -100,8 +100,8 @@ def _by_value(frames: Sequence[str], values: Sequence[str | None], words: str, b
     ]
     numbers = np.array([places.setdefault(key, len(places)) for key in keys], dtype=np.intp)
     alone = sum(not tagged for tagged, _ in keys)
-    rest = f", {count_of(alone, 'frame')} without" if alone else ""
-    return Clusters(numbers, f"{count_of(len(places), 'cluster')} {words}{rest}", by)
+    rest = f", {count_words(alone, 'frame')} without" if alone else ""
+    return Clusters(numbers, f"{count_words(len(places), 'cluster')} {words}{rest}", by)
 
 
 def _alone(frames: Sequence[str], words: str) -> Clusters:

@@ -11,14 +11,14 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from procc_annotator.metric.chance.intervals import Interval, intervals
+from procc_annotator.metric.chance.intervals import Interval, confidence_intervals
 from procc_annotator.metric.chance.paired import (
     PairedDifference,
     corrected_for,
     paired_differences,
 )
-from procc_annotator.metric.chance.quantiles import quantile_interval
-from procc_annotator.metric.chance.sampling import Draws, Ratios, sample
+from procc_annotator.metric.chance.quantiles import quantile_confidence_interval
+from procc_annotator.metric.chance.sampling import BootstrapSettings, RatioMetrics, bootstrap
 from procc_annotator.metric.legacy import LegacyMetrics
 from procc_annotator.metric.polylines import FloatArray, IntArray
 from procc_annotator.session.runs.clusters import Clusters
@@ -31,7 +31,7 @@ KEYS = (METRES, PIXELS, *EARLIER, WITHIN)
 
 
 @dataclass(frozen=True)
-class KnownFigure:
+class MetricWithInterval:
     """A figure of a comparison over a set.
 
     Attributes:
@@ -44,39 +44,39 @@ class KnownFigure:
     frames: int
 
 
-def known_figures(
-    frames: Sequence[ComparedFrame], clusters: Clusters, draws: Draws
-) -> dict[str, KnownFigure]:
+def metrics_with_intervals(
+    frames: Sequence[ComparedFrame], clusters: Clusters, draws: BootstrapSettings
+) -> dict[str, MetricWithInterval]:
     """Each of `KEYS`, with its interval.
 
     Args:
         frames: F of them. clusters: of these. draws: says the level.
     """
     ratios = _ratios(frames)
-    sampled = sample(ratios, clusters.numbers, None)
-    ends = intervals(sampled, draws)
-    counted = (ratios.wholes > 0).sum(axis=0)
+    sampled = bootstrap(ratios, clusters.numbers, None)
+    ends = confidence_intervals(sampled, draws)
+    counted = (ratios.denominators > 0).sum(axis=0)
     return {
-        key: KnownFigure(_known(sampled.values[k]), _possible(key, ends[k]), int(counted[k]))
+        key: MetricWithInterval(_with_interval(sampled.values[k]), _possible(key, ends[k]), int(counted[k]))
         for k, key in enumerate(KEYS)
     }
 
 
-def known_medians(
-    frames: Sequence[ComparedFrame], clusters: Clusters, draws: Draws
-) -> dict[str, KnownFigure]:
+def medians_with_intervals(
+    frames: Sequence[ComparedFrame], clusters: Clusters, draws: BootstrapSettings
+) -> dict[str, MetricWithInterval]:
     """The median over frames of the frames' medians: of `METRES` and of `PIXELS`."""
     found = {}
     for key, values in zip((METRES, PIXELS), _medians(frames).T, strict=True):
         there: IntArray = np.flatnonzero(np.isfinite(values))
         median = float(np.median(values[there])) if len(there) else None
-        interval = quantile_interval(values[there], there, clusters.numbers, 0.5, draws)
-        found[key] = KnownFigure(median, interval, len(there))
+        interval = quantile_confidence_interval(values[there], there, clusters.numbers, 0.5, draws)
+        found[key] = MetricWithInterval(median, interval, len(there))
     return found
 
 
-def nearer(
-    a: Sequence[ComparedFrame], b: Sequence[ComparedFrame], clusters: Clusters, draws: Draws
+def closer_source(
+    a: Sequence[ComparedFrame], b: Sequence[ComparedFrame], clusters: Clusters, draws: BootstrapSettings
 ) -> dict[str, PairedDifference]:
     """Each of `KEYS` of one comparison less that of another, corrected for as many figures.
 
@@ -85,11 +85,11 @@ def nearer(
         clusters: of the frames. draws: of the permutation test; says the level.
     """
     sides = [_ratios(a), _ratios(b)]
-    both = (sides[0].wholes > 0) & (sides[1].wholes > 0)
+    both = (sides[0].denominators > 0) & (sides[1].denominators > 0)
     first, second = (
-        Ratios(np.where(both, one.parts, 0.0), np.where(both, one.wholes, 0.0)) for one in sides
+        RatioMetrics(np.where(both, one.parts, 0.0), np.where(both, one.denominators, 0.0)) for one in sides
     )
-    together = sample(Ratios.beside([first, second]), clusters.numbers, None)
+    together = bootstrap(RatioMetrics.beside([first, second]), clusters.numbers, None)
     count = len(KEYS)
     pair = together.at(slice(0, count)), together.at(slice(count, None))
     found = paired_differences(first, second, pair, clusters.numbers, draws)
@@ -104,12 +104,12 @@ def _possible(key: str, interval: Interval | None) -> Interval | None:
     return replace(interval, low=max(0.0, interval.low), high=high)
 
 
-def _ratios(frames: Sequence[ComparedFrame]) -> Ratios:
+def _ratios(frames: Sequence[ComparedFrame]) -> RatioMetrics:
     """(F, K) parts and wholes of `KEYS`."""
     means = np.column_stack((_medians(frames), _earlier([frame.legacy for frame in frames])))
     shares = np.array([[frame.compared_share] for frame in frames]).reshape(-1, 1)
     within = np.array([[frame.within or 0.0] for frame in frames]).reshape(-1, 1)
-    return Ratios.beside([Ratios.mean(means), Ratios(shares * within, shares)])
+    return RatioMetrics.beside([RatioMetrics.mean(means), RatioMetrics(shares * within, shares)])
 
 
 def _medians(frames: Sequence[ComparedFrame]) -> FloatArray:
@@ -132,5 +132,5 @@ def _number(value: float | None) -> float:
     return np.nan if value is None else value
 
 
-def _known(value: float) -> float | None:
+def _with_interval(value: float) -> float | None:
     return float(value) if np.isfinite(value) else None

@@ -12,7 +12,7 @@ from procc_annotator.camera.base import Camera
 from procc_annotator.camera.projections import ElementProjections
 from procc_annotator.errors import CameraError, UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.field.stadiums import field_of_frame
+from procc_annotator.field.stadiums import field_for_frame
 from procc_annotator.io.frame_names import ByFrame
 from procc_annotator.metric.contours import OFFSIDE_ACCURACY_M
 from procc_annotator.metric.disagreement import (
@@ -20,12 +20,12 @@ from procc_annotator.metric.disagreement import (
     DisagreementStatistics,
     disagreement,
 )
-from procc_annotator.metric.legacy import Average, LegacyMetrics, legacy_averages, legacy_metrics
-from procc_annotator.metric.spread import Spread
+from procc_annotator.metric.legacy import MetricAverage, LegacyMetrics, legacy_averages, legacy_metrics
+from procc_annotator.metric.spread import MapSummary
 from procc_annotator.session.dataset.camera_set import CameraSet
-from procc_annotator.session.dataset.what_lies_there import instead_of_cameras
+from procc_annotator.session.dataset.what_lies_there import found_instead_of_cameras
 from procc_annotator.session.runs.execution.executor import Executor
-from procc_annotator.session.runs.set_run import KeptOpen, SetRun
+from procc_annotator.session.runs.set_run import ReopenableHandle, SetRun
 
 _PICTURE_STEP_PX = 2
 
@@ -83,10 +83,10 @@ class ComparisonSummary:
 
     frames: int
     blank: tuple[str, ...]
-    metres: Spread
-    pixels: Spread
+    metres: MapSummary
+    pixels: MapSummary
     within: float | None
-    legacy: dict[str, Average]
+    legacy: dict[str, MetricAverage]
 
 
 class ComparisonRun(SetRun[str, ComparedFrame, None]):
@@ -128,9 +128,9 @@ class ComparisonRun(SetRun[str, ComparedFrame, None]):
         self.only_b = tuple(name for name in wanted if name in in_b and name not in in_a)
         self.neither = tuple(name for name in wanted if name not in in_a and name not in in_b)
         if not shared:
-            raise UsageError(_nothing_in_common(a, b, tuple(wanted), frames is not None))
+            raise UsageError(_no_common_frames(a, b, tuple(wanted), frames is not None))
         base = Path.cwd()
-        sources = KeptOpen(a.opener(base), a), KeptOpen(b.opener(base), b)
+        sources = ReopenableHandle(a.opener(base), a), ReopenableHandle(b.opener(base), b)
         super().__init__(shared, CompareFrames(*sources, field, size), executor)
         self._done: list[ComparedFrame] = []
 
@@ -151,7 +151,7 @@ class ComparisonRun(SetRun[str, ComparedFrame, None]):
 
     def map_for_picture(self, name: str, pair: CameraPair) -> Disagreement:
         """The disagreement of a frame's cameras, sampled finely enough to be drawn."""
-        field = field_of_frame(self.field, name)
+        field = field_for_frame(self.field, name)
         return disagreement(pair.a, pair.b, field, self.size, step_px=_PICTURE_STEP_PX)
 
     def summary(self) -> ComparisonSummary:
@@ -188,15 +188,15 @@ def worst_frames(frames: Iterable[ComparedFrame], count: int | None) -> list[Com
 class CompareFrames:
     """Compares chunks of frames."""
 
-    a: KeptOpen[CameraSet]
-    b: KeptOpen[CameraSet]
+    a: ReopenableHandle[CameraSet]
+    b: ReopenableHandle[CameraSet]
     field: Field
     size: tuple[int, int]
 
     def __call__(self, names: Sequence[str]) -> tuple[list[ComparedFrame], None]:
         a, b = self.a.opened, self.b.opened
         return [
-            _compare(a, b, name, field_of_frame(self.field, name), self.size) for name in names
+            _compare(a, b, name, field_for_frame(self.field, name), self.size) for name in names
         ], None
 
 
@@ -241,19 +241,19 @@ def _every(a: ByFrame[str], b: ByFrame[str]) -> list[str]:
     return [*names, *(name for name in b if name not in in_b)]
 
 
-def _over_frames(spreads: Sequence[Spread]) -> Spread:
+def _over_frames(spreads: Sequence[MapSummary]) -> MapSummary:
     known = [s for s in spreads if s.median is not None]
     if not known:
-        return Spread(None, None, None)
+        return MapSummary(None, None, None)
     minima, medians, maxima = np.array(
         [(s.minimum, s.median, s.maximum) for s in known], dtype=np.float64
     ).T
-    return Spread(float(minima.min()), float(np.median(medians)), float(maxima.max()))
+    return MapSummary(float(minima.min()), float(np.median(medians)), float(maxima.max()))
 
 
-def _nothing_in_common(a: CameraSet, b: CameraSet, wanted: Sequence[str], of_dataset: bool) -> str:
+def _no_common_frames(a: CameraSet, b: CameraSet, wanted: Sequence[str], of_dataset: bool) -> str:
     for source in (a, b):
-        if source.frames and (instead := instead_of_cameras(source.path)):
+        if source.frames and (instead := found_instead_of_cameras(source.path)):
             return f"nothing to do: no camera in {source.path}{instead}"
     examples = [
         f"those of {source.name} are named like {next(iter(source.frames))!r}"

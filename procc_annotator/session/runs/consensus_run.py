@@ -14,25 +14,25 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
-from procc_annotator.io.collections import AnnotationFiles, told_by_trees
+from procc_annotator.io.collections import AnnotationFiles, qualify_by_folder
 from procc_annotator.io.source import FileSource
 from procc_annotator.metric.agreement import (
     FrameAgreement,
     compare_annotations,
 )
-from procc_annotator.metric.consensus import Consensus, against, consensus_of
+from procc_annotator.metric.consensus import Consensus, compare_to_consensus, build_consensus
 from procc_annotator.metric.setup import check_thresholds
 from procc_annotator.session.runs.set_run import (
-    KeptOpen,
+    ReopenableHandle,
     SetRun,
     require_annotations,
-    source_kept_open,
+    reopenable_source,
 )
 
-MOST = 26  # as many as there are letters
+MAX_ANNOTATORS = 26  # as many as there are letters
 
 
-class FrameOfSeveral(NamedTuple):
+class FrameOfAnnotators(NamedTuple):
     """A frame that at least two annotated, with the file of each; None where there is none."""
 
     name: str
@@ -40,7 +40,7 @@ class FrameOfSeveral(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True)
-class SeveralResult:
+class ConsensusResult:
     """What became of one frame; annotators by their places.
 
     Attributes:
@@ -64,15 +64,15 @@ class SeveralResult:
 
 
 @dataclass(frozen=True)
-class CompareSeveral:
+class CompareWithConsensus:
     """Compares chunks of frames; with a consensus, unless pairs alone are asked for."""
 
-    sources: tuple[KeptOpen[FileSource], ...]
+    sources: tuple[ReopenableHandle[FileSource], ...]
     field: Field
     size: tuple[int, int]
     pairs_only: bool = False
 
-    def __call__(self, chunk: Sequence[FrameOfSeveral]) -> tuple[list[SeveralResult], None]:
+    def __call__(self, chunk: Sequence[FrameOfAnnotators]) -> tuple[list[ConsensusResult], None]:
         return [self._compare(frame) for frame in chunk], None
 
     def close(self) -> None:
@@ -80,7 +80,7 @@ class CompareSeveral:
         for source in self.sources:
             source.close()
 
-    def _compare(self, frame: FrameOfSeveral) -> SeveralResult:
+    def _compare(self, frame: FrameOfAnnotators) -> ConsensusResult:
         errors: list[str] = []
         read: dict[int, FrameAnnotation] = {}
         for place, file in enumerate(frame.files):
@@ -93,20 +93,20 @@ class CompareSeveral:
             except InputError as error:
                 errors.append(str(error))
         if len(read) < 2:
-            return SeveralResult(frame.name, {}, {}, None, tuple(errors))
+            return ConsensusResult(frame.name, {}, {}, None, tuple(errors))
         compared = partial(compare_annotations, field=self.field, size=self.size)
         pairs = {(a, b): compared(read[a], read[b]) for a, b in combinations(read, 2)}
         if self.pairs_only:
-            return SeveralResult(frame.name, pairs, {}, None, tuple(errors))
-        consensus, of_others = consensus_of(list(read.values()), self.field, self.size)
+            return ConsensusResult(frame.name, pairs, {}, None, tuple(errors))
+        consensus, of_others = build_consensus(list(read.values()), self.field, self.size)
         against_others = {
-            place: against(own, others, self.field, self.size)
+            place: compare_to_consensus(own, others, self.field, self.size)
             for (place, own), others in zip(read.items(), of_others, strict=True)
         }
-        return SeveralResult(frame.name, pairs, against_others, consensus, tuple(errors))
+        return ConsensusResult(frame.name, pairs, against_others, consensus, tuple(errors))
 
 
-class ConsensusRun(SetRun[FrameOfSeveral, SeveralResult, None]):
+class ConsensusRun(SetRun[FrameOfAnnotators, ConsensusResult, None]):
     """One pass over the frames that at least two of several annotators have; iterate it first.
 
     Args:
@@ -135,12 +135,12 @@ class ConsensusRun(SetRun[FrameOfSeveral, SeveralResult, None]):
     ) -> None:
         if min(size) < 2:
             raise UsageError(f"the size {size[0]}x{size[1]} is too small")
-        if not 2 <= len(sources) <= MOST:
-            raise UsageError(f"{len(sources)} annotators, expected 2 to {MOST}")
+        if not 2 <= len(sources) <= MAX_ANNOTATORS:
+            raise UsageError(f"{len(sources)} annotators, expected 2 to {MAX_ANNOTATORS}")
         self.sources, self.field, self.size = tuple(sources), field, size
         self.thresholds = check_thresholds(thresholds)
         files = [require_annotations(source) for source in sources]
-        self.files = files if pairs_only else told_by_trees(files)
+        self.files = files if pairs_only else qualify_by_folder(files)
         frames = _frames_of(self.files)
         shared = [frame for frame in frames if len(frame.files) - frame.files.count(None) > 1]
         if not shared:
@@ -151,8 +151,8 @@ class ConsensusRun(SetRun[FrameOfSeveral, SeveralResult, None]):
             raise UsageError(
                 f"nothing to do: no frame has annotations of two (names are like {named})"
             )
-        kept = tuple(source_kept_open(source) for source in sources)
-        super().__init__(shared, CompareSeveral(kept, field, size, pairs_only))
+        kept = tuple(reopenable_source(source) for source in sources)
+        super().__init__(shared, CompareWithConsensus(kept, field, size, pairs_only))
         self.alone = tuple(
             tuple(f.name for f in frames if f.files[at] and f.files.count(None) == len(sources) - 1)
             for at in range(len(sources))
@@ -163,7 +163,7 @@ class ConsensusRun(SetRun[FrameOfSeveral, SeveralResult, None]):
         return f"{self.field.described}, {self.size[0]}x{self.size[1]}"
 
 
-def _frames_of(files: Sequence[AnnotationFiles]) -> list[FrameOfSeveral]:
+def _frames_of(files: Sequence[AnnotationFiles]) -> list[FrameOfAnnotators]:
     """Every frame once, called as the first has it that has it; in natural order."""
     found = []
     for at, own in enumerate(files):
@@ -172,5 +172,5 @@ def _frames_of(files: Sequence[AnnotationFiles]) -> list[FrameOfSeveral]:
             if all(called is None for called in there[:at]):
                 named = zip(files, there, strict=True)
                 paths = (None if called is None else others[called] for others, called in named)
-                found.append(FrameOfSeveral(name, tuple(paths)))
+                found.append(FrameOfAnnotators(name, tuple(paths)))
     return natsorted(found, key=lambda frame: frame.name)

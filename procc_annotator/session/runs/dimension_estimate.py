@@ -13,7 +13,7 @@ from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.together.stadium import StadiumFit, fit_dimensions
 
 # About how often the frames are looked at while dimensions are searched, for the progress shown.
-_PASSES = 5
+_ESTIMATE_PASSES = 5
 
 
 @dataclass(frozen=True)
@@ -54,7 +54,7 @@ def estimate_dimensions(
     annotations: dict[str, FrameAnnotation] = {}
     alone: dict[str, FitResult] = {}
     unreadable: list[str] = []
-    total = (1 + _PASSES) * len(read)
+    total = (1 + _ESTIMATE_PASSES) * len(read)
     for done, (name, read_one) in enumerate(read.items()):
         progress(done, total)
         try:
@@ -65,12 +65,12 @@ def estimate_dimensions(
         if annotation.annotated:
             annotations[name] = annotation
             alone[name] = fit_camera(annotation, field, model=model, size=size)
-    steps = Steps(progress, len(read), total)
+    steps = ProgressSteps(progress, len(read), total)
     stadium = fit_dimensions(annotations, alone, field, names=names, on_step=steps.step)
     return Estimate(stadium, tuple(unreadable))
 
 
-class Steps:
+class ProgressSteps:
     """Progress of a search whose end nobody knows: it never passes the total."""
 
     def __init__(self, progress: Callable[[int, int], None], done: int, total: int) -> None:

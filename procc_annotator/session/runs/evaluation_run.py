@@ -16,9 +16,9 @@ from procc_annotator.io.camera_files.fitted_on import NOT_FITTED
 from procc_annotator.io.source import FileSource
 from procc_annotator.metric.sets import SetSummary
 from procc_annotator.metric.setup import EvaluationSetup, check_thresholds
-from procc_annotator.session.dataset.what_lies_there import instead_of_cameras
+from procc_annotator.session.dataset.what_lies_there import found_instead_of_cameras
 from procc_annotator.session.runs.execution.executor import Executor
-from procc_annotator.session.runs.held_out import HeldOutFigures
+from procc_annotator.session.runs.held_out import LeftOutMetrics
 from procc_annotator.session.runs.score_chunk import (
     Evaluated,
     FrameFiles,
@@ -29,9 +29,9 @@ from procc_annotator.session.runs.score_chunk import (
 from procc_annotator.session.runs.set_run import (
     SetRun,
     annotations_for,
-    cameras_kept_open,
+    reopenable_cameras,
     choice_of,
-    source_kept_open,
+    reopenable_source,
 )
 from procc_annotator.session.runs.tags import Grouping
 
@@ -125,11 +125,11 @@ class EvaluationRun(SetRun[FrameFiles, T, Tally]):
         if not cameras.frames:
             raise UsageError(
                 f"nothing to do: no camera (format {cameras.format}) in {cameras.path}"
-                + (instead_of_cameras(cameras.path) or choice_of(cameras))
+                + (found_instead_of_cameras(cameras.path) or choice_of(cameras))
             )
         if not self.matched:
             first = next(iter(cameras.frames))
-            if instead := instead_of_cameras(cameras.path):
+            if instead := found_instead_of_cameras(cameras.path):
                 raise UsageError(f"nothing to do: no camera in {cameras.path}{instead}")
             if cameras.path.is_file() and len(cameras.frames) == 1:
                 cameras.read(first)  # of a file of many that cannot be read only this is known
@@ -148,7 +148,7 @@ class EvaluationRun(SetRun[FrameFiles, T, Tally]):
         self.fitted += sums.fitted
 
     @property
-    def held_out(self) -> HeldOutFigures:
+    def held_out(self) -> LeftOutMetrics:
         """What is known of elements left out of the fits among the cameras so far."""
         return self._sums.held_out.at(self.setup)
 
@@ -234,8 +234,8 @@ def run_digested(
             digit.
     """
     task = ScoreChunk(
-        source_kept_open(annotations),
-        cameras_kept_open(cameras),
+        reopenable_source(annotations),
+        reopenable_cameras(cameras),
         setup,
         check_thresholds(thresholds),
         camera_size,

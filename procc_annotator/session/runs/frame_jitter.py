@@ -10,8 +10,8 @@ import numpy as np
 from procc_annotator.camera.base import Camera
 from procc_annotator.errors import CameraError
 from procc_annotator.field.model import Field
-from procc_annotator.metric.over_time.positions import only_cameras
-from procc_annotator.metric.over_time.steadiness import ground_points, steadiness
+from procc_annotator.metric.over_time.positions import without_bare_projections
+from procc_annotator.metric.over_time.steadiness import field_ground_points, projection_jitter
 from procc_annotator.metric.polylines import FloatArray
 from procc_annotator.session.dataset.camera_set import FrameCameras
 from procc_annotator.session.runs.frame_order import FrameOrder, shots_in
@@ -53,10 +53,10 @@ def frame_jitter(
     """
     found = np.full(len(frames), np.nan)
     at = {name: place for place, name in enumerate(frames)}
-    points, steps = ground_points(field), []
+    points, steps = field_ground_points(field), []
     for shot in shots_in([name for name in frames if name in cameras.frames], order):
         given = [_camera(cameras, name, size) for name in shot.frames]
-        steady = steadiness(given, shot.numbers, points, size)
+        steady = projection_jitter(given, shot.numbers, points, size)
         steps.append(steady.step_px)
         found[[at[name] for name in shot.frames]] = steady.px
     if not moves_on(np.concatenate(steps) if steps else np.empty(0), size):
@@ -76,4 +76,4 @@ def _camera(cameras: FrameCameras, name: str, size: tuple[int, int]) -> Camera |
         found = cameras.camera(name, size)
     except CameraError:  # the list of sources says so
         return None
-    return None if found is None else only_cameras([found.camera])[0]
+    return None if found is None else without_bare_projections([found.camera])[0]

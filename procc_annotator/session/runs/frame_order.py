@@ -19,8 +19,8 @@ from procc_annotator.errors import InputError, UsageError
 from procc_annotator.io.csv_text import read_frame_table
 from procc_annotator.io.frame_names import FrameTable
 
-_FRAME, _SHOT, _NUMBER = "frame", "shot", "number"
-_ADVICE = "the file needs a header like: frame,shot,number"
+_ORDER_FRAME, _SHOT, _NUMBER = "frame", "shot", "number"
+_ORDER_ADVICE = "the file needs a header like: frame,shot,number"
 _NUMBERED = re.compile(r"(.*?)([0-9]+)")
 # Numbers that go up by more than so many usual steps begin another shot.
 _MOST_STEPS_MISSING = 25
@@ -66,13 +66,13 @@ class FrameOrder:
         Raises:
             InputError: it cannot be read, or what is wrong and where.
         """
-        names, table = read_frame_table(path, (), _ADVICE)
+        names, table = read_frame_table(path, (), _ORDER_ADVICE)
         if not {_SHOT, _NUMBER} & set(names):
-            raise InputError(path, f"has no columns {_FRAME!r} and {_SHOT!r}", advice=_ADVICE)
+            raise InputError(path, f"has no columns {_ORDER_FRAME!r} and {_SHOT!r}", advice=_ORDER_ADVICE)
         shots: dict[str, str] = {}
         numbers: dict[str, int] = {}
         for place, (line, row) in enumerate(table):
-            frame = row[_FRAME]
+            frame = row[_ORDER_FRAME]
             number = row.get(_NUMBER, str(place))
             if not re.fullmatch("[0-9]{1,12}", number):
                 raise InputError(path, f"{number!r} is no number", place=f"line {line}")

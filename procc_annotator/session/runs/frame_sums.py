@@ -9,12 +9,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, Fitted, marked
-from procc_annotator.metric.chance.sampling import Ratios
+from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, FitCounts, name_with_mark
+from procc_annotator.metric.chance.sampling import RatioMetrics
 from procc_annotator.metric.polylines import BoolArray, FloatArray
 from procc_annotator.metric.score import FrameScore, jac_curve
 from procc_annotator.session.runs.audit import TAU_GRID, Pose, pose_in_degrees
-from procc_annotator.session.runs.moved_clicks import ClickNoise, moved_jac
+from procc_annotator.session.runs.moved_clicks import ClickNoise, perturbed_jac
 from procc_annotator.session.runs.score_chunk import Evaluated
 
 # Where a difference is followed over tau with moved clicks: every 0.5 px.
@@ -49,7 +49,7 @@ class FrameSums:
     pose: Pose | None = None
     model: str = ""
     moved: NDArray[np.float32] | None = None
-    fitted: Fitted = NOT_FITTED
+    fitted: FitCounts = NOT_FITTED
     ground_only: bool = False
     spread: float | None = None
 
@@ -70,7 +70,7 @@ def frame_sums(
     moved = None
     if noise is not None and evaluated.annotation is not None:
         taus = (*thresholds, *SPARSE_TAUS)
-        moved = moved_jac(result.name, evaluated.annotation, measurement, noise, taus)
+        moved = perturbed_jac(result.name, evaluated.annotation, measurement, noise, taus)
     return FrameSums(
         result.name,
         np.array([_figures(result.scores[tau]) for tau in thresholds]),
@@ -128,7 +128,7 @@ class SourceSums:
         return np.array([frame.curve is not None for frame in self.frames], dtype=bool)
 
     @property
-    def fitted(self) -> Fitted:
+    def fitted(self) -> FitCounts:
         """Its cameras that were fitted to the annotations they are judged by: no method among
         methods, and never the best of them."""
         return sum((frame.fitted for frame in self.frames), NOT_FITTED)
@@ -141,32 +141,32 @@ class SourceSums:
     @property
     def marked_name(self) -> str:
         """Its name as tables tell it beside others."""
-        return marked(self.name, self.fitted)
+        return name_with_mark(self.name, self.fitted)
 
-    def ratios(self, key: str) -> Ratios:
+    def ratios(self, key: str) -> RatioMetrics:
         """A figure of the set at each threshold, by its key in `SetSummary`."""
         figures = np.array([frame.figures for frame in self.frames])
         figures = figures.reshape(len(self.frames), len(self.thresholds), 5)
         if key in _MEANS:
-            return Ratios.mean(figures[..., _MEANS[key]])
+            return RatioMetrics.mean(figures[..., _MEANS[key]])
         there = np.repeat(self.with_camera[:, None], len(self.thresholds), axis=1)
         if key == "mean_error":
             # A distance that is undefined leaves the set without a mean.
             counts = np.where(there, figures[..., 4], 0.0)
-            return Ratios(np.where(there, figures[..., 3], 0.0), counts)
+            return RatioMetrics(np.where(there, figures[..., 3], 0.0), counts)
         every = np.ones(there.shape)
         if key == "completeness":
-            return Ratios(there.astype(np.float64), every)
+            return RatioMetrics(there.astype(np.float64), every)
         if key == "final_score":
             if not self.with_camera.any():  # no mean that the completeness could be taken of
                 every = np.zeros(there.shape)
-            return Ratios(np.where(there, figures[..., 0], 0.0), every)
+            return RatioMetrics(np.where(there, figures[..., 0], 0.0), every)
         raise KeyError(key)
 
-    def curves(self) -> Ratios:
+    def curves(self) -> RatioMetrics:
         """The mean JaC at each of `TAU_GRID`."""
         nothing = np.full(len(TAU_GRID), np.nan, dtype=np.float32)
-        return Ratios.mean(
+        return RatioMetrics.mean(
             np.array([nothing if f.curve is None else f.curve for f in self.frames]).reshape(
                 len(self.frames), len(TAU_GRID)
             )

@@ -7,18 +7,18 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from procc_annotator.metric.agreement import FrameAgreement, quantile
-from procc_annotator.metric.chance.sampling import Draws
-from procc_annotator.metric.chance.trend import Trend, trend
+from procc_annotator.metric.agreement import FrameAgreement, sorted_quantile
+from procc_annotator.metric.chance.sampling import BootstrapSettings
+from procc_annotator.metric.chance.trend import Trend, trend_test
 from procc_annotator.session.runs.clusters import Clusters
-from procc_annotator.session.runs.consensus_run import SeveralResult
-from procc_annotator.session.runs.sure_agreement import SureAgreement, sure_agreement
+from procc_annotator.session.runs.consensus_run import ConsensusResult
+from procc_annotator.session.runs.sure_agreement import AgreementInference, agreement_inference
 
 THIRDS = ("first", "middle", "last")
 
 
 @dataclass(frozen=True)
-class GoldFrame:
+class ReferenceFrame:
     """One gold frame as somebody annotated it.
 
     Attributes:
@@ -33,11 +33,11 @@ class GoldFrame:
     @property
     def median(self) -> float | None:
         """Of the distances, px; None where there is none."""
-        return quantile(np.sort(self.agreement.distances), 0.5)
+        return sorted_quantile(np.sort(self.agreement.distances), 0.5)
 
 
 @dataclass(frozen=True)
-class GoldErrors:
+class ReferenceErrors:
     """An annotator against gold.
 
     Attributes:
@@ -46,9 +46,9 @@ class GoldErrors:
         trend: of the frames' medians, px from one frame to the next.
     """
 
-    frames: tuple[GoldFrame, ...]
-    sure: SureAgreement
-    thirds: tuple[SureAgreement, ...]
+    frames: tuple[ReferenceFrame, ...]
+    sure: AgreementInference
+    thirds: tuple[AgreementInference, ...]
     trend: Trend | None
 
     @property
@@ -57,13 +57,13 @@ class GoldErrors:
         return all(frame.time is not None for frame in self.frames)
 
 
-def gold_errors(
-    results: Sequence[SeveralResult],
+def reference_errors(
+    results: Sequence[ConsensusResult],
     times: Mapping[str, float],
     thresholds: Sequence[float],
     clusters: Clusters,
-    draws: Draws,
-) -> GoldErrors | None:
+    draws: BootstrapSettings,
+) -> ReferenceErrors | None:
     """The errors of one annotator; None where none of the frames can be read.
 
     Args:
@@ -74,7 +74,7 @@ def gold_errors(
     """
     names = [result.name for result in results]
     found = [
-        GoldFrame(result.name, result.agreement, times.get(result.name))
+        ReferenceFrame(result.name, result.agreement, times.get(result.name))
         for result in results
         if result.agreement is not None
     ]
@@ -83,18 +83,18 @@ def gold_errors(
     at = {name: place for place, name in enumerate(names)}
     found.sort(key=lambda one: (one.time is None, one.time or 0.0, at[one.name]))
 
-    def sure(frames: Sequence[GoldFrame]) -> SureAgreement:
+    def sure(frames: Sequence[ReferenceFrame]) -> AgreementInference:
         pairs = [(frame.name, frame.agreement) for frame in frames]
-        return sure_agreement(names, pairs, thresholds, clusters, draws)
+        return agreement_inference(names, pairs, thresholds, clusters, draws)
 
     timed = all(frame.time is not None for frame in found)
     count = len(found)
     parts = [found[n * count // 3 : (n + 1) * count // 3] for n in range(3)] if timed else []
     medians = [frame.median for frame in found]
     known = np.array([median for median in medians if median is not None])
-    return GoldErrors(
+    return ReferenceErrors(
         tuple(found),
         sure(found),
         tuple(sure(part) for part in parts if part) if count >= len(THIRDS) else (),
-        trend(known, draws) if timed else None,
+        trend_test(known, draws) if timed else None,
     )

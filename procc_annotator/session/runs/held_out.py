@@ -6,42 +6,42 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 from procc_annotator.field.fingerprint import field_fingerprint
-from procc_annotator.io.camera_files.held_out_table import HeldOut, HeldOutElement, HeldOutTerms
+from procc_annotator.io.camera_files.held_out_table import LeftOutResult, LeftOutElement, LeftOutSettings
 from procc_annotator.metric.setup import EvaluationSetup
 
 
 @dataclass
-class HeldOutTally:
+class LeftOutTally:
     """The elements left out of a source's fits, of all its frames, by what they were judged with.
 
     Attributes:
         found: terms -> the elements of each frame.
     """
 
-    found: dict[HeldOutTerms, list[tuple[HeldOutElement, ...]]] = field(default_factory=dict)
+    found: dict[LeftOutSettings, list[tuple[LeftOutElement, ...]]] = field(default_factory=dict)
 
-    def add(self, of_frame: HeldOut | None) -> None:
+    def add(self, of_frame: LeftOutResult | None) -> None:
         """What is known of a frame's camera."""
         if of_frame is not None:
             self.found.setdefault(of_frame.terms, []).append(of_frame.elements)
 
-    def merge(self, other: HeldOutTally) -> None:
+    def merge(self, other: LeftOutTally) -> None:
         """Add the frames that follow."""
         for terms, frames in other.found.items():
             self.found.setdefault(terms, []).extend(frames)
 
-    def at(self, setup: EvaluationSetup) -> HeldOutFigures:
+    def at(self, setup: EvaluationSetup) -> LeftOutMetrics:
         """What counts where cameras are judged so."""
         if not self.found:
-            return HeldOutFigures()
-        own = held_out_terms(setup)
+            return LeftOutMetrics()
+        own = left_out_settings(setup)
         frames = self.found.get(own, [])
         others = tuple(sorted({(t.protocol, t.size) for t in self.found if t != own}))
-        return HeldOutFigures(len(frames), tuple(e for frame in frames for e in frame), others)
+        return LeftOutMetrics(len(frames), tuple(e for frame in frames for e in frame), others)
 
 
 @dataclass(frozen=True)
-class HeldOutFigures:
+class LeftOutMetrics:
     """The elements left out of a source's fits.
 
     Attributes:
@@ -51,7 +51,7 @@ class HeldOutFigures:
     """
 
     frames: int = 0
-    elements: tuple[HeldOutElement, ...] = ()
+    elements: tuple[LeftOutElement, ...] = ()
     others: tuple[tuple[str, tuple[int, int]], ...] = ()
 
     def shares(self, tau: float) -> tuple[float, float] | None:
@@ -64,9 +64,9 @@ class HeldOutFigures:
         return predicted / len(self.elements), explained / len(self.elements)
 
 
-def held_out_terms(setup: EvaluationSetup) -> HeldOutTerms:
+def left_out_settings(setup: EvaluationSetup) -> LeftOutSettings:
     """What elements are judged with."""
-    return HeldOutTerms(setup.protocol, setup.size, field_fingerprint(setup.field))
+    return LeftOutSettings(setup.protocol, setup.size, field_fingerprint(setup.field))
 
 
 def passed(distances_px: Iterable[float | None], tau: float) -> int:

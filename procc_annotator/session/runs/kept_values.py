@@ -17,39 +17,39 @@ from typing import Any
 
 import numpy as np
 
-from procc_annotator.language import Said
+from procc_annotator.language import TranslatableText
 
 _PACKAGE = "procc_annotator"
 # Kinds of numbers that an array may be of: booleans, whole numbers, floats.
 _NUMBERS = "biuf"
 
 
-class KeptValueError(ValueError):
+class SerializationError(ValueError):
     """Text that no value was kept as."""
 
 
-def to_text(value: object) -> str:
+def serialize(value: object) -> str:
     """A value as one line of JSON.
 
     Raises:
         TypeError: it is, or holds, something else than plain data.
     """
-    return json.dumps(_Writing().plain(value), separators=(",", ":"))
+    return json.dumps(_Serializer().plain(value), separators=(",", ":"))
 
 
-def from_text(text: str | bytes) -> Any:
+def deserialize(text: str | bytes) -> Any:
     """The value again; what was one object in it is one again.
 
     Raises:
         KeptValueError: nothing was kept like this, or by another version.
     """
     try:
-        return _Reading().value(json.loads(text))
+        return _Deserializer().value(json.loads(text))
     except (ValueError, TypeError, KeyError, IndexError, AttributeError, ImportError) as error:
-        raise KeptValueError(str(error)) from error
+        raise SerializationError(str(error)) from error
 
 
-class _Writing:
+class _Serializer:
     def __init__(self) -> None:
         self._objects: dict[int, int] = {}
         self._alive: list[object] = []  # an id is an object's own only as long as that is there
@@ -57,7 +57,7 @@ class _Writing:
     def plain(self, value: Any) -> Any:
         if value is None or type(value) in (bool, int, float, str):
             return value
-        if isinstance(value, Said):
+        if isinstance(value, TranslatableText):
             return str(value)  # for commands, which speak English
         if isinstance(value, list):
             return [self.plain(one) for one in value]
@@ -95,7 +95,7 @@ class _Writing:
         return found
 
 
-class _Reading:
+class _Deserializer:
     def __init__(self) -> None:
         self._objects: list[Any] = []
 
@@ -122,7 +122,7 @@ class _Reading:
             return self._objects[content]
         if kind == "c":
             return self._of_class(*content)
-        raise KeptValueError(f"no kind {kind!r}")
+        raise SerializationError(f"no kind {kind!r}")
 
     def _of_class(self, name: str, content: list[Any]) -> Any:
         kind, named = _plain_class(name)
@@ -137,7 +137,7 @@ class _Reading:
 def _number_type(text: str) -> np.dtype[Any]:
     dtype = np.dtype(text)
     if dtype.kind not in _NUMBERS:
-        raise KeptValueError(f"{text} is no kind of numbers")
+        raise SerializationError(f"{text} is no kind of numbers")
     return dtype
 
 
@@ -150,12 +150,12 @@ def _plain_class(name: str) -> tuple[Callable[..., Any], list[str] | None]:
     """
     module, _, qualified = name.partition(":")
     if not module.startswith(f"{_PACKAGE}.") or not qualified.isidentifier():
-        raise KeptValueError(f"{name} is no class of {_PACKAGE}")
+        raise SerializationError(f"{name} is no class of {_PACKAGE}")
     found = getattr(sys.modules.get(module) or import_module(module), qualified)
     if not isinstance(found, type) or found.__module__ != module:
-        raise KeptValueError(f"{name} is no class of {module}")
+        raise SerializationError(f"{name} is no class of {module}")
     if is_dataclass(found):
         return found, [field.name for field in fields(found) if field.init]
     if issubclass(found, tuple) and hasattr(found, "_fields"):
         return found, None
-    raise KeptValueError(f"{name} is no plain data")
+    raise SerializationError(f"{name} is no plain data")

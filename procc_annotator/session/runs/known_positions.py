@@ -9,7 +9,7 @@ import numpy as np
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.errors import CameraError, InputError
 from procc_annotator.field.model import Field
-from procc_annotator.fit.from_picture.agreed_positions import positions_of_cameras
+from procc_annotator.fit.from_picture.agreed_positions import cluster_camera_positions
 from procc_annotator.fit.from_picture.proposal import KnownPosition
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.camera_writers import OFFICIAL_SIZE
@@ -46,7 +46,7 @@ def read_positions(path: Path, field: Field, fmt: str = "auto") -> tuple[KnownPo
                 found.append((loaded.camera, loaded.size or OFFICIAL_SIZE))
     if not found:
         raise InputError(path, "holds no camera with a position (a homography has none)")
-    return positions_of_cameras(found, field)
+    return cluster_camera_positions(found, field)
 
 
 def _from_table(path: Path) -> tuple[KnownPosition, ...]:

@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.fit.determined import hardly_determined
+from procc_annotator.fit.determined import ill_conditioned_reason
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.result import FitResult
-from procc_annotator.io.camera_files.held_out_table import HeldOutElement
+from procc_annotator.io.camera_files.held_out_table import LeftOutElement
 from procc_annotator.metric.measure import Measurement, measure
 from procc_annotator.metric.setup import EvaluationSetup
 
 
-def held_out_elements(
+def leave_one_out(
     annotation: FrameAnnotation, fit: FitResult, setup: EvaluationSetup, model: str
-) -> tuple[HeldOutElement, ...]:
+) -> tuple[LeftOutElement, ...]:
     """The elements of a frame that the others predict, fitted without a start.
 
-    An element counts if the others determine a camera (`hardly_determined` says nothing of it);
+    An element counts if the others determine a camera (`ill_conditioned_reason` says nothing of it);
     what has no place on the field is none.
 
     Args:
@@ -33,10 +33,10 @@ def held_out_elements(
         if element < 0:
             continue
         rest = fit_camera(annotation.without(name), setup.field, model=model, size=fit.size)
-        if rest.camera is None or hardly_determined(rest):
+        if rest.camera is None or ill_conditioned_reason(rest):
             continue
         predicted = _worst(measure(annotation, rest.camera, setup), name)
-        found.append(HeldOutElement(name, predicted, _worst(whole, name)))
+        found.append(LeftOutElement(name, predicted, _worst(whole, name)))
     return tuple(found)
 
 

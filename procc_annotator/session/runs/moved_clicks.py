@@ -53,7 +53,7 @@ class ClickNoise:
         )
 
 
-def moved_jac(
+def perturbed_jac(
     frame: str,
     annotation: FrameAnnotation,
     measurement: Measurement,
@@ -71,24 +71,24 @@ def moved_jac(
     size = measurement.setup.size
     found = np.empty((noise.repeats, len(taus)), dtype=np.float32)
     for repeat in range(noise.repeats):
-        moved = _moved(annotation, size, noise.at(size), rng)
+        moved = _perturbed(annotation, size, noise.at(size), rng)
         again = measure_projected(moved, measurement.projected, measurement.setup)
         found[repeat] = jac_curve(again, taus)
     return found
 
 
-def _moved(
+def _perturbed(
     annotation: FrameAnnotation,
     size: tuple[int, int],
     px: tuple[float, float],
     rng: np.random.Generator,
 ) -> FrameAnnotation:
     return replace(
-        annotation, polylines=tuple(_moved_line(p, size, px, rng) for p in annotation.polylines)
+        annotation, polylines=tuple(_perturbed_polyline(p, size, px, rng) for p in annotation.polylines)
     )
 
 
-def _moved_line(
+def _perturbed_polyline(
     polyline: Polyline, size: tuple[int, int], px: tuple[float, float], rng: np.random.Generator
 ) -> Polyline:
     points = points_px(polyline, size)

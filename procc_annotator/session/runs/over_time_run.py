@@ -14,31 +14,31 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.projections import CameraOrProjections
 from procc_annotator.errors import ImageError, InputError
 from procc_annotator.image.decode import decode_bgra
-from procc_annotator.image.motion import Motion, carried_points, estimate_motion
+from procc_annotator.image.motion import CameraMotion, transfer_points, estimate_motion
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.cameras import fit_to_size
-from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, Fitted
+from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, FitCounts
 from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.io.source import FileSource
 from procc_annotator.metric.measure import Measurement, measure
-from procc_annotator.metric.over_time.frame_offset import FrameOffset, frame_offset, shifts
-from procc_annotator.metric.over_time.interruptions import Interruptions, interruptions
+from procc_annotator.metric.over_time.frame_offset import FrameOffset, frame_offset, shift_range
+from procc_annotator.metric.over_time.interruptions import Discontinuities, find_discontinuities
 from procc_annotator.metric.over_time.positions import (
     PoseJitter,
-    Poses,
-    Vertigo,
-    Wander,
-    only_cameras,
+    ShotPoses,
+    FocalDistanceAmbiguity,
+    PositionDrift,
+    without_bare_projections,
     pose_jitter,
-    poses_of,
-    vertigo,
-    wander,
+    shot_poses,
+    focal_distance_ambiguity,
+    position_drift,
 )
 from procc_annotator.metric.over_time.steadiness import (
-    Steadiness,
-    ground_points,
-    of_shot,
-    steadiness,
+    ShotJitter,
+    field_ground_points,
+    shot_rms,
+    projection_jitter,
 )
 from procc_annotator.metric.polylines import FloatArray, IntArray
 from procc_annotator.metric.score import score
@@ -48,11 +48,11 @@ from procc_annotator.session.runs.frame_jitter import moves_on
 from procc_annotator.session.runs.frame_order import NotInOrderError, ShotFrames, require_in_order
 from procc_annotator.session.runs.set_run import (
     AnnotationTask,
-    KeptOpen,
+    ReopenableHandle,
     SetRun,
     annotations_for,
-    cameras_kept_open,
-    source_kept_open,
+    reopenable_cameras,
+    reopenable_source,
 )
 
 # Of a point that is farther off, or not shown at all, so much counts towards a frame offset: at the
@@ -83,30 +83,30 @@ class ShotOverTime:
 
     shot: ShotFrames
     size: tuple[int, int]
-    steady: Steadiness
-    poses: Poses
-    broken: Interruptions
+    steady: ShotJitter
+    poses: ShotPoses
+    broken: Discontinuities
     jac: FloatArray
     offset: FrameOffset | None
     picture_offset: FrameOffset | None
-    fitted: Sequence[Fitted]
+    fitted: Sequence[FitCounts]
     ground_only: bool = False
     errors: tuple[str, ...] = ()
 
     @property
-    def fits(self) -> Fitted:
+    def fits(self) -> FitCounts:
         """Of all its cameras."""
         return sum(self.fitted, NOT_FITTED)
 
     @property
     def jitter_px(self) -> float | None:
         """Of the projection, px; frames of a jump left out."""
-        return of_shot(self.steady.px, self.broken.unsteady)
+        return shot_rms(self.steady.px, self.broken.unsteady)
 
     @property
     def jitter_m(self) -> float | None:
         """The same on the ground, metres."""
-        return of_shot(self.steady.ground_m, self.broken.unsteady)
+        return shot_rms(self.steady.ground_m, self.broken.unsteady)
 
     @cached_property
     def pose_jitter(self) -> PoseJitter:
@@ -114,14 +114,14 @@ class ShotOverTime:
         return pose_jitter(self.poses, self.shot.numbers, self.broken.unsteady)
 
     @cached_property
-    def wander(self) -> Wander | None:
+    def wander(self) -> PositionDrift | None:
         """Of the position, implied or not."""
-        return wander(self.poses)
+        return position_drift(self.poses)
 
     @cached_property
-    def vertigo(self) -> Vertigo | None:
+    def vertigo(self) -> FocalDistanceAmbiguity | None:
         """Position against focal length."""
-        return vertigo(self.poses)
+        return focal_distance_ambiguity(self.poses)
 
     @property
     def outage_share(self) -> float:
@@ -135,7 +135,7 @@ class ShotOverTime:
         known = self.jac[np.isfinite(self.jac)]
         return float(known.mean()) if len(known) else None
 
-    def jac_third(self, third: int) -> float | None:
+    def jac_by_third(self, third: int) -> float | None:
         """Mean JaC in the first (0), the middle (1) and the last (2) third of the shot."""
         own = np.array_split(self.jac, 3)[third]
         known = own[np.isfinite(own)]
@@ -150,12 +150,12 @@ class ShotOverTime:
 _Found = tuple[CameraOrProjections | None, str | None]  # a camera, and what it was fitted to
 
 
-class _Judged(NamedTuple):
+class _JudgedShot(NamedTuple):
     """See `ShotOverTime`."""
 
     jac: FloatArray
     offset: FrameOffset | None
-    fitted: Sequence[Fitted]
+    fitted: Sequence[FitCounts]
     ground_only: bool
 
 
@@ -172,7 +172,7 @@ class MeasureShots(AnnotationTask):
         pictures: frame -> its picture; none: pictures are not looked at.
     """
 
-    cameras: KeptOpen[CameraCollection]
+    cameras: ReopenableHandle[CameraCollection]
     setup: EvaluationSetup
     threshold: float
     camera_size: tuple[int, int] | None
@@ -180,7 +180,7 @@ class MeasureShots(AnnotationTask):
     pictures: Mapping[str, Path]
 
     def __call__(self, chunk: Sequence[ShotFrames]) -> tuple[list[ShotOverTime], None]:
-        points = ground_points(self.setup.field)
+        points = field_ground_points(self.setup.field)
         return [self._measured(shot, points) for shot in chunk], None
 
     def close(self) -> None:
@@ -192,18 +192,18 @@ class MeasureShots(AnnotationTask):
         errors: list[str] = []
         found = [self._camera(name, errors) for name in shot.frames]
         given = [camera for camera, _ in found]
-        cameras, size = only_cameras(given), self.setup.size
-        steady = steadiness(cameras, shot.numbers, points, size)
+        cameras, size = without_bare_projections(given), self.setup.size
+        steady = projection_jitter(cameras, shot.numbers, points, size)
         # Those known by their projections alone are no outage.
         pairs = zip(cameras, given, strict=True)
         there = [a if a is not None or b is None else _Unknown() for a, b in pairs]
-        broken = interruptions(there, shot.numbers, points, size, steady)
+        broken = find_discontinuities(there, shot.numbers, points, size, steady)
         # Where the field is somewhere else in every frame, no other frame's camera can be meant.
         follows = moves_on(steady.step_px, size)
-        judged = self._against_clicks(shot, found, errors, shifts() if follows else _AS_IS)
+        judged = self._against_clicks(shot, found, errors, shift_range() if follows else _AS_IS)
         moved = self._against_pictures(shot, given, points, errors) if self.pictures else None
         return ShotOverTime(
-            shot, size, steady, poses_of(given, size), broken, judged.jac, judged.offset, moved,
+            shot, size, steady, shot_poses(given, size), broken, judged.jac, judged.offset, moved,
             judged.fitted, judged.ground_only, tuple(errors),
         )  # fmt: skip
 
@@ -228,7 +228,7 @@ class MeasureShots(AnnotationTask):
         found: Sequence[_Found],
         errors: list[str],
         tried: IntArray,
-    ) -> _Judged:
+    ) -> _JudgedShot:
         jac, fitted, ground_only = np.full(len(found), np.nan), [NOT_FITTED] * len(found), False
         at = {number: place for place, number in enumerate(shot.numbers)}
         rows = []
@@ -247,13 +247,13 @@ class MeasureShots(AnnotationTask):
                 row[column] = _distance_px(measurement)
                 if shift == 0:
                     jac[place] = score(measurement, self.threshold).jac
-                    fitted[place] = Fitted.of(found[place][1], annotation)
+                    fitted[place] = FitCounts.of(found[place][1], annotation)
                     ground_only |= measurement.projected.ground_only
             if annotation.annotated:  # a frame without clicks tells nothing of shifts
                 rows.append(row)
         told = len(rows) > 0 and len(tried) > 1
         offset = frame_offset(np.array(rows)) if told else None
-        return _Judged(jac, offset, fitted, ground_only)
+        return _JudgedShot(jac, offset, fitted, ground_only)
 
     def _annotation(self, name: str, errors: list[str]) -> FrameAnnotation | None:
         file = self.files.get(name)
@@ -274,7 +274,7 @@ class MeasureShots(AnnotationTask):
         points: FloatArray,
         errors: list[str],
     ) -> FrameOffset | None:
-        cameras = only_cameras(given)
+        cameras = without_bare_projections(given)
         shown = [None if c is None else _shown(c.project(points)) for c in cameras]
         at = {number: place for place, number in enumerate(shot.numbers)}
         pairs = [n for n, place in at.items() if n + 1 in at and self._seen(shot, place)]
@@ -284,19 +284,19 @@ class MeasureShots(AnnotationTask):
             motion = self._motion(shot.frames[at[number]], shot.frames[at[number + 1]], errors)
             if motion is None:
                 continue
-            row = np.full(len(shifts()), np.nan)
-            for column, shift in enumerate(shifts().tolist()):
+            row = np.full(len(shift_range()), np.nan)
+            for column, shift in enumerate(shift_range().tolist()):
                 one, other = at.get(number + shift), at.get(number + shift + 1)
                 if one is None or other is None:
                     continue
-                row[column] = _carried_px(motion, shown[one], shown[other], self.setup.size)
+                row[column] = _motion_difference_px(motion, shown[one], shown[other], self.setup.size)
             rows.append(row)
         return frame_offset(np.array(rows)) if rows else None
 
     def _seen(self, shot: ShotFrames, place: int) -> bool:
         return all(name in self.pictures for name in shot.frames[place : place + 2])
 
-    def _motion(self, before: str, now: str, errors: list[str]) -> Motion | None:
+    def _motion(self, before: str, now: str, errors: list[str]) -> CameraMotion | None:
         try:
             pictures = [decode_bgra(self.pictures[name]) for name in (before, now)]
         except ImageError as error:
@@ -309,7 +309,7 @@ class MeasureShots(AnnotationTask):
         to = [(a - 1) / (b - 1) for a, b in zip(self.setup.size, (width, height), strict=True)]
         scale = np.diag([*to, 1.0])
         whole = scale @ found.current_from_previous @ np.linalg.inv(scale)
-        return Motion(whole, found.inliers, found.matches)
+        return CameraMotion(whole, found.inliers, found.matches)
 
 
 class OverTimeRun(SetRun[ShotFrames, ShotOverTime, None]):
@@ -341,8 +341,8 @@ class OverTimeRun(SetRun[ShotFrames, ShotOverTime, None]):
         """
         require_in_order(shots)
         task = MeasureShots(
-            source_kept_open(annotations),
-            cameras_kept_open(cameras),
+            reopenable_source(annotations),
+            reopenable_cameras(cameras),
             setup,
             threshold,
             camera_size,
@@ -391,14 +391,14 @@ def _shown(projected: tuple[FloatArray, np.ndarray]) -> FloatArray:
     return np.where(valid[:, None], px, np.nan)
 
 
-def _carried_px(
-    motion: Motion, before: FloatArray | None, now: FloatArray | None, size: tuple[int, int]
+def _motion_difference_px(
+    motion: CameraMotion, before: FloatArray | None, now: FloatArray | None, size: tuple[int, int]
 ) -> float:
     """How far the pictures' motion and the cameras' are apart over what is in sight, px."""
     if before is None or now is None:
         return float("nan")
     inside = ((before >= 0) & (before <= np.array(size) - 1)).all(axis=1)
-    off = np.hypot(*(carried_points(motion, before[inside]) - now[inside]).T)
+    off = np.hypot(*(transfer_points(motion, before[inside]) - now[inside]).T)
     farthest = _FARTHEST_OFF_PX * size[0] / 960
     off = off[np.isfinite(off)].clip(max=farthest)
     return float(off.mean()) if len(off) >= _FEWEST_CARRIED else float("nan")

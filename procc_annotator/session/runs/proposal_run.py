@@ -10,14 +10,14 @@ from typing import Protocol
 
 from procc_annotator.errors import InputError
 from procc_annotator.field.model import Field
-from procc_annotator.field.stadiums import field_of_frame
-from procc_annotator.fit.from_picture.agreed_positions import positions_of_fits
+from procc_annotator.field.stadiums import field_for_frame
+from procc_annotator.fit.from_picture.agreed_positions import cluster_fit_positions
 from procc_annotator.fit.from_picture.proposal import SURE, UNSURE, KnownPosition, Proposal
 from procc_annotator.image.decode import decode_for_camera
 from procc_annotator.image.pixels import PixelArray
-from procc_annotator.image.video import frame_of, open_shared
+from procc_annotator.image.video import video_frame_of_path, open_shared_video
 from procc_annotator.session.dataset.frames import Frame
-from procc_annotator.session.runs.kept_values import to_text
+from procc_annotator.session.runs.kept_values import serialize
 from procc_annotator.session.runs.set_run import SetRun
 from procc_annotator.session.runs.unfinished import hex_digest, stamp_of_file
 
@@ -77,15 +77,15 @@ class ProposeCameras:
             picture = decode_for_camera(frame.image_path)
         except InputError as error:
             return Proposed(frame.name, error=str(error))
-        field = field_of_frame(self.field, frame.name)
-        proposal = doubt_pixels(self.propose(picture, field, known=self.known), frame.image_path)
+        field = field_for_frame(self.field, frame.name)
+        proposal = mark_non_square_pixels(self.propose(picture, field, known=self.known), frame.image_path)
         return Proposed(frame.name, proposal, time.perf_counter() - began)
 
 
-def doubt_pixels(proposal: Proposal, picture: Path) -> Proposal:
+def mark_non_square_pixels(proposal: Proposal, picture: Path) -> Proposal:
     """A camera is not sure if the picture is of a video whose pixels are not square."""
-    found = frame_of(picture)
-    squeezed = "" if found is None else open_shared(found[0]).squeezed
+    found = video_frame_of_path(picture)
+    squeezed = "" if found is None else open_shared_video(found[0]).squeezed
     if proposal.state != SURE or not squeezed:
         return proposal
     return replace(proposal, state=UNSURE, reason=squeezed)
@@ -107,7 +107,7 @@ class ProposalRun(SetRun[Frame, Proposed, None]):
         super().__init__(frames, ProposeCameras(field, known, propose))
 
     def _digest(self, chunk: Sequence[Frame]) -> str:
-        parts: list[object] = [to_text(self.task.known)]
+        parts: list[object] = [serialize(self.task.known)]
         for frame in chunk:
             # A frame of a video lies in the video's file.
             file = frame.image_folder if frame.image_folder.is_file() else frame.image_path
@@ -119,7 +119,7 @@ class ProposalRun(SetRun[Frame, Proposed, None]):
 
 
 @dataclass(frozen=True)
-class SecondLook:
+class SecondPass:
     """Frames that are looked at once more where the sure ones say that cameras stand.
 
     Attributes:
@@ -141,7 +141,7 @@ class SecondLook:
         return replace(first, seconds=seconds)
 
 
-def second_look(run: ProposalRun, found: Sequence[Proposed]) -> SecondLook | None:
+def second_pass(run: ProposalRun, found: Sequence[Proposed]) -> SecondPass | None:
     """What a second look at a set is to be, if its sure frames agree on a position and others may
     gain by it.
 
@@ -152,11 +152,11 @@ def second_look(run: ProposalRun, found: Sequence[Proposed]) -> SecondLook | Non
     before = {one.name: one for one in found if one.proposal is not None and not one.is_sure}
     sure = [one.proposal.fit for one in found if one.is_sure and one.proposal is not None]
     others = [one.proposal.fit for one in before.values() if one.proposal is not None]
-    positions = positions_of_fits(sure, run.task.field, others) if before else ()
+    positions = cluster_fit_positions(sure, run.task.field, others) if before else ()
     if not positions:
         return None
     frames = [frame for frame in run.frames if frame.name in before]
     known = (*run.task.known, *positions)
     again = ProposalRun(frames, run.task.field, run.task.propose, known)
     again.executor, again.kept = run.executor, run.kept
-    return SecondLook(positions, again, before)
+    return SecondPass(positions, again, before)

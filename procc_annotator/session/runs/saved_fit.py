@@ -12,7 +12,7 @@ from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.errors import InputError, SaveError
 from procc_annotator.fit.result import FitResult
 from procc_annotator.io.atomic import make_folder, write_atomic
-from procc_annotator.io.camera_files.fitted_on import BESIDE, DIGEST, FIT_KEY, annotation_digest
+from procc_annotator.io.camera_files.fitted_on import SIDECAR_SUFFIX, DIGEST, FIT_KEY, annotation_digest
 from procc_annotator.io.camera_files.soccernet_camera import write_camera
 from procc_annotator.io.collections import camera_names
 from procc_annotator.io.frame_names import file_of_frame
@@ -50,7 +50,7 @@ def save_fit(
     """
     name, data = camera_file(frame, fit)
     path = folder / name
-    beside = folder / file_of_frame(frame, BESIDE)
+    beside = folder / file_of_frame(frame, SIDECAR_SUFFIX)
     others = _cameras_of(folder, frame)
     for there in others:
         if not _is_saved_fit(there, beside):

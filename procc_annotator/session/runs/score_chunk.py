@@ -17,19 +17,19 @@ from procc_annotator.errors import CameraError, InputError
 from procc_annotator.field.model import Field
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.cameras import fit_to_size
-from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, Fitted
-from procc_annotator.io.camera_files.held_out_table import HeldOut
+from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, FitCounts
+from procc_annotator.io.camera_files.held_out_table import LeftOutResult
 from procc_annotator.io.json_text import printable
-from procc_annotator.metric.clicked import AnnotatedExtent, clicked
+from procc_annotator.metric.clicked import AnnotatedExtent, annotated_extent
 from procc_annotator.metric.measure import Measurement, measure_frames
-from procc_annotator.metric.project import why_clipped
+from procc_annotator.metric.project import clipped_projection_error
 from procc_annotator.metric.score import FrameScore, score
 from procc_annotator.metric.sets import SetAccumulator
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.runs.held_out import HeldOutTally
-from procc_annotator.session.runs.set_run import AnnotationTask, KeptOpen
+from procc_annotator.session.runs.held_out import LeftOutTally
+from procc_annotator.session.runs.set_run import AnnotationTask, ReopenableHandle
 from procc_annotator.session.runs.tags import MODEL
-from procc_annotator.words import first_of, listed
+from procc_annotator.words import first_names, list_names
 
 
 @dataclass
@@ -67,14 +67,14 @@ class AnnotationNotes:
         """One line for people for each kind that there is."""
         found = []
         if self.in_pixels:
-            frames = listed(self.in_pixels, "frame")
+            frames = list_names(self.in_pixels, "frame")
             found.append(f"coordinates look like pixels, expected 0 to 1, in {frames}")
         if self.empty:
-            frames = listed(self.empty, "frame")
+            frames = list_names(self.empty, "frame")
             found.append(f"no element is annotated in {frames}: whatever a camera shows is wrong")
         if self.without_place:
-            names = first_of([*map(printable, self.classes)])
-            frames = listed(self.without_place, "frame")
+            names = first_names([*map(printable, self.classes)])
+            frames = list_names(self.without_place, "frame")
             found.append(
                 f"classes of no element of the field always count as missed: {names}, in {frames}"
             )
@@ -108,7 +108,7 @@ class FrameResult:
     ground_only: bool = False
     model: str = ""
     groups: tuple[str | None, ...] = ()
-    fitted: Fitted = NOT_FITTED
+    fitted: FitCounts = NOT_FITTED
     clicked: AnnotatedExtent | None = None
 
 
@@ -145,8 +145,8 @@ class Tally:
     counted: int = 0
     with_camera: int = 0
     ground_only: bool = False
-    fitted: Fitted = NOT_FITTED
-    held_out: HeldOutTally = field(default_factory=HeldOutTally)
+    fitted: FitCounts = NOT_FITTED
+    held_out: LeftOutTally = field(default_factory=LeftOutTally)
     notes: AnnotationNotes = field(default_factory=AnnotationNotes)
 
     def of_frame(self, by: tuple[str, ...], groups: tuple[str | None, ...]) -> list[SetAccumulator]:
@@ -192,8 +192,8 @@ class FrameInput:
     place: str | None = None
     model: str = ""
     notices: tuple[str, ...] = ()
-    fitted: Fitted = NOT_FITTED
-    held_out: HeldOut | None = None
+    fitted: FitCounts = NOT_FITTED
+    held_out: LeftOutResult | None = None
     error: str | None = None
     groups: tuple[str | None, ...] = ()
 
@@ -238,7 +238,7 @@ def _scored(
         return Evaluated(unread)
     tally.counted += 1
     tally.notes.add(name, annotation, setup.of_frame(name).field)
-    extent = clicked(annotation, setup.field)
+    extent = annotated_extent(annotation, setup.field)
     if measurement is None:
         for sums in tally.of_frame(by, frame.groups):
             sums.add_missing_camera(name)
@@ -275,7 +275,7 @@ def _scored(
 class ScoreChunk(AnnotationTask, Generic[T]):
     """Evaluates chunks of frames."""
 
-    cameras: KeptOpen[CameraCollection]
+    cameras: ReopenableHandle[CameraCollection]
     setup: EvaluationSetup
     thresholds: tuple[float, ...]
     camera_size: tuple[int, int] | None
@@ -313,7 +313,7 @@ class ScoreChunk(AnnotationTask, Generic[T]):
             )
         loaded, place = cameras.read(name, setup.field), cameras.display(name)
         camera, scaled = fit_to_size(loaded, setup.size, self.camera_size, setup.unsized)
-        if problem := why_clipped(camera, setup):
+        if problem := clipped_projection_error(camera, setup):
             raise CameraError(place, problem)
         return FrameInput(
             name,
@@ -322,7 +322,7 @@ class ScoreChunk(AnnotationTask, Generic[T]):
             place,
             model_name(camera, loaded.model, setup.size),
             loaded.notices if scaled is None else (*loaded.notices, scaled),
-            Fitted.of(loaded.fitted_on, annotation),
+            FitCounts.of(loaded.fitted_on, annotation),
             loaded.held_out,
             groups=frame.groups,
         )

@@ -21,9 +21,9 @@ from procc_annotator.io.collections import AnnotationFiles, list_annotations
 from procc_annotator.io.frame_names import ByFrame
 from procc_annotator.io.source import FileSource
 from procc_annotator.io.strays import require_lists
-from procc_annotator.session.dataset.what_lies_there import instead_of_annotations, refuse_cameras
+from procc_annotator.session.dataset.what_lies_there import found_instead_of_annotations, refuse_cameras
 from procc_annotator.session.runs.execution.executor import Executor, InProcess
-from procc_annotator.session.runs.unfinished import Unfinished, hex_digest, stamp_of_file
+from procc_annotator.session.runs.unfinished import Checkpoint, hex_digest, stamp_of_file
 
 # Frames a worker takes at once where each gets a fit: about half a second's work.
 CHUNK = 16
@@ -31,7 +31,7 @@ CHUNK = 16
 WORTH_WORKERS = 200
 
 
-class Named(Protocol):
+class NamedFrame(Protocol):
     """What a worker is told of a frame, with its name."""
 
     @property
@@ -46,7 +46,7 @@ class FrameFile(NamedTuple):
 
 
 T = TypeVar("T")
-F = TypeVar("F", bound=Named | str)
+F = TypeVar("F", bound=NamedFrame | str)
 R = TypeVar("R")
 S = TypeVar("S")
 
@@ -64,7 +64,7 @@ class SetRun(Generic[F, R, S]):
     """
 
     chunk: int = CHUNK
-    kept: Unfinished | None = None
+    kept: Checkpoint | None = None
 
     def __init__(
         self,
@@ -93,7 +93,7 @@ class SetRun(Generic[F, R, S]):
             yield from results
 
     def _pieces(
-        self, chunks: list[Sequence[F]], kept: Unfinished | None
+        self, chunks: list[Sequence[F]], kept: Checkpoint | None
     ) -> Iterator[tuple[list[R], S]]:
         """Results and sums of the chunks: those that are kept, and the others as they are made."""
         if kept is None:
@@ -124,17 +124,17 @@ class SetRun(Generic[F, R, S]):
         """Add what a chunk brought, in the order of the chunks."""
 
 
-def frames_in_words(chunk: Sequence[Named | str]) -> str:
+def frames_in_words(chunk: Sequence[NamedFrame | str]) -> str:
     """How a chunk of frames is called where something happens to its worker."""
     first, last = _name_of(chunk[0]), _name_of(chunk[-1])
     return f"frame {first}" if len(chunk) == 1 else f"frames {first} to {last}"
 
 
-def _name_of(frame: Named | str) -> str:
+def _name_of(frame: NamedFrame | str) -> str:
     return frame if isinstance(frame, str) else frame.name
 
 
-class KeptOpen(Generic[T]):
+class ReopenableHandle(Generic[T]):
     """What a task reads from: open here, and opened once more where the task is sent to.
 
     Args:
@@ -160,18 +160,18 @@ class KeptOpen(Generic[T]):
             here.__exit__(None, None, None)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return KeptOpen, (self._opening,)
+        return ReopenableHandle, (self._opening,)
 
 
-def source_kept_open(source: FileSource) -> KeptOpen[FileSource]:
+def reopenable_source(source: FileSource) -> ReopenableHandle[FileSource]:
     """A source of files, for a task; paths are relative to the folder this process works in."""
-    return KeptOpen(source.opener(Path.cwd()), source)
+    return ReopenableHandle(source.opener(Path.cwd()), source)
 
 
-def cameras_kept_open(cameras: CameraCollection) -> KeptOpen[CameraCollection]:
+def reopenable_cameras(cameras: CameraCollection) -> ReopenableHandle[CameraCollection]:
     """The same of cameras."""
     opening = partial(CameraCollection.open, cameras.path, cameras.format, Path.cwd())
-    return KeptOpen(opening, cameras)
+    return ReopenableHandle(opening, cameras)
 
 
 @dataclass(frozen=True)
@@ -182,7 +182,7 @@ class AnnotationTask:
         annotations: folder or archive.
     """
 
-    annotations: KeptOpen[FileSource]
+    annotations: ReopenableHandle[FileSource]
 
     def read(self, file: str, field: Field) -> FrameAnnotation:
         """The annotation in a file of the source.
@@ -242,13 +242,13 @@ def require_annotations(source: FileSource) -> AnnotationFiles:
     if not files:
         raise UsageError(
             f"nothing to do: no annotation in {source.path}"
-            f"{instead_of_annotations(source) or choice_of(source)}"
+            f"{found_instead_of_annotations(source) or choice_of(source)}"
         )
     refuse_cameras(source, list(files.values()))
     return files
 
 
-def folders_taken_for_one(sources: Iterable[tuple[Path, ByFrame[str]]]) -> tuple[str, ...]:
+def ambiguous_folders(sources: Iterable[tuple[Path, ByFrame[str]]]) -> tuple[str, ...]:
     """What is to say where the only folders that frames of several sources lie in are called
     differently: they may be of several annotators, or of several matches.
 

@@ -8,8 +8,8 @@ from itertools import pairwise
 from procc_annotator.errors import ImageError
 from procc_annotator.image.decode import decode_bgra, decode_thumbnail
 from procc_annotator.image.motion import estimate_motion
-from procc_annotator.image.scenes import SceneLook, cuts_among, look_of, steps_of
-from procc_annotator.image.video import open_shared, scene_cuts
+from procc_annotator.image.scenes import FrameSignature, cut_indices, frame_signature, frame_differences
+from procc_annotator.image.video import open_shared_video, scene_cuts
 from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.dataset.picture_source import PictureSource
 
@@ -31,7 +31,7 @@ def find_shots(source: PictureSource, progress: Callable[[int, int], None]) -> l
     """
     count = len(source.frames)
     if source.is_video:
-        video = open_shared(source.frames[0].image_folder)
+        video = open_shared_video(source.frames[0].image_folder)
         begins = scene_cuts(video, progress=progress, cancelled=lambda: False)
     else:
         begins = _cuts_in_folder(source.frames, progress)
@@ -51,7 +51,7 @@ def _other_folder(frames: Sequence[Frame], number: int) -> bool:
 def _cuts_in_folder(frames: Sequence[Frame], progress: Callable[[int, int], None]) -> list[int]:
     numbers: list[int] = []
 
-    def looks() -> Iterator[SceneLook]:
+    def looks() -> Iterator[FrameSignature]:
         for number, frame in enumerate(frames):
             progress(number, len(frames))
             try:
@@ -59,11 +59,11 @@ def _cuts_in_folder(frames: Sequence[Frame], progress: Callable[[int, int], None
             except ImageError:  # told when its shot is followed
                 continue
             numbers.append(number)
-            yield look_of(small[..., :3])
+            yield frame_signature(small[..., :3])
 
-    steps, lasting = steps_of(looks())
+    steps, lasting = frame_differences(looks())
     progress(len(frames), len(frames))
-    return [numbers[i] for i in cuts_among(steps, lasting)] if numbers else []
+    return [numbers[i] for i in cut_indices(steps, lasting)] if numbers else []
 
 
 def _is_cut(frames: Sequence[Frame], number: int) -> bool:

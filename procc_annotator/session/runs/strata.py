@@ -15,7 +15,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.metric.chance.paired import PairedDifference, corrected_for
 from procc_annotator.metric.ground import field_rectangle
 from procc_annotator.session.runs.audit import Pose
-from procc_annotator.session.runs.certainty import COMPARED, Certainty
+from procc_annotator.session.runs.certainty import COMPARED, Inference
 from procc_annotator.session.runs.clusters import SHOT, Clusters
 from procc_annotator.session.runs.frame_order import FrameOrder, shots_in
 from procc_annotator.session.runs.frame_sums import FrameSums, SourceSums
@@ -39,11 +39,11 @@ class Stratum:
 
     by: str
     value: str | None
-    certainty: Certainty
+    certainty: Inference
     differences: Mapping[tuple[str, float], Mapping[tuple[int, int], PairedDifference]]
 
 
-def strata(certainty: Certainty, by: str, values: Sequence[str | None]) -> list[Stratum]:
+def strata(certainty: Inference, by: str, values: Sequence[str | None]) -> list[Stratum]:
     """The parts of a set, in natural order, those of no value last.
 
     Args:
@@ -126,7 +126,7 @@ def values_of_frames(
     return found
 
 
-def _within(certainty: Certainty, chosen: Sequence[bool]) -> Certainty:
+def _within(certainty: Inference, chosen: Sequence[bool]) -> Inference:
     kept = np.flatnonzero(chosen)
     _, numbers = np.unique(certainty.clusters.numbers[kept], return_inverse=True)
     clusters = Clusters(numbers, certainty.clusters.described, certainty.clusters.by)
@@ -134,7 +134,7 @@ def _within(certainty: Certainty, chosen: Sequence[bool]) -> Certainty:
         SourceSums(s.name, s.thresholds, tuple(s.frames[i] for i in kept))
         for s in certainty.sources
     )
-    return Certainty(sources, clusters, certainty.draws, certainty.method, certainty.compared)
+    return Inference(sources, clusters, certainty.draws, certainty.method, certainty.compared)
 
 
 def _frames(sources: Sequence[SourceSums]) -> Iterator[tuple[FrameSums, ...]]:

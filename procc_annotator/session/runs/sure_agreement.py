@@ -7,11 +7,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from procc_annotator.metric.agreement import AgreementSummary, AgreementSums, FrameAgreement
-from procc_annotator.metric.chance.intervals import Interval, intervals, reach
-from procc_annotator.metric.chance.power import frames_needed
-from procc_annotator.metric.chance.quantiles import quantile_interval
-from procc_annotator.metric.chance.sampling import Draws, Ratios, sample
+from procc_annotator.metric.agreement import AgreementSummary, AgreementAccumulator, FrameAgreement
+from procc_annotator.metric.chance.intervals import Interval, confidence_intervals, critical_value
+from procc_annotator.metric.chance.power import required_frames
+from procc_annotator.metric.chance.quantiles import quantile_confidence_interval
+from procc_annotator.metric.chance.sampling import BootstrapSettings, RatioMetrics, bootstrap
 from procc_annotator.session.runs.clusters import Clusters
 
 
@@ -31,7 +31,7 @@ class AgreementIntervals:
 
 
 @dataclass(frozen=True)
-class SureAgreement:
+class AgreementInference:
     """The figures of an agreement over some frames, and how surely they are known.
 
     Attributes:
@@ -54,21 +54,21 @@ class SureAgreement:
         """
         if interval is None or not interval.high > interval.low:
             return None
-        reached = reach(self.known.effective, interval.level)
+        reached = critical_value(self.known.effective, interval.level)
         deviation = (interval.high - interval.low) / 2 / reached
         # What is to be known to so much is not to be told from anything: chance of one in two.
-        return frames_needed(
+        return required_frames(
             half, deviation, self.frames, self.known.effective, level=interval.level, power=0.5
         )
 
 
-def sure_agreement(
+def agreement_inference(
     frames: Sequence[str],
     found: Sequence[tuple[str, FrameAgreement]],
     thresholds: Sequence[float],
     clusters: Clusters,
-    draws: Draws,
-) -> SureAgreement:
+    draws: BootstrapSettings,
+) -> AgreementInference:
     """The figures of agreements with their intervals.
 
     Args:
@@ -76,7 +76,7 @@ def sure_agreement(
         found: agreements with the frame that each is of; several of one frame are alike.
         thresholds: tau, px. draws: says the level.
     """
-    sums = AgreementSums(thresholds)
+    sums = AgreementAccumulator(thresholds)
     for name, agreement in found:
         sums.add(name, agreement)
     at = {name: place for place, name in enumerate(frames)}
@@ -87,14 +87,14 @@ def sure_agreement(
     effective = np.nan
     for tau in thresholds:
         own = [one.jac(tau) if one.element_count else np.nan for _, one in found]
-        ratios = Ratios.mean(np.array(own, dtype=np.float64))
-        sampled = sample(ratios, clusters.numbers[places], None)
+        ratios = RatioMetrics.mean(np.array(own, dtype=np.float64))
+        sampled = bootstrap(ratios, clusters.numbers[places], None)
         effective = float(sampled.effective[0])
-        jacs[float(tau)] = intervals(sampled, draws)[0]
+        jacs[float(tau)] = confidence_intervals(sampled, draws)[0]
     median, p95 = (
-        quantile_interval(distances, of_frames, clusters.numbers, share, draws)
+        quantile_confidence_interval(distances, of_frames, clusters.numbers, share, draws)
         for share in (0.5, 0.95)
     )
-    return SureAgreement(
+    return AgreementInference(
         sums.summary(), AgreementIntervals(jacs, median, p95, effective), len(set(places))
     )

@@ -15,8 +15,8 @@ from procc_annotator.io.csv_text import read_frame_table
 from procc_annotator.io.frame_names import FrameTable
 
 MODEL = "model"  # group by the model of the camera
-_FRAME, _SET = "frame", "set"
-_ADVICE = "the file needs a header like: frame,stadium,camera type"
+_TAG_FRAME, _SET = "frame", "set"
+_TAGS_ADVICE = "the file needs a header like: frame,stadium,camera type"
 
 
 @dataclass(frozen=True)
@@ -58,14 +58,14 @@ class Tags:
         Raises:
             InputError: it cannot be read, or is not such a file.
         """
-        names, table = read_frame_table(path, (), _ADVICE, in_sets=True)
-        columns = tuple(name for name in names if name not in (_FRAME, _SET))
-        problem = "" if columns else f"has no column of tags beside {_FRAME!r}"
+        names, table = read_frame_table(path, (), _TAGS_ADVICE, in_sets=True)
+        columns = tuple(name for name in names if name not in (_TAG_FRAME, _SET))
+        problem = "" if columns else f"has no column of tags beside {_TAG_FRAME!r}"
         problem = f"column {names.index('') + 1} has no name" if "" in names else problem
         if problem:
-            raise InputError(path, problem, place="line 1", advice=_ADVICE)
+            raise InputError(path, problem, place="line 1", advice=_TAGS_ADVICE)
         rows = {
-            (row.get(_SET), row[_FRAME]): tuple(row[name] for name in columns) for _, row in table
+            (row.get(_SET), row[_TAG_FRAME]): tuple(row[name] for name in columns) for _, row in table
         }
         return cls(path, columns, rows)
 

@@ -9,25 +9,25 @@ from pathlib import Path
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError, UsageError
-from procc_annotator.field.load import resized
+from procc_annotator.field.load import with_dimensions
 from procc_annotator.field.model import Field
-from procc_annotator.field.stadiums import field_of_frame, field_of_stadium, stadium_of
+from procc_annotator.field.stadiums import field_for_frame, field_for_stadium, stadium_of
 from procc_annotator.fit.fitting import fit_camera, fit_cameras
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.together.stadium import StadiumFit, fit_dimensions
-from procc_annotator.fit.together.tripod import SharedPosition, Tripod, share_position
+from procc_annotator.fit.together.tripod import SharedPositionResult, PositionGroup, fit_shared_position
 from procc_annotator.io.source import FileSource
 from procc_annotator.metric.sets import SetAccumulator, SetSummary
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.dataset.fit_sizes import FitSizes, FrameSize, SizesUsed
 from procc_annotator.session.runs.calibration_run import Calibrated, model_words, scored
-from procc_annotator.session.runs.dimension_estimate import Steps
+from procc_annotator.session.runs.dimension_estimate import ProgressSteps
 from procc_annotator.session.runs.set_run import (
     AnnotationTask,
     FrameFile,
     SetRun,
     annotation_files,
-    source_kept_open,
+    reopenable_source,
 )
 from procc_annotator.session.runs.tags import Tags
 
@@ -37,7 +37,7 @@ Progress = Callable[[int, int], None]
 
 
 @dataclass(frozen=True, eq=False)
-class OwnFit:
+class IndividualFit:
     """A frame with its own fit.
 
     Attributes:
@@ -63,25 +63,25 @@ class FitChunk(AnnotationTask):
     sizes: FitSizes
     model: str
 
-    def __call__(self, chunk: Sequence[FrameFile]) -> tuple[list[OwnFit], None]:
+    def __call__(self, chunk: Sequence[FrameFile]) -> tuple[list[IndividualFit], None]:
         found = [self._read(name, file) for name, file in chunk]
         given = [
-            (one.annotation, field_of_frame(self.field, one.name), one.size.fitted)
+            (one.annotation, field_for_frame(self.field, one.name), one.size.fitted)
             for one in found
             if one.annotation is not None and one.size is not None
         ]
         fits = iter(fit_cameras(given, model=self.model))
         return [one if one.error else replace(one, fit=next(fits)) for one in found], None
 
-    def _read(self, name: str, file: str) -> OwnFit:
+    def _read(self, name: str, file: str) -> IndividualFit:
         try:
             annotation = self.read(file, self.field)
         except InputError as error:
-            return OwnFit(name, error=str(error))
-        return OwnFit(name, None, annotation, None, self.sizes.of_frame(name, annotation))
+            return IndividualFit(name, error=str(error))
+        return IndividualFit(name, None, annotation, None, self.sizes.of_frame(name, annotation))
 
 
-class SetFits(SetRun[FrameFile, OwnFit, None]):
+class SetFits(SetRun[FrameFile, IndividualFit, None]):
     """The own fits of all frames of a set, and the groups they belong to.
 
     Args:
@@ -103,23 +103,23 @@ class SetFits(SetRun[FrameFile, OwnFit, None]):
         if model == "H":
             raise UsageError("frames are fitted together with a pinhole: choose P, R or R+, not H")
         super().__init__(
-            annotation_files(source), FitChunk(source_kept_open(source), field, sizes, model)
+            annotation_files(source), FitChunk(reopenable_source(source), field, sizes, model)
         )
         self.groups = groups
 
     def _digest(self, chunk: Sequence[FrameFile]) -> str:
         return self.task.input_digest(chunk, self.task.sizes.picture_of)
 
-    def _sums_of(self, results: Sequence[OwnFit]) -> None:
+    def _sums_of(self, results: Sequence[IndividualFit]) -> None:
         return None
 
-    def describe(self, fitted: Sequence[OwnFit]) -> str:
+    def describe(self, fitted: Sequence[IndividualFit]) -> str:
         """Which models the frames got, in words."""
         fits = [frame.fit for frame in fitted if frame.fit is not None]
         chosen = Counter(fit.model for fit in fits if fit.camera is not None)
         return model_words(self.task.model, chosen)
 
-    def sizes_of(self, fitted: Sequence[OwnFit]) -> SizesUsed:
+    def sizes_of(self, fitted: Sequence[IndividualFit]) -> SizesUsed:
         """The sizes that the frames were fitted at."""
         used = SizesUsed(self.task.sizes.asked)
         for frame in fitted:
@@ -132,10 +132,10 @@ class SetFits(SetRun[FrameFile, OwnFit, None]):
             return self.groups.get(frame)
         return stadium_of(self.task.field, frame) or ""
 
-    def grouped(self, fitted: Sequence[OwnFit]) -> dict[str, list[OwnFit]]:
+    def grouped(self, fitted: Sequence[IndividualFit]) -> dict[str, list[IndividualFit]]:
         """Group -> its frames that can be read; frames without a group are in none. Where no groups
         were given, each stadium that the field knows is one, and all other frames are another."""
-        found: dict[str, list[OwnFit]] = {}
+        found: dict[str, list[IndividualFit]] = {}
         for frame in fitted:
             group = self._group(frame.name)
             if group is not None and frame.error is None:
@@ -144,7 +144,7 @@ class SetFits(SetRun[FrameFile, OwnFit, None]):
 
 
 @dataclass(frozen=True, eq=False)
-class SharedPlace:
+class SharedCameraPosition:
     """A position that frames of a group share.
 
     Attributes:
@@ -154,11 +154,11 @@ class SharedPlace:
     """
 
     name: str
-    tripod: Tripod
+    tripod: PositionGroup
     frames: int
 
 
-class SharedRun:
+class JointRun:
     """The frames of a set, fitted together and scored; a `CalibrationRun` to whoever reports it.
 
     Attributes:
@@ -173,13 +173,13 @@ class SharedRun:
     def __init__(
         self,
         fits: SetFits,
-        fitted: Sequence[OwnFit],
+        fitted: Sequence[IndividualFit],
         setup: EvaluationSetup,
         thresholds: tuple[float, ...],
         progress: Progress = lambda done, total: None,
     ) -> None:
         self.setup, self.thresholds = setup, thresholds
-        self.places: list[SharedPlace] = []
+        self.places: list[SharedCameraPosition] = []
         self.apart: dict[str, str] = {}
         self.gained: list[str] = []
         self.counted = self.with_camera = 0
@@ -191,7 +191,7 @@ class SharedRun:
         self._sums = SetAccumulator(setup, thresholds)
         groups = fits.grouped(fitted)
         frames = sum(map(len, groups.values()))
-        steps = Steps(progress, 0, _PASSES * frames + 1)
+        steps = ProgressSteps(progress, 0, _PASSES * frames + 1)
         for group, members in groups.items():
             self._share(group, members, steps)
         if fits.groups is not None:
@@ -233,19 +233,19 @@ class SharedRun:
         described = self.setup.describe(sizes=self.sizes.describe())
         return f"{model}, shared positions, {described}"
 
-    def _share(self, group: str, members: Sequence[OwnFit], steps: Steps) -> None:
+    def _share(self, group: str, members: Sequence[IndividualFit], steps: ProgressSteps) -> None:
         shared = _shared(members, self.setup.field, steps)
         self._fits.update(shared.fits)
         self.apart.update(shared.apart)
         self.gained += shared.gained
         names = []
-        for number, tripod in enumerate(shared.tripods, start=1):
-            several = len(shared.tripods) > 1
+        for number, tripod in enumerate(shared.groups, start=1):
+            several = len(shared.groups) > 1
             name = " ".join(filter(None, (group, str(number) if several or not group else "")))
-            frames = sum(index == number - 1 for index in shared.tripod_of.values())
+            frames = sum(index == number - 1 for index in shared.group_of.values())
             names.append(name)
-            self.places.append(SharedPlace(name, tripod, frames))
-        self._place_of.update({frame: names[i] for frame, i in shared.tripod_of.items()})
+            self.places.append(SharedCameraPosition(name, tripod, frames))
+        self._place_of.update({frame: names[i] for frame, i in shared.group_of.items()})
 
 
 @dataclass(frozen=True, eq=False)
@@ -269,7 +269,7 @@ class FieldSize:
 
 def find_field_sizes(
     fits: SetFits,
-    fitted: Sequence[OwnFit],
+    fitted: Sequence[IndividualFit],
     setup: EvaluationSetup,
     thresholds: tuple[float, ...],
     names: Sequence[str] | None = None,
@@ -288,7 +288,7 @@ def find_field_sizes(
         UsageError: a dimension that cannot be fitted.
     """
     groups = fits.grouped(fitted)
-    steps = Steps(progress, 0, _PASSES * sum(map(len, groups.values())) + 1)
+    steps = ProgressSteps(progress, 0, _PASSES * sum(map(len, groups.values())) + 1)
     return [
         _field_size(group, members, setup, thresholds, names, steps)
         for group, members in groups.items()
@@ -297,20 +297,20 @@ def find_field_sizes(
 
 def _field_size(
     group: str,
-    members: Sequence[OwnFit],
+    members: Sequence[IndividualFit],
     setup: EvaluationSetup,
     thresholds: tuple[float, ...],
     names: Sequence[str] | None,
-    steps: Steps,
+    steps: ProgressSteps,
 ) -> FieldSize:
     annotations, alone = _own(members)
     if not any(fit.camera is not None for fit in alone.values()):
         return FieldSize(group, None, "no frame has a camera that dimensions could be told from")
     # What is kept of the stadium already: a dimension that is not determined stays so.
-    known = replace(field_of_stadium(setup.field, group), stadiums=None)
+    known = replace(field_for_stadium(setup.field, group), stadiums=None)
     stadium = fit_dimensions(annotations, alone, known, names=names, on_step=steps.step)
     there = {d.name: d.value for d in known.dimensions} | stadium.values
-    sized = resized(known, there, related=False)
+    sized = with_dimensions(known, there, related=False)
     again = []
     for frame in members:
         steps.step()
@@ -322,7 +322,7 @@ def _field_size(
             fit = fit_camera(
                 frame.annotation, sized, model=model, size=frame.fit.size, start=camera
             )
-        again.append(OwnFit(frame.name, None, frame.annotation, fit))
+        again.append(IndividualFit(frame.name, None, frame.annotation, fit))
     after = EvaluationSetup(
         sized, setup.size, setup.protocol, setup.allow_mirrored, setup.off_plane, setup.planar_only
     )
@@ -348,21 +348,21 @@ def read_groups(path: Path, of_set: str) -> dict[str, str | None]:
     }
 
 
-def _shared(members: Sequence[OwnFit], field: Field, steps: Steps) -> SharedPosition:
+def _shared(members: Sequence[IndividualFit], field: Field, steps: ProgressSteps) -> SharedPositionResult:
     annotations, alone = _own(members)
     of_stadiums = {stadium_of(field, name) for name in annotations}
     if len(of_stadiums) == 1:
-        field = field_of_stadium(field, of_stadiums.pop())
-    return share_position(annotations, alone, field, on_step=steps.step)
+        field = field_for_stadium(field, of_stadiums.pop())
+    return fit_shared_position(annotations, alone, field, on_step=steps.step)
 
 
-def _own(members: Sequence[OwnFit]) -> tuple[dict[str, FrameAnnotation], dict[str, FitResult]]:
+def _own(members: Sequence[IndividualFit]) -> tuple[dict[str, FrameAnnotation], dict[str, FitResult]]:
     annotations = {f.name: f.annotation for f in members if f.annotation is not None}
     return annotations, {f.name: f.fit for f in members if f.fit is not None}
 
 
 def _summary(
-    fitted: Sequence[OwnFit], setup: EvaluationSetup, thresholds: tuple[float, ...]
+    fitted: Sequence[IndividualFit], setup: EvaluationSetup, thresholds: tuple[float, ...]
 ) -> dict[float, SetSummary]:
     sums = SetAccumulator(setup, thresholds)
     for frame in fitted:

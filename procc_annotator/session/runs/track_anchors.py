@@ -9,7 +9,7 @@ from procc_annotator.camera.base import Camera
 from procc_annotator.camera.projections import ElementProjections
 from procc_annotator.errors import CameraError, InputError
 from procc_annotator.field.model import Field
-from procc_annotator.field.stadiums import field_of_frame
+from procc_annotator.field.stadiums import field_for_frame
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.camera_writers import OFFICIAL_SIZE
 from procc_annotator.io.camera_files.cameras import fit_to_size
@@ -21,7 +21,7 @@ from procc_annotator.session.dataset.picture_sizes import picture_size
 
 
 @dataclass
-class Anchors:
+class TrackAnchors:
     """Cameras that are known.
 
     Attributes:
@@ -82,7 +82,7 @@ class Anchors:
             except InputError as error:
                 self.errors.append(str(error))
                 continue
-            camera, why = anchor_camera(annotation, field_of_frame(field, frame.name), size=size)
+            camera, why = anchor_camera(annotation, field_for_frame(field, frame.name), size=size)
             if camera is None:
                 self.remarks.append(f"{frame.name}: its annotation is no anchor: {why}")
                 continue

@@ -8,20 +8,20 @@ from typing import Protocol
 
 from procc_annotator.camera.base import Camera
 from procc_annotator.field.model import Field
-from procc_annotator.field.stadiums import field_of_stadium, stadium_of
+from procc_annotator.field.stadiums import field_for_stadium, stadium_of
 from procc_annotator.fit.from_picture.proposal import KnownPosition
 from procc_annotator.fit.through_shot.track import Track, TrackedFrame
 from procc_annotator.image.decode import decode_for_camera
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.session.dataset.frames import Frame
-from procc_annotator.session.dataset.usable_pictures import UsablePictures, unseen
+from procc_annotator.session.dataset.usable_pictures import UsablePictures, lost_frame
 from procc_annotator.session.runs.execution.executor import InProcess
 from procc_annotator.session.runs.set_run import SetRun
 
 OnFrame = Callable[[TrackedFrame], None]
 
 
-class Follow(Protocol):
+class ShotTracker(Protocol):
     """Follows a camera, as `track` does; survives the trip to a worker."""
 
     def __call__(
@@ -37,7 +37,7 @@ class Follow(Protocol):
 
 
 @dataclass(frozen=True, eq=False)
-class ShotToFollow:
+class ShotToTrack:
     """A shot on its way to a worker.
 
     Attributes:
@@ -68,7 +68,7 @@ class ShotToFollow:
 
 
 @dataclass(frozen=True, eq=False)
-class FollowedShot:
+class TrackedShot:
     """What became of a shot.
 
     Attributes:
@@ -86,12 +86,12 @@ class FollowedShot:
     damaged: Mapping[int, str] | None = None
 
 
-def tell_nobody(_: TrackedFrame) -> None:
+def ignore_progress(_: TrackedFrame) -> None:
     """Nobody asks."""
 
 
 @dataclass(frozen=True, eq=False)
-class FollowShots:
+class TrackShots:
     """Follows shots one by one.
 
     Attributes:
@@ -101,16 +101,16 @@ class FollowShots:
     """
 
     field: Field
-    follow: Follow
-    on_frame: OnFrame = tell_nobody
+    follow: ShotTracker
+    on_frame: OnFrame = ignore_progress
 
-    def __call__(self, chunk: Sequence[ShotToFollow]) -> tuple[list[FollowedShot], None]:
+    def __call__(self, chunk: Sequence[ShotToTrack]) -> tuple[list[TrackedShot], None]:
         return [self._follow(shot) for shot in chunk], None
 
-    def _follow(self, shot: ShotToFollow) -> FollowedShot:
+    def _follow(self, shot: ShotToTrack) -> TrackedShot:
         pictures = _pictures_of(shot)
         anchors = {n: camera for n, camera in shot.anchors.items() if n in shot.numbers}
-        shown = field_of_stadium(self.field, stadium_of(self.field, shot.frames[0].name))
+        shown = field_for_stadium(self.field, stadium_of(self.field, shot.frames[0].name))
         found = self.follow(
             pictures,
             shot.numbers,
@@ -120,16 +120,16 @@ class FollowShots:
             on_frame=self.on_frame,
         )
         tracked = tuple(
-            unseen(one, pictures.damaged[one.number])
+            lost_frame(one, pictures.damaged[one.number])
             if one.number in pictures.damaged
             else replace(one, clicks=shot.clicks.get(one.number, ""))
             for one in found.frames
         )
         begins = tuple(first for first, _ in found.shots if first != shot.first)
-        return FollowedShot(shot.first, shot.frames, tracked, begins, pictures.damaged)
+        return TrackedShot(shot.first, shot.frames, tracked, begins, pictures.damaged)
 
 
-def damaged_pictures(shot: ShotToFollow, lost: Collection[str]) -> list[str]:
+def damaged_pictures(shot: ShotToTrack, lost: Collection[str]) -> list[str]:
     """Why pictures of a shot that was followed before cannot be used, one line each.
 
     Args:
@@ -146,21 +146,21 @@ def damaged_pictures(shot: ShotToFollow, lost: Collection[str]) -> list[str]:
     return list(pictures.damaged.values())
 
 
-def _pictures_of(shot: ShotToFollow) -> UsablePictures:
+def _pictures_of(shot: ShotToTrack) -> UsablePictures:
     paths = {n: frame.image_path for n, frame in zip(shot.numbers, shot.frames, strict=True)}
     return UsablePictures(
         lambda n: decode_for_camera(paths[n]), shot.numbers, lambda n: str(paths[n])
     )
 
 
-class TrackRun(SetRun[ShotToFollow, FollowedShot, None]):
+class TrackRun(SetRun[ShotToTrack, TrackedShot, None]):
     """One pass over shots; iterate it once."""
 
     chunk = 1
-    task: FollowShots
+    task: TrackShots
 
-    def __init__(self, shots: Sequence[ShotToFollow], field: Field, follow: Follow) -> None:
-        super().__init__(shots, FollowShots(field, follow))
+    def __init__(self, shots: Sequence[ShotToTrack], field: Field, follow: ShotTracker) -> None:
+        super().__init__(shots, TrackShots(field, follow))
 
     @property
     def frame_count(self) -> int:

@@ -11,7 +11,7 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import CameraError, InputError, UsageError
 from procc_annotator.metric.disagreement import disagreement
 from procc_annotator.metric.measure import measure
-from procc_annotator.metric.score import score_to_read
+from procc_annotator.metric.score import display_score
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.dataset.camera_set import CameraSet, FrameCameras
 from procc_annotator.session.facts.verdict import Verdict, path_of
@@ -160,7 +160,7 @@ def judge_verdict(
         return JudgedVerdict(verdict, problem="no camera for this frame")
     if annotation is None:
         return JudgedVerdict(verdict, problem="the frame is not annotated")
-    found = score_to_read(measure(annotation, camera.camera, setup.of_frame(verdict.frame)), tau)
+    found = display_score(measure(annotation, camera.camera, setup.of_frame(verdict.frame)), tau)
     known = [e for e in found.elements if e.max_distance is not None]
     worst = max(known, key=lambda e: e.max_distance or 0.0, default=None)
     return JudgedVerdict(

@@ -19,31 +19,31 @@ import numpy as np
 from procc_annotator.errors import InputError, SaveError, UsageError
 from procc_annotator.field.fingerprint import field_fingerprint
 from procc_annotator.field.model import Field
-from procc_annotator.io.atomic import name_beside
+from procc_annotator.io.atomic import sibling_path
 from procc_annotator.regular_file import open_regular
-from procc_annotator.session.runs.kept_values import KeptValueError, from_text, to_text
+from procc_annotator.session.runs.kept_values import SerializationError, deserialize, serialize
 from procc_annotator.version import __version__
 
 _FORMAT = "procc-unfinished-1"
 _KEY_LENGTH = 64
 
 
-def unfinished_file(out: Path, command: str) -> Path:
+def checkpoint_path(out: Path, command: str) -> Path:
     """Where it lies: in the folder that is written, or beside the archive; hidden, so that no
     listing of cameras or annotations minds it."""
     if out.suffix.lower() == ".zip":
-        return name_beside(out, ".", f".{command}.unfinished")
+        return sibling_path(out, ".", f".{command}.unfinished")
     return out / f".{command}.unfinished"
 
 
-class Unfinished:
+class Checkpoint:
     """The results so far of one run; used as a context, which closes the file."""
 
     def __init__(self, path: Path, terms: Mapping[str, str], *, resume: bool) -> None:
         """Begin, or go on.
 
         Args:
-            path: see `unfinished_file`; it and its folder are made with the first results.
+            path: see `checkpoint_path`; it and its folder are made with the first results.
             terms: what the run was asked for, in words; another one's results are none of this
                 one's.
             resume: whether to go on with what is there; else that goes.
@@ -71,8 +71,8 @@ class Unfinished:
         try:
             with open_regular(self.path) as file:
                 file.seek(at)
-                found = from_text(file.read(length))
-        except (OSError, KeptValueError):
+                found = deserialize(file.read(length))
+        except (OSError, SerializationError):
             return None
         return found if isinstance(found, list) else None
 
@@ -85,7 +85,7 @@ class Unfinished:
         try:
             if self._file is None:
                 self._file = self._begun()
-            self._write(f"{key} {to_text(results)}".encode())
+            self._write(f"{key} {serialize(results)}".encode())
         except OSError as error:
             raise SaveError(f"{self.path}: cannot be written: {error.strerror or error}") from error
 
@@ -179,7 +179,7 @@ def hex_digest(*parts: object) -> str:
     return digest.hexdigest()
 
 
-def field_as_asked(field: Field) -> str:
+def field_settings(field: Field) -> str:
     """A field as a term of a run: its words and a digest of all that fits and proposals look at,
     which is more than tells fields apart."""
     looked_at = (

@@ -11,7 +11,7 @@ BoolArray = NDArray[np.bool_]
 AGREE_PX = 0.8  # offsets this near to the smooth ones lie on the line
 
 
-def agreement(
+def smooth_inliers(
     places: FloatArray, values: FloatArray, reach: float, *, terms: int
 ) -> tuple[BoolArray, FloatArray]:
     """Which offsets lie on one smooth course, and its coefficients.

@@ -9,7 +9,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.metric.course import lengths_along, places_at
+from procc_annotator.metric.course import arc_lengths, points_at_arc_lengths
 
 FloatArray = NDArray[np.float64]
 BoolArray = NDArray[np.bool_]
@@ -121,11 +121,11 @@ def curve_through(clicked: FloatArray, curved: bool, bar: bool = False) -> Curve
 
 
 def _curve(course: FloatArray, terms: int, *, closed: bool) -> Curve | None:
-    lengths = lengths_along(course)
+    lengths = arc_lengths(course)
     if lengths[-1] < 4.0:
         return None
     even = np.linspace(0.0, lengths[-1], 400)
-    resampled = places_at(course, even, lengths)
+    resampled = points_at_arc_lengths(course, even, lengths)
     return Curve(resampled, np.zeros(terms), closed)
 
 
@@ -147,7 +147,7 @@ def _chords(clicked: FloatArray) -> FloatArray:
 
 def _through(clicked: FloatArray) -> FloatArray:
     """A smooth curve through every click of an arc that is no ellipse (Catmull and Rom's)."""
-    lengths = lengths_along(clicked)
+    lengths = arc_lengths(clicked)
     kept = np.r_[True, np.diff(lengths) > 1e-6]
     clicked, lengths = clicked[kept], lengths[kept]
     if len(clicked) < 3:

@@ -15,14 +15,14 @@ from procc_annotator.field.model import Field
 from procc_annotator.fit.predict.ghosts import find_ghosts
 from procc_annotator.fit.result import FitResult
 from procc_annotator.image.decode import PixelArray
-from procc_annotator.image.motion import Motion, carried_points, estimate_motion
-from procc_annotator.image.paint import snap_all
-from procc_annotator.image.sought import Sought
-from procc_annotator.metric.course import lengths_along
+from procc_annotator.image.motion import CameraMotion, transfer_points, estimate_motion
+from procc_annotator.image.paint import snap_points_to_lines
+from procc_annotator.image.sought import LineTarget
+from procc_annotator.metric.course import arc_lengths
 from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.facts.origins import PointKey
-from procc_annotator.session.strokes.expected_paint import ExpectedPaint
+from procc_annotator.session.strokes.expected_paint import ExpectedLines
 from procc_annotator.session.strokes.ghost_points import find_points
 
 FloatArray = NDArray[np.float64]
@@ -69,7 +69,7 @@ def copy_moved(
     previous: PixelArray,
     current: PixelArray,
     curved: frozenset[str],
-    paint: ExpectedPaint,
+    paint: ExpectedLines,
     spots: frozenset[str] = frozenset(),
 ) -> Copied:
     """Carry polylines from one picture to another of the same camera.
@@ -99,7 +99,7 @@ def copy_moved(
         before = points_px(polyline, size_before)
         sought = paint.of(polyline.class_name)
         is_seen = partial(_is_seen, current, sought) if straight else None
-        points = _carry(before, size_before, motion, size, is_seen)
+        points = _move_points(before, size_before, motion, size, is_seen)
         if not len(points):
             continue
         seen = np.ones(len(points), dtype=bool)
@@ -137,16 +137,16 @@ def copy_along_track(
     return Copied(tuple(Polyline(f.name, f.points) for f in found if f.points), True)
 
 
-def _carry(
+def _move_points(
     before: FloatArray,
     size_before: Size,
-    motion: Motion,
+    motion: CameraMotion,
     size: Size,
     is_seen: Callable[[FloatArray, FloatArray], bool] | None,
 ) -> FloatArray:
     """(n, 2) px in the new picture, cut off and, where more of it is seen, continued at its edges;
     ``is_seen``: between two places; None of what is not straight."""
-    points = carried_points(motion, before)
+    points = transfer_points(motion, before)
     for end, inner in ((0, 1), (-1, -2)) if is_seen and len(points) >= 2 else ():
         if _leaves(before[end], before[inner], size_before):
             further = _continued(points[end], points[inner], size)
@@ -155,7 +155,7 @@ def _carry(
     return _cut_off(points, size)
 
 
-def _is_seen(picture: PixelArray, sought: Sought, begin: FloatArray, end: FloatArray) -> bool:
+def _is_seen(picture: PixelArray, sought: LineTarget, begin: FloatArray, end: FloatArray) -> bool:
     """Whether a line is seen to go on, also near where it should end: its own end may be in sight
     by now."""
     length = float(np.hypot(*(end - begin)))
@@ -163,7 +163,7 @@ def _is_seen(picture: PixelArray, sought: Sought, begin: FloatArray, end: FloatA
         return True
     places = begin + np.linspace(0.0, 1.0, _ONWARDS + 1)[1:, None] * (end - begin)
     along = np.tile((end - begin) / length, (_ONWARDS, 1))
-    seen = ~np.isnan(snap_all(picture, places, along, sought, reach_px=_REACH_PX)[:, 0])
+    seen = ~np.isnan(snap_points_to_lines(picture, places, along, sought, reach_px=_REACH_PX)[:, 0])
     return bool(2 * seen.sum() >= _ONWARDS and 2 * seen[_ONWARDS // 2 :].sum() >= _ONWARDS // 2)
 
 
@@ -210,7 +210,7 @@ def _crossing(inner: FloatArray, outer: FloatArray, limits: FloatArray) -> Float
 
 
 def _on_line(
-    points: FloatArray, picture: PixelArray, sought: Sought, *, straight: bool
+    points: FloatArray, picture: PixelArray, sought: LineTarget, *, straight: bool
 ) -> tuple[FloatArray, BoolArray]:
     """(n, 2) px, each on its line's centre where one was found, and (n,) whether it was.
 
@@ -228,7 +228,7 @@ def _on_line(
         return points, unseen
     along = steps / lengths[:, None]
     across = np.column_stack([-along[:, 1], along[:, 0]])
-    found = snap_all(picture, points, along, sought, reach_px=_REACH_PX)
+    found = snap_points_to_lines(picture, points, along, sought, reach_px=_REACH_PX)
     offsets = ((found - points) * across).sum(axis=1)
     shifts = _common_shifts(points, across, offsets)
     seen = np.abs((shifts * across).sum(axis=1) - offsets) <= _AGREE_PX  # False where NaN
@@ -239,7 +239,7 @@ def _on_line(
 
 def _common_shifts(points: FloatArray, across: FloatArray, offsets: FloatArray) -> FloatArray:
     """(n, 2) px: the shift, changing steadily along the element, that most offsets agree with."""
-    lengths = lengths_along(points)
+    lengths = arc_lengths(points)
     place = 2.0 * lengths / lengths[-1] - 1.0
     known = np.flatnonzero(~np.isnan(offsets))
     terms = np.hstack([across, across * place[:, None]])

@@ -15,13 +15,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.fit.predict.ghosts import Ghost
-from procc_annotator.fit.predict.joints import End, Joint
+from procc_annotator.fit.predict.joints import ExpectedEnd, ElementJoint
 from procc_annotator.image.decode import PixelArray
-from procc_annotator.image.paint import REACH_PX, snap_all
-from procc_annotator.image.sought import Sought
-from procc_annotator.metric.course import normals_of
-from procc_annotator.session.strokes.agreement import agreement
-from procc_annotator.session.strokes.expected_paint import ExpectedPaint
+from procc_annotator.image.paint import SNAP_RADIUS_PX, snap_points_to_lines
+from procc_annotator.image.sought import LineTarget
+from procc_annotator.metric.course import polyline_normals
+from procc_annotator.session.strokes.agreement import smooth_inliers
+from procc_annotator.session.strokes.expected_paint import ExpectedLines
 from procc_annotator.session.strokes.visible_line import VisibleLine, continued
 
 FloatArray = NDArray[np.float64]
@@ -71,7 +71,7 @@ class _Candidate:
     name: str
 
 
-def reach_of(end: End | None) -> float:
+def reach_of(end: ExpectedEnd | None) -> float:
     """Px along a line within which its end lies: three standard deviations."""
     if end is None:
         return 0.0
@@ -80,9 +80,9 @@ def reach_of(end: End | None) -> float:
 
 def seen_corner(
     line: VisibleLine,
-    end: End,
+    end: ExpectedEnd,
     picture: PixelArray,
-    paint: ExpectedPaint,
+    paint: ExpectedLines,
     ghost: Ghost,
     *,
     may_miss_px: float,
@@ -127,10 +127,10 @@ def seen_corner(
 
 def _candidates(
     line: VisibleLine,
-    end: End,
-    joint: Joint,
+    end: ExpectedEnd,
+    joint: ElementJoint,
     picture: PixelArray,
-    paint: ExpectedPaint,
+    paint: ExpectedLines,
     ghost: Ghost,
     shifted_px: float,
 ) -> Iterator[_Candidate]:
@@ -142,7 +142,7 @@ def _candidates(
     sine = abs(along[0] * other[1] - along[1] * other[0]) / max(float(np.hypot(*other)), 1e-9)
     if sine < _LEAST_SINE:
         return
-    reach = float(np.clip(3.0 * ghost.sd_px, 3.0, REACH_PX))
+    reach = float(np.clip(3.0 * ghost.sd_px, 3.0, SNAP_RADIUS_PX))
     farthest, step = reach_of(end), 1.6 * reach / sine
     own = continued(line.course_px, _TRIED_PX)
 
@@ -152,7 +152,7 @@ def _candidates(
     count = int((farthest + abs(shifted_px)) / step)
     shifts = [*(np.arange(-count, count + 1) * step).tolist(), shifted_px]
     for shift in sorted({s for s in shifts if off(s) <= 1.0}, key=off):
-        found = _painted(course + shift * along, line, picture, paint.of(joint.name), reach)
+        found = _detected_line(course + shift * along, line, picture, paint.of(joint.name), reach)
         place = None if found is None else _crossing(own, found[0])
         if found is None or place is None:
             continue
@@ -162,8 +162,8 @@ def _candidates(
         yield _Candidate(place, row, share - _FARTHER * apart, painted, sine, joint.name)
 
 
-def _painted(
-    course: FloatArray, line: VisibleLine, picture: PixelArray, sought: Sought, reach: float
+def _detected_line(
+    course: FloatArray, line: VisibleLine, picture: PixelArray, sought: LineTarget, reach: float
 ) -> tuple[FloatArray, float] | None:
     """(n, 2) px: the other element's line, as long as it was found, and where of its course it was,
     as a share.
@@ -175,18 +175,18 @@ def _painted(
     rows = np.unique(np.linspace(0, len(course) - 1, count).round())
     rows = rows.astype(np.intp)
     rows = rows[((course[rows] >= 0) & (course[rows] <= limits)).all(axis=1)]
-    rows = rows[_apart(course[rows], line.course_px) > _BESIDE_PX]
+    rows = rows[_curve_distances(course[rows], line.course_px) > _BESIDE_PX]
     if len(rows) < _LEAST_AGREED:
         return None
-    across = normals_of(course, 3)
+    across = polyline_normals(course, 3)
     along = np.column_stack([across[rows, 1], -across[rows, 0]])
-    found = snap_all(picture, course[rows], along, sought, reach_px=reach)
+    found = snap_points_to_lines(picture, course[rows], along, sought, reach_px=reach)
     offsets = ((found - course[rows]) * across[rows]).sum(axis=1)
     known = ~np.isnan(offsets)
     if known.sum() < _LEAST_AGREED:
         return None
     places = 2.0 * rows / (len(course) - 1) - 1.0
-    agreed, coefficients = agreement(
+    agreed, coefficients = smooth_inliers(
         places[known], offsets[known], reach, terms=3 if sought.bends else 2
     )
     share = float(agreed.sum() / len(rows))
@@ -198,7 +198,7 @@ def _painted(
     return (course + across * shifts[:, None])[kept], share
 
 
-def _apart(places: FloatArray, course: FloatArray) -> FloatArray:
+def _curve_distances(places: FloatArray, course: FloatArray) -> FloatArray:
     """(n,) px from places to the nearest of a course."""
     away = np.hypot(*(places[:, None] - course[None]).transpose(2, 0, 1))
     return np.asarray(away.min(axis=1)) if len(places) else np.zeros(0)
@@ -226,7 +226,7 @@ def _meeting(a: FloatArray, u: FloatArray, b: FloatArray, v: FloatArray) -> Floa
 
 
 def _refined(
-    line: VisibleLine, found: _Candidate, picture: PixelArray, paint: ExpectedPaint, name: str
+    line: VisibleLine, found: _Candidate, picture: PixelArray, paint: ExpectedLines, name: str
 ) -> tuple[FloatArray, bool]:
     """The same corner, by what both lines are like close to it, and whether the line is seen there.
 
@@ -246,18 +246,18 @@ def _refined(
 
 
 def _close_by(
-    course: FloatArray, corner: FloatArray, beside: FloatArray, picture: PixelArray, sought: Sought
+    course: FloatArray, corner: FloatArray, beside: FloatArray, picture: PixelArray, sought: LineTarget
 ) -> tuple[FloatArray, FloatArray] | None:
     """A straight line through a course's paint close to a corner: a place and a direction."""
     away = np.hypot(*(course - corner).T)
     nearest, farthest = _NEAR_PX
     rows = np.flatnonzero((away >= nearest) & (away <= farthest))[:: round(_LOCAL_EVERY_PX)]
-    rows = rows[_apart(course[rows], beside) > _BESIDE_PX]
+    rows = rows[_curve_distances(course[rows], beside) > _BESIDE_PX]
     if len(rows) < _LOCAL_AGREED:
         return None
-    across = normals_of(course, 3)[rows]
+    across = polyline_normals(course, 3)[rows]
     along = np.column_stack([across[:, 1], -across[:, 0]])
-    found = snap_all(picture, course[rows], along, sought, reach_px=_LOCAL_REACH_PX)
+    found = snap_points_to_lines(picture, course[rows], along, sought, reach_px=_LOCAL_REACH_PX)
     found = found[~np.isnan(found[:, 0])]
     if len(found) < _LOCAL_AGREED:
         return None
@@ -268,7 +268,7 @@ def _close_by(
     direction = direction / span
     normal = np.array([-direction[1], direction[0]])
     s, o = (found - corner) @ direction, (found - corner) @ normal
-    agreed, _ = agreement(2 * (s - s[0]) / (s[-1] - s[0]) - 1, o, 12.0, terms=2)
+    agreed, _ = smooth_inliers(2 * (s - s[0]) / (s[-1] - s[0]) - 1, o, 12.0, terms=2)
     if agreed.sum() < _LOCAL_AGREED:
         return None
     slope, level = np.polyfit(s[agreed], o[agreed], 1)

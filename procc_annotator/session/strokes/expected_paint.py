@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from procc_annotator.camera.base import Camera, projects_only_ground
 from procc_annotator.field.appearance import ANY_LINE, LINE
 from procc_annotator.field.model import Element, Field
-from procc_annotator.field.sample import sample_every
-from procc_annotator.image.sought import Sought
+from procc_annotator.field.sample import sample_evenly
+from procc_annotator.image.sought import LineTarget
 
 FloatArray = NDArray[np.float64]
 Place = tuple[float, float]
@@ -23,7 +23,7 @@ _NEAR_PX = 30.0  # a camera that shows an element farther from a click does not 
 _STEP_M = 0.05
 
 
-class ExpectedPaint:
+class ExpectedLines:
     """What each element looks like in one picture.
 
     Args:
@@ -40,15 +40,15 @@ class ExpectedPaint:
         self._usual = looks.most_common(1)[0][0] if looks else ANY_LINE
         self._course = cache(self._projected)
 
-    def of(self, class_name: str) -> Sought:
+    def of(self, class_name: str) -> LineTarget:
         """What to look for of a class, wherever it is; of one without a place what most elements
         look like."""
         element = self._field.element(class_name)
         looks = element.appearance if element is not None else self._usual
         bends = element is None or element.is_curved
-        return replace(Sought.of(looks, self._width_px), bends=bends)
+        return replace(LineTarget.of(looks, self._width_px), bends=bends)
 
-    def at(self, class_name: str, place: Place) -> tuple[Sought, Place | None]:
+    def at(self, class_name: str, place: Place) -> tuple[LineTarget, Place | None]:
         """What to look for of a class near a place in the picture, and in which direction.
 
         The direction is a unit vector, None where no camera tells it.
@@ -63,7 +63,7 @@ class ExpectedPaint:
         if apart[nearest] > _NEAR_PX:
             return self.of(class_name), None
         x, y = along[nearest].tolist()
-        sought = Sought.of(element.appearance, self._width_px, float(scales[nearest]))
+        sought = LineTarget.of(element.appearance, self._width_px, float(scales[nearest]))
         return replace(sought, bends=element.is_curved), (x, y)
 
     def _projected(self, class_name: str) -> tuple[FloatArray, FloatArray, FloatArray] | None:
@@ -73,13 +73,13 @@ class ExpectedPaint:
             return None
         if projects_only_ground(camera) and not element.on_ground:
             return None
-        samples = sample_every(self._field, _EVERY_M).of(self._field.index[class_name])
-        points, along, scales = _seen(camera, samples, _asides(element, samples))
+        samples = sample_evenly(self._field, _EVERY_M).of(self._field.index[class_name])
+        points, along, scales = _seen(camera, samples, _across_directions(element, samples))
         known = np.isfinite(scales) & np.isfinite(points).all(axis=1)
         return (points[known], along[known], scales[known]) if known.any() else None
 
 
-def _asides(element: Element, samples: FloatArray) -> tuple[FloatArray, ...]:
+def _across_directions(element: Element, samples: FloatArray) -> tuple[FloatArray, ...]:
     """(n, 3) unit vectors across an element: in the ground, or both ways from a bar."""
     along = np.gradient(samples, axis=0)
     along /= np.maximum(np.linalg.norm(along, axis=1), 1e-9)[:, None]

@@ -14,8 +14,8 @@ from procc_annotator.annotation import (
 )
 from procc_annotator.field.geometry import is_closed
 from procc_annotator.field.model import Field
-from procc_annotator.field.neighbours import meeting
-from procc_annotator.fit.line_ends import Size, belongs_at
+from procc_annotator.field.neighbours import touching_elements
+from procc_annotator.fit.line_ends import ImageSize, expected_line_end
 
 FloatArray = NDArray[np.float64]
 
@@ -26,7 +26,7 @@ def close_gaps(
     polyline: Polyline,
     annotation: FrameAnnotation,
     field: Field,
-    size: Size,
+    size: ImageSize,
     reach_px: float = REACH_PX,
 ) -> Polyline:
     """An element whose ends reach what they fall short of; the same polyline when nothing is near.
@@ -55,14 +55,14 @@ def close_gaps(
         return polyline
     lines = [
         points_px(other, size)
-        for name in meeting(field, polyline.class_name)
+        for name in touching_elements(field, polyline.class_name)
         if (other := annotation.get(name)) is not None
         and len(other.points) >= 2
         and (neighbour := field.element(name)) is not None
         and neighbour.is_straight
     ]
-    first = belongs_at(points[0], points[1], lines, size, reach_px)
-    last = belongs_at(points[-1], points[-2], lines, size, reach_px)
+    first = expected_line_end(points[0], points[1], lines, size, reach_px)
+    last = expected_line_end(points[-1], points[-2], lines, size, reach_px)
     return Polyline(
         polyline.class_name,
         (
@@ -73,7 +73,7 @@ def close_gaps(
     )
 
 
-def _replaced(point: Point, place: FloatArray | None, size: Size) -> Point:
+def _replaced(point: Point, place: FloatArray | None, size: ImageSize) -> Point:
     if place is None:
         return point
     moved = point_from_px(float(place[0]), float(place[1]), size)

@@ -8,15 +8,15 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.fit.line_ends import edge_point
+from procc_annotator.fit.line_ends import image_edge_point
 from procc_annotator.fit.predict.ghosts import Ghost
-from procc_annotator.fit.predict.joints import End
+from procc_annotator.fit.predict.joints import ExpectedEnd
 from procc_annotator.image.decode import PixelArray
-from procc_annotator.image.paint import snap_all
-from procc_annotator.image.sought import Sought
-from procc_annotator.metric.course import normals_of
+from procc_annotator.image.paint import snap_points_to_lines
+from procc_annotator.image.sought import LineTarget
+from procc_annotator.metric.course import polyline_normals
 from procc_annotator.session.strokes.corners import Corner, reach_of, seen_corner
-from procc_annotator.session.strokes.expected_paint import ExpectedPaint
+from procc_annotator.session.strokes.expected_paint import ExpectedLines
 from procc_annotator.session.strokes.line_runs import is_bare
 from procc_annotator.session.strokes.visible_line import VisibleLine, continued, onwards
 
@@ -32,8 +32,8 @@ _AGAIN_PX, _AGAIN_REACH_PX = 4, 1.5
 _AGAIN_FOUND = 3  # places, and one of the first ones from the edge
 
 
-def ends_by_paint(
-    line: VisibleLine, ghost: Ghost, picture: PixelArray, paint: ExpectedPaint, *, on_ground: bool
+def locate_line_ends(
+    line: VisibleLine, ghost: Ghost, picture: PixelArray, paint: ExpectedLines, *, on_ground: bool
 ) -> tuple[VisibleLine, int]:
     """A line with its ends where it crosses the paint of the elements that it ends at.
 
@@ -56,7 +56,7 @@ def ends_by_paint(
     corners = _corners(line, ghost, picture, paint, may_miss)
     sought, unsure = paint.of(ghost.name), 0
     for last in (True, False):
-        way, end, corner = (line if last else _turned(line)), ghost.ends[last], corners.get(last)
+        way, end, corner = (line if last else _reversed_line(line)), ghost.ends[last], corners.get(last)
         if not way.runs:
             break
         ending: VisibleLine | None = None
@@ -67,12 +67,12 @@ def ends_by_paint(
         if ending is None and end is not None:
             ending, unsure = _cut_back(way, end), unsure + 1
         line = ending or way
-        line = line if last else _turned(line)
+        line = line if last else _reversed_line(line)
     return line, unsure
 
 
 def _corners(
-    line: VisibleLine, ghost: Ghost, picture: PixelArray, paint: ExpectedPaint, may_miss_px: int
+    line: VisibleLine, ghost: Ghost, picture: PixelArray, paint: ExpectedLines, may_miss_px: int
 ) -> dict[bool, Corner]:
     """The corners at which a line ends, by whether it is its last one.
 
@@ -82,7 +82,7 @@ def _corners(
     shifted = 0.0
     first = reach_of(ghost.ends[0]) > reach_of(ghost.ends[1])
     for last in (first, not first, first):
-        way, end = (line if last else _turned(line)), ghost.ends[last]
+        way, end = (line if last else _reversed_line(line)), ghost.ends[last]
         if last in found or end is None or not way.runs:
             continue
         corner = seen_corner(
@@ -105,7 +105,7 @@ def _before(line: VisibleLine, corner: Corner) -> tuple[FloatArray, FloatArray, 
     seen = np.arange(max(begin, end - _HIDDEN_PX), end)
     last = np.arange(max(0, past - _LAST_PX[1]), max(1, past - _LAST_PX[0] + 1))
     rows = np.concatenate([seen[seen < last[0]], last])
-    return course[rows], normals_of(course, 3)[rows], rows >= last[0]
+    return course[rows], polyline_normals(course, 3)[rows], rows >= last[0]
 
 
 def _ending_at(line: VisibleLine, corner: Corner) -> VisibleLine | None:
@@ -121,12 +121,12 @@ def _ending_at(line: VisibleLine, corner: Corner) -> VisibleLine | None:
     else:
         runs.append((past - _HIDDEN_PX, past + 1))
     course = np.vstack([course[:past], corner.place_px])
-    across = normals_of(course, 3)
+    across = polyline_normals(course, 3)
     directions = np.column_stack([across[:, 1], -across[:, 0]])
     return VisibleLine(course, directions, tuple(runs), (line.expected[0], past))
 
 
-def _cut_back(line: VisibleLine, end: End) -> VisibleLine:
+def _cut_back(line: VisibleLine, end: ExpectedEnd) -> VisibleLine:
     """A line as far as it is surely its own."""
     sure = line.expected[1] - math.ceil(reach_of(end))
     seen = max((past for begin, past in line.runs if begin <= line.expected[1]), default=0)
@@ -140,12 +140,12 @@ def _is_inside(place_px: FloatArray, picture: PixelArray) -> bool:
     return bool(((place_px >= 0) & (place_px <= limits)).all())
 
 
-def _to_edge(line: VisibleLine, picture: PixelArray, sought: Sought) -> VisibleLine | None:
+def _to_edge(line: VisibleLine, picture: PixelArray, sought: LineTarget) -> VisibleLine | None:
     """A line that is seen to end a little inside the picture's edge, or outside it, ends there."""
     size = picture.shape[1], picture.shape[0]
     limits = np.array(size, dtype=np.float64) - 1
     end = np.clip(line.course_px[-1], 0.0, limits)
-    edge = edge_point(end, onwards(line.course_px), size)
+    edge = image_edge_point(end, onwards(line.course_px), size)
     if edge is None or np.hypot(*(edge - end)) > _AT_EDGE_PX:
         return None
     begin, past = line.runs[-1]
@@ -159,19 +159,19 @@ def _to_edge(line: VisibleLine, picture: PixelArray, sought: Sought) -> VisibleL
     return replace(line, course_px=course, runs=runs, expected=(line.expected[0], line.length - 1))
 
 
-def _seen_again(line: VisibleLine, picture: PixelArray, sought: Sought) -> int | None:
+def _seen_again(line: VisibleLine, picture: PixelArray, sought: LineTarget) -> int | None:
     """The place from which a line that was hidden is seen until its last end, which is too near
     for it to show a steady stroke; None: it is not."""
     rows = np.arange(line.length - 1, max(line.runs[-1][1], line.length - _HIDDEN_PX), -_AGAIN_PX)
     course, along = line.course_px[rows], line.directions[rows]
-    found = snap_all(picture, course, along, sought, reach_px=_AGAIN_REACH_PX)
+    found = snap_points_to_lines(picture, course, along, sought, reach_px=_AGAIN_REACH_PX)
     seen = ~np.isnan(found[:, 0])
     if seen.sum() < _AGAIN_FOUND or not seen[:_AGAIN_FOUND].any():
         return None
     return int(rows[np.flatnonzero(seen)[-1]])
 
 
-def _turned(line: VisibleLine) -> VisibleLine:
+def _reversed_line(line: VisibleLine) -> VisibleLine:
     n = line.length
     runs = tuple((n - end, n - begin) for begin, end in reversed(line.runs))
     first, last = line.expected

@@ -13,8 +13,8 @@ from procc_annotator.field.model import Field
 from procc_annotator.fit.predict.ghosts import Ghost, GhostPiece
 from procc_annotator.image.decode import PixelArray
 from procc_annotator.session.strokes.corners import reach_of
-from procc_annotator.session.strokes.expected_paint import ExpectedPaint
-from procc_annotator.session.strokes.ghost_ends import ends_by_paint
+from procc_annotator.session.strokes.expected_paint import ExpectedLines
+from procc_annotator.session.strokes.ghost_ends import locate_line_ends
 from procc_annotator.session.strokes.spacing import regular_parameters
 from procc_annotator.session.strokes.visible_line import VisibleLine, find_line
 
@@ -76,7 +76,7 @@ def find_points(
     element = field.element(ghost.name)
     curved = element is not None and element.is_curved
     on_ground = element is not None and element.on_ground
-    paint = ExpectedPaint(field, size[0])
+    paint = ExpectedLines(field, size[0])
     sought = replace(paint.of(ghost.name), is_expected=True)
 
     straight = len(ghost.pieces) == 1 and element is not None and element.is_straight
@@ -95,7 +95,7 @@ def find_points(
 
     lines, unsure = [find(piece) for piece in ghost.pieces], 0
     if straight:
-        line, unsure = ends_by_paint(lines[0], ghost, picture, paint, on_ground=on_ground)
+        line, unsure = locate_line_ends(lines[0], ghost, picture, paint, on_ground=on_ground)
         lines = [line]
     places = _without_repetitions([place for line in lines for place in _regular(line, size)])
     whole = sum(line.expected[1] - line.expected[0] + 1 for line in lines)

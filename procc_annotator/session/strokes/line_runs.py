@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.image.decode import PixelArray
-from procc_annotator.image.strip import Strip, Values, straighten
+from procc_annotator.image.strip import StraightenedCurve, Values, straighten_curve
 
 FloatArray = NDArray[np.float64]
 BoolArray = NDArray[np.bool_]
@@ -26,7 +26,7 @@ _CONTRAST_SHARES = 0.4, 2.2  # of what the line has at the nearest hits
 _COLOUR_COSINE = 0.93
 _GROUND_APART = 0.07  # of the shares of blue, green and red in a side's colour
 _GROUND_LIGHT = 0.45, 2.0
-_STEADY_PX = 13  # a line shows in nearly every cut over this length
+_RUN_STEADY_PX = 13  # a line shows in nearly every cut over this length
 _STEADY_SHARE = 0.65
 _GAP_PX = 6
 _RUN_PX = 12
@@ -36,7 +36,7 @@ _END_SHARE = 1.7  # as the larger of the contrast shares, where only one side sh
 
 
 @dataclass(frozen=True, eq=False)
-class _Look:
+class _StripColours:
     """What a strip shows, place by place: (n, 3) BGR of the line and of the ground beside it."""
 
     centre: FloatArray
@@ -51,7 +51,7 @@ class _Look:
         return self.centre - self.left, self.centre - self.right
 
 
-def runs_seen(strip: Strip, hits: IntArray, *, on_ground: bool, edge: bool = False) -> Runs:
+def runs_seen(strip: StraightenedCurve, hits: IntArray, *, on_ground: bool, edge: bool = False) -> Runs:
     """The stretches along which a line is seen.
 
     Args:
@@ -65,7 +65,7 @@ def runs_seen(strip: Strip, hits: IntArray, *, on_ground: bool, edge: bool = Fal
         First and one past the last place of each stretch, ascending.
     """
     at_hits = _near(hits, len(strip.colours), 3)
-    look = _look(strip, at_hits)
+    look = _strip_colours(strip, at_hits)
     steps = look.steps(edge=edge)
     stroke = (steps[0] + steps[1]) / 2
     usual_stroke = np.median(stroke[at_hits], axis=0)
@@ -92,7 +92,7 @@ def is_bare(picture: PixelArray, course: FloatArray, across: FloatArray, asked: 
     anything else that could hide it: across it all is alike. (n, 2) px of each and its normal."""
     if not asked.any() or (~asked).sum() < _RUN_PX:
         return False  # nobody can tell
-    look = _look(straighten(picture, course, across, BESIDE_PX), ~asked)
+    look = _strip_colours(straighten_curve(picture, course, across, BESIDE_PX), ~asked)
     usual = [np.median(part[~asked], axis=0) for part in (look.centre, look.left, look.right)]
     stroke = usual[0] - (usual[1] + usual[2]) / 2
     contrast = max(float(np.linalg.norm(stroke)), 1e-6)
@@ -103,12 +103,12 @@ def is_bare(picture: PixelArray, course: FloatArray, across: FloatArray, asked: 
     return bool(bare[asked].mean() > 0.5)
 
 
-def _look(strip: Strip, at_hits: BoolArray) -> _Look:
+def _strip_colours(strip: StraightenedCurve, at_hits: BoolArray) -> _StripColours:
     width = _half_width(np.median(strip.colours[at_hits], axis=0), strip)
     inner = max(0.5, 0.5 * width)
     zones = (-inner, inner), (-width - 5.0, -width - 1.5), (width + 1.5, width + 5.0)
     parts = [strip.colours[:, strip.columns(*zone)].mean(axis=1) for zone in zones]
-    return _Look(*(_smooth(part.astype(np.float64)) for part in parts))
+    return _StripColours(*(_smooth(part.astype(np.float64)) for part in parts))
 
 
 def _near(hits: IntArray, n: int, reach: int) -> BoolArray:
@@ -118,7 +118,7 @@ def _near(hits: IntArray, n: int, reach: int) -> BoolArray:
     return marked
 
 
-def _half_width(colours: Values, strip: Strip) -> float:
+def _half_width(colours: Values, strip: StraightenedCurve) -> float:
     """Half the stroke's width at half its height, px, by (m, 3) colours across it."""
     outer = np.concatenate([colours[:8], colours[-8:]])
     steps = colours - np.median(outer, axis=0)
@@ -162,7 +162,7 @@ def _as_ground(side: FloatArray, at_hits: BoolArray) -> BoolArray:
 def _steady_runs(shown: BoolArray) -> Runs:
     """Runs of nearly uninterrupted True, short gaps closed, short runs left out."""
     n = len(shown)
-    half = min(_STEADY_PX, n) // 2
+    half = min(_RUN_STEADY_PX, n) // 2
     counts = np.convolve(np.pad(shown.astype(float), half, mode="edge"), np.ones(2 * half + 1))
     steady = shown & (counts[2 * half : 2 * half + n] >= _STEADY_SHARE * (2 * half + 1))
     edges = np.flatnonzero(np.diff(np.concatenate([[0], steady.astype(np.int8), [0]])))

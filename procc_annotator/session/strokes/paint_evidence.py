@@ -11,14 +11,14 @@ from procc_annotator.annotation import FrameAnnotation, Polyline, points_px
 from procc_annotator.field.appearance import NOTHING
 from procc_annotator.field.geometry import Chain
 from procc_annotator.field.model import Field
-from procc_annotator.fit.labels.seen_paint import ElementPaint
-from procc_annotator.fit.line_ends import steps_to_edge
-from procc_annotator.fit.solving.observations import FloatArray, IntArray, PictureFrame
+from procc_annotator.fit.labels.seen_paint import LineEvidence
+from procc_annotator.fit.line_ends import steps_to_image_edge
+from procc_annotator.fit.solving.observations import FloatArray, IntArray, ImageFrame
 from procc_annotator.image.decode import PixelArray
-from procc_annotator.image.paint import REACH_PX, snap_all
-from procc_annotator.image.sought import Sought
-from procc_annotator.metric.course import lengths_along, places_at
-from procc_annotator.session.strokes.expected_paint import ExpectedPaint
+from procc_annotator.image.paint import SNAP_RADIUS_PX, snap_points_to_lines
+from procc_annotator.image.sought import LineTarget
+from procc_annotator.metric.course import arc_lengths, points_at_arc_lengths
+from procc_annotator.session.strokes.expected_paint import ExpectedLines
 from procc_annotator.session.strokes.visible_line import find_line
 
 # Px at 960 px width.
@@ -28,13 +28,13 @@ _CURVE_STEPS = 12
 _FAINT = 0.5  # of the places of an element that show no paint by themselves
 
 
-def paint_evidence(
+def line_evidence(
     annotation: FrameAnnotation,
     picture: PixelArray,
     field: Field,
-    known: Mapping[Polyline, ElementPaint] | None = None,
+    known: Mapping[Polyline, LineEvidence] | None = None,
     go_on: Callable[[], None] = lambda: None,
-) -> dict[Polyline, ElementPaint]:
+) -> dict[Polyline, LineEvidence]:
     """What the picture shows along each element; safe from any thread.
 
     Args:
@@ -45,7 +45,7 @@ def paint_evidence(
             again.
         go_on: called between elements; raises whatever it likes when nobody wants the rest.
     """
-    paint, found = ExpectedPaint(field, picture.shape[1]), {}
+    paint, found = ExpectedLines(field, picture.shape[1]), {}
     for polyline in (*annotation.polylines, *annotation.unconfirmed):
         element = field.element(polyline.class_name)
         if element is None or element.is_spot or len(polyline.points) < 2:
@@ -63,26 +63,26 @@ def paint_evidence(
     return found
 
 
-def paint_by_class(
+def line_evidence_by_class(
     annotation: FrameAnnotation, picture: PixelArray, field: Field
-) -> dict[str, ElementPaint]:
+) -> dict[str, LineEvidence]:
     """The same of the confirmed elements, by class."""
     confirmed = replace(annotation, unconfirmed=())
-    return of_confirmed(annotation, paint_evidence(confirmed, picture, field))
+    return confirmed_evidence(annotation, line_evidence(confirmed, picture, field))
 
 
-def of_confirmed(
-    annotation: FrameAnnotation, evidence: Mapping[Polyline, ElementPaint]
-) -> dict[str, ElementPaint]:
+def confirmed_evidence(
+    annotation: FrameAnnotation, evidence: Mapping[Polyline, LineEvidence]
+) -> dict[str, LineEvidence]:
     """Class -> what is seen along the confirmed element."""
     return {p.class_name: evidence[p] for p in annotation.polylines if p in evidence}
 
 
 def _along(
-    polyline: Polyline, picture: PixelArray, sought: Sought, *, smooth: bool
-) -> ElementPaint | None:
+    polyline: Polyline, picture: PixelArray, sought: LineTarget, *, smooth: bool
+) -> LineEvidence | None:
     size = (picture.shape[1], picture.shape[0])
-    per_px = 1 / PictureFrame(size).scale
+    per_px = 1 / ImageFrame(size).scale
     limits = np.array(size) - 1.0
     clicks = points_px(polyline, size)
     clicks = clicks[np.isfinite(clicks).all(axis=1)]
@@ -94,10 +94,10 @@ def _along(
     if inside.sum() < 2:
         return None
     places, along, lengths = places[inside], along[inside], lengths[inside]
-    reach = REACH_PX * min(max(per_px, 1.0), 2.0)
+    reach = SNAP_RADIUS_PX * min(max(per_px, 1.0), 2.0)
 
     def offsets(at: FloatArray, directions: FloatArray) -> FloatArray:
-        found = snap_all(picture, at, directions, sought, reach_px=reach)
+        found = snap_points_to_lines(picture, at, directions, sought, reach_px=reach)
         across = np.column_stack([-directions[:, 1], directions[:, 0]])
         return np.asarray(((found - at) * across).sum(axis=1))
 
@@ -106,14 +106,14 @@ def _along(
         step = (end - inner) / np.hypot(*(end - inner))
         most = 0.0
         if not smooth and ((end >= 0) & (end <= limits)).all():
-            most = min(_AHEAD_PX * per_px, steps_to_edge(end, step, limits))
+            most = min(_AHEAD_PX * per_px, steps_to_image_edge(end, step, limits))
         distances = np.arange(_EVERY_PX * per_px / 2, most, _EVERY_PX * per_px / 2)
         beyond = end + distances[:, None] * step
         ahead.append((distances, offsets(beyond, np.tile(step, (len(distances), 1)))))
     found = offsets(places, along)
     if not smooth and np.isnan(found).mean() > _FAINT:
         found = _along_faint_line(picture, clicks, places, along, found, sought, reach)
-    return ElementPaint(size, places, found, segments[inside], lengths, (ahead[0], ahead[1]))
+    return LineEvidence(size, places, found, segments[inside], lengths, (ahead[0], ahead[1]))
 
 
 def _along_faint_line(
@@ -122,7 +122,7 @@ def _along_faint_line(
     places: FloatArray,
     along: FloatArray,
     offsets: FloatArray,
-    sought: Sought,
+    sought: LineTarget,
     reach: float,
 ) -> FloatArray:
     """(n,) offsets (n,), those missing from a line that is seen as a whole only: single cuts across
@@ -147,11 +147,11 @@ def _places(
     found = []
     for segment in range(len(clicks) - 1):
         course = _course(clicks, segment) if smooth else clicks[segment : segment + 2]
-        at = lengths_along(course)
+        at = arc_lengths(course)
         steps = np.diff(at)
         count = int(np.clip(round(at[-1] / (_EVERY_PX * per_px)), *_PLACES))
         middles = (np.arange(count) + 0.5) * at[-1] / count
-        places = places_at(course, middles, at)
+        places = points_at_arc_lengths(course, middles, at)
         row = np.clip(np.searchsorted(at, middles) - 1, 0, len(steps) - 1)
         along = np.diff(course, axis=0)[row] / np.maximum(steps[row], 1e-9)[:, None]
         found.append((places, along, np.full(count, segment), np.full(count, at[-1] / count)))

@@ -89,7 +89,7 @@ def regularise(
         own = tuple(p for p in again.unconfirmed if p in polyline.points)
         if _is_same(reached.polyline, again.polyline, size):
             return Regularised(reached.polyline, own)
-        if (_apart(clicked, points_px(again.polyline, size)) > MOST_MOVED_PX).any():
+        if (_chord_distances(clicked, points_px(again.polyline, size)) > MOST_MOVED_PX).any():
             break
         reached = Regularised(again.polyline, own)
     return reached
@@ -129,8 +129,8 @@ def _is_same(before: Polyline, after: Polyline, size: tuple[int, int]) -> bool:
     nearest = np.hypot(*(new[:, None] - old[None]).transpose(2, 0, 1)).min(axis=1)
     return bool(
         (nearest <= _REGULAR * own).all()
-        and (_apart(new, old) <= _UNCHANGED_PX).all()
-        and (_apart(old, new) <= _UNCHANGED_PX).all()
+        and (_chord_distances(new, old) <= _UNCHANGED_PX).all()
+        and (_chord_distances(old, new) <= _UNCHANGED_PX).all()
     )
 
 
@@ -144,13 +144,13 @@ def _along_paint(
     on_curve: bool,
 ) -> Regularised:
     parameters = _positions(curve, size)
-    placed, supported = _on_paint(curve, parameters, snap, on_curve=on_curve)
+    placed, supported = _snap_to_lines(curve, parameters, snap, on_curve=on_curve)
     inner = supported[1:-1]
-    at, near = _feet(clicked, curve)
+    at, near = _closest_parameters(clicked, curve)
     enough = inner.sum() >= max(2.0, _LEAST_SUPPORT * len(inner))
     if not enough or near.mean() < _LEAST_AGREED:
         return Regularised(polyline, polyline.points)
-    feet, found = _on_paint(curve, at, snap, on_curve=on_curve)
+    feet, found = _snap_to_lines(curve, at, snap, on_curve=on_curve)
     # In samples, from each click to each one with support.
     row = np.interp(at, parameters, np.arange(len(parameters)))
     between = np.flatnonzero(supported)[None] - row[:, None]
@@ -171,14 +171,14 @@ def _along_paint(
     rows += zip(at[lonely], feet[lonely].tolist(), strict=True)
     rows += zip(at[~confirmed], clicked[~confirmed].tolist(), strict=True)
     chords = [place for _, place in sorted(rows)]
-    passed = (_apart(clicked, chords) <= MOST_MOVED_PX) & (_apart(feet, chords) <= _UNCHANGED_PX)
+    passed = (_chord_distances(clicked, chords) <= MOST_MOVED_PX) & (_chord_distances(feet, chords) <= _UNCHANGED_PX)
     missed = confirmed & ~lonely & ~passed  # where what lies between is hidden
     rows += zip(at[missed], feet[missed].tolist(), strict=True)
     places = [place for _, place in sorted(rows)]
     return Regularised(_polyline(polyline, places, curve, size, kept), kept)
 
 
-def _feet(clicked: FloatArray, curve: Curve) -> tuple[FloatArray, BoolArray]:
+def _closest_parameters(clicked: FloatArray, curve: Curve) -> tuple[FloatArray, BoolArray]:
     """(n,) where along a curve clicks belong, 0 to 1, and (n,) whether they lie near it."""
     if not curve.closed and len(clicked) == 2:
         at = np.array([0.0, 1.0])
@@ -188,7 +188,7 @@ def _feet(clicked: FloatArray, curve: Curve) -> tuple[FloatArray, BoolArray]:
     return fine[apart.argmin(axis=1)], apart.min(axis=1) <= MOST_MOVED_PX
 
 
-def _on_paint(
+def _snap_to_lines(
     curve: Curve, parameters: FloatArray, snap: Snap, *, on_curve: bool
 ) -> tuple[FloatArray, BoolArray]:
     """(n, 2) px and whether paint was found there; on the curve where none was, or always."""
@@ -198,7 +198,7 @@ def _on_paint(
     return np.where(supported[:, None] & (not on_curve), found, places), supported
 
 
-def _apart(clicked: FloatArray, places: FloatArray | list[list[float]]) -> FloatArray:
+def _chord_distances(clicked: FloatArray, places: FloatArray | list[list[float]]) -> FloatArray:
     """(n,) px from clicks to the chords between places."""
     chain = np.asarray(places)
     begin, step = chain[:-1], np.diff(chain, axis=0)

@@ -14,11 +14,11 @@ from numpy.typing import NDArray
 
 from procc_annotator.field.appearance import EDGE
 from procc_annotator.image.decode import PixelArray
-from procc_annotator.image.paint import REACH_PX, snap_all
-from procc_annotator.image.sought import Sought
-from procc_annotator.image.strip import straighten
-from procc_annotator.metric.course import lengths_along, normals_of, places_at
-from procc_annotator.session.strokes.agreement import agreement
+from procc_annotator.image.paint import SNAP_RADIUS_PX, snap_points_to_lines
+from procc_annotator.image.sought import LineTarget
+from procc_annotator.image.strip import straighten_curve
+from procc_annotator.metric.course import arc_lengths, polyline_normals, points_at_arc_lengths
+from procc_annotator.session.strokes.agreement import smooth_inliers
 from procc_annotator.session.strokes.line_runs import BESIDE_PX, runs_seen
 
 FloatArray = NDArray[np.float64]
@@ -63,7 +63,7 @@ def find_line(
     picture: PixelArray,
     predicted_px: FloatArray,
     sd_px: FloatArray,
-    sought: Sought,
+    sought: LineTarget,
     *,
     curved: bool,
     on_ground: bool,
@@ -85,8 +85,8 @@ def find_line(
         Without runs where there is no such line.
     """
     course, sd = _every_pixel(predicted_px, sd_px)
-    across = normals_of(course, _STEADY_PX)
-    reach = float(np.clip(_REACH_SD * sd.max(), _LEAST_REACH_PX, REACH_PX))
+    across = polyline_normals(course, _STEADY_PX)
+    reach = float(np.clip(_REACH_SD * sd.max(), _LEAST_REACH_PX, SNAP_RADIUS_PX))
     offsets, hits = _offsets(picture, course, across, reach, sought, curved=curved)
     if offsets is None:
         return VisibleLine(course, _along(across), (), (0, len(course) - 1))
@@ -95,8 +95,8 @@ def find_line(
     whole = continued(course[::-1], beyond_px[0], size)[::-1]
     before = len(whole) - len(course)
     whole = continued(whole, beyond_px[1], size)
-    across = normals_of(whole, _STEADY_PX)
-    strip = straighten(picture, whole, across, BESIDE_PX)
+    across = polyline_normals(whole, _STEADY_PX)
+    strip = straighten_curve(picture, whole, across, BESIDE_PX)
     edge = sought.looks.kind == EDGE
     runs = runs_seen(strip, hits + before, on_ground=on_ground, edge=edge)
     return VisibleLine(whole, _along(across), runs, (before, before + len(course) - 1))
@@ -117,9 +117,9 @@ def onwards(course: FloatArray) -> FloatArray:
 
 
 def _every_pixel(predicted: FloatArray, sd: FloatArray) -> tuple[FloatArray, FloatArray]:
-    lengths = lengths_along(predicted)
+    lengths = arc_lengths(predicted)
     at = np.linspace(0.0, lengths[-1], max(3, round(lengths[-1]) + 1))
-    course = places_at(predicted, at, lengths)
+    course = points_at_arc_lengths(predicted, at, lengths)
     return course, np.interp(at, lengths, sd)
 
 
@@ -132,7 +132,7 @@ def _offsets(
     course: FloatArray,
     across: FloatArray,
     reach: float,
-    sought: Sought,
+    sought: LineTarget,
     *,
     curved: bool,
 ) -> tuple[FloatArray | None, IntArray]:
@@ -140,13 +140,13 @@ def _offsets(
     n = len(course)
     count = int(np.clip(round(n / _SNAP_EVERY_PX), *_SNAPS))
     rows = np.unique(np.linspace(0, n - 1, count).round().astype(np.intp))
-    found = snap_all(picture, course[rows], _along(across[rows]), sought, reach_px=reach)
+    found = snap_points_to_lines(picture, course[rows], _along(across[rows]), sought, reach_px=reach)
     values = ((found - course[rows]) * across[rows]).sum(axis=1)
     known = ~np.isnan(values)
     if known.sum() < 3:
         return None, rows[:0]
     places = 2.0 * rows / (n - 1) - 1.0
-    agreed, coefficients = agreement(places[known], values[known], reach, terms=5 if curved else 3)
+    agreed, coefficients = smooth_inliers(places[known], values[known], reach, terms=5 if curved else 3)
     if agreed.sum() < 3:
         return None, rows[:0]
     whole = np.polynomial.legendre.legval(np.linspace(-1.0, 1.0, n), coefficients)

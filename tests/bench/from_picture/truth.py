@@ -11,9 +11,9 @@ import numpy as np
 
 from procc_annotator.annotation import FloatArray
 from procc_annotator.camera.base import Camera
-from procc_annotator.camera.scaling import scaled
+from procc_annotator.camera.scaling import scaled_camera
 from procc_annotator.field.model import Field
-from procc_annotator.field.sample import sample_every
+from procc_annotator.field.sample import sample_evenly
 
 SIZE = (960, 540)
 _WITHIN_PX, _RIGHT_SHARE, _SPACING_M = 10.0, 0.7, 0.3
@@ -42,8 +42,8 @@ def painted_frames(shared_data: Path, every: int) -> Iterator[PaintedFrame]:
 
 def is_right(frame: PaintedFrame, camera: Camera, size: tuple[int, int], field: Field) -> bool:
     """Whether 70 % of the elements lie within 10 px of where a camera shows them, at 960x540."""
-    shown = scaled(camera, size, SIZE)
-    samples = sample_every(field, _SPACING_M)
+    shown = scaled_camera(camera, size, SIZE)
+    samples = sample_evenly(field, _SPACING_M)
     near = [
         _worst_px(shown, samples.of(field.index[name]), points * (np.array(SIZE) - 1)) <= _WITHIN_PX
         for name, points in frame.elements.items()

@@ -26,13 +26,13 @@ import numpy as np
 from procc_annotator.annotation import FrameAnnotation, points_px
 from procc_annotator.field.load import load_field
 from procc_annotator.fit.predict.ghosts import Ghost
-from procc_annotator.fit.predict.sight import stretches_in_sight
+from procc_annotator.fit.predict.sight import visible_stretches
 from procc_annotator.image.decode import PixelArray, decode_bgra
 from procc_annotator.interact.draw_tool import DrawTool
-from procc_annotator.interact.gesture import Context, Modifiers
+from procc_annotator.interact.gesture import ToolContext, Modifiers
 from procc_annotator.interact.next_element import next_element
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
-from procc_annotator.session.clicks.insight import gain_insight
+from procc_annotator.session.clicks.insight import analyse_frame
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.strokes.ghost_points import accept_all, find_points
 
@@ -70,9 +70,9 @@ class Annotator:
         self.annotation = reaction.edit.annotation
         self.selected = next_element(FIELD, self.annotation, name, self.seen_before)
 
-    def context(self, name: str) -> Context:
-        return Context(
-            self.annotation, SIZE, 1.0, name, curved=CURVED, two_clicks_finish=self.two_clicks
+    def context(self, name: str) -> ToolContext:
+        return ToolContext(
+            self.annotation, SIZE, 1.0, name, curved=CURVED, is_two_point_element=self.two_clicks
         )
 
 
@@ -146,7 +146,7 @@ def with_ghosts(clicked: FrameAnnotation, accept_all: AcceptAll) -> WithGhosts:
     removed: list[str] = []
     declined: frozenset[str] = frozenset()
     while missing := [n for n in known_names(clicked) if hand.annotation.get(n) is None]:
-        insight = gain_insight(hand.annotation, FIELD, size=SIZE, not_visible=frozenset(removed))
+        insight = analyse_frame(hand.annotation, FIELD, size=SIZE, not_visible=frozenset(removed))
         shown = frozenset(g.name for g in insight.ghosts)
         if shown - declined:
             hand.actions += 1
@@ -202,7 +202,7 @@ def drawn_frames(sample_data: Path) -> Iterator[DrawnFrame]:
         loaded = cameras.camera(path.stem, SIZE)
         assert loaded is not None
         exact: dict[str, list[np.ndarray]] = {}
-        for stretch in stretches_in_sight(FIELD, loaded.camera, SIZE):
+        for stretch in visible_stretches(FIELD, loaded.camera, SIZE):
             exact.setdefault(stretch.name, []).append(stretch.points_px)
         clicked = read_annotation(path.read_bytes(), path=str(path), field=FIELD)
         yield DrawnFrame(path.stem, clicked, decode_bgra(path.with_suffix(".jpg")), exact)

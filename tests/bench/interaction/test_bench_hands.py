@@ -22,7 +22,7 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.annotation import points_px
 from procc_annotator.gui.app import build_window
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.image.paint import snap
+from procc_annotator.image.paint import snap_to_line
 from procc_annotator.session.database.database import WorkspaceDatabase
 from procc_annotator.session.facts.origins import Status
 from tests.bench.interaction.conftest import SIZE, Report
@@ -65,12 +65,12 @@ def test_snap_alone(window: MainWindow, report: Report) -> None:
     picture = window.document.picture
     assert picture is not None
     places = near_lines(window, 10_000)
-    report("finding a line's centre", lambda: snap(picture, next(places)), 300)
+    report("finding a line's centre", lambda: snap_to_line(picture, next(places)), 300)
     direction = (1.0, 0.2)
     report_places = near_lines(window, 10_000)
     begin = time.perf_counter()
     for _ in range(300):
-        snap(picture, next(report_places), direction=direction)
+        snap_to_line(picture, next(report_places), direction=direction)
     print(f"with a known direction: {(time.perf_counter() - begin) / 300 * 1e3:.2f} ms")
 
 

@@ -12,10 +12,10 @@ import numpy as np
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.camera.base import Camera
 from procc_annotator.camera.pinhole import PinholeCamera
-from procc_annotator.camera.scaling import scaled
+from procc_annotator.camera.scaling import scaled_camera
 from procc_annotator.field.model import Field
 from procc_annotator.image.decode import PixelArray
-from procc_annotator.image.video import open_shared
+from procc_annotator.image.video import open_shared_video
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import score
 from procc_annotator.metric.setup import EvaluationSetup
@@ -45,16 +45,16 @@ class Clip:
     @property
     def count(self) -> int:
         """Number of frames."""
-        return open_shared(self.path).frame_count
+        return open_shared_video(self.path).frame_count
 
     @property
     def size(self) -> tuple[int, int]:
         """(width, height) px."""
-        return open_shared(self.path).size
+        return open_shared_video(self.path).size
 
     def frame(self, number: int) -> PixelArray:
         """(H, W, 4) BGRA."""
-        return open_shared(self.path).frame(number)
+        return open_shared_video(self.path).frame(number)
 
 
 def soccer_clips(shared: Path) -> list[Clip]:
@@ -92,7 +92,7 @@ def farthest(
     if camera is None:
         return np.full(len(listed), _FAR_PX)
     setup = EvaluationSetup(field, JUDGED_AT, "procc")
-    measured = measure(truth, scaled(camera, size, JUDGED_AT), setup)
+    measured = measure(truth, scaled_camera(camera, size, JUDGED_AT), setup)
     found = {e.annotated_name: e.max_distance for e in score(measured, NEAR_PX).elements}
     return np.array([_FAR_PX if found.get(n) is None else found[n] for n in listed], dtype=float)
 

@@ -18,8 +18,8 @@ import numpy as np
 import pytest
 
 from procc_annotator.camera.pinhole import PinholeCamera
-from procc_annotator.field.sample import sample_every
-from procc_annotator.fit.through_shot.following_shot import track
+from procc_annotator.field.sample import sample_evenly
+from procc_annotator.fit.through_shot.following_shot import track_shot
 from procc_annotator.fit.through_shot.track import Track
 from procc_annotator.image.decode import PixelArray
 from tests.drawn_shots import (
@@ -83,13 +83,13 @@ def _pictures(name: str) -> tuple[DrawnShot, tuple[PixelArray, ...]]:
 def _tracked(name: str, anchored: bool) -> Track:
     shot, pictures = _pictures(name)
     anchors = {first: shot.cameras[first] for first, _ in shot.shots} if anchored else {}
-    return track(pictures.__getitem__, range(len(shot)), shot.stage.field, anchors=anchors)
+    return track_shot(pictures.__getitem__, range(len(shot)), shot.stage.field, anchors=anchors)
 
 
 def _errors(shot: DrawnShot, found: Track) -> dict[str, np.ndarray]:
     """Of the frames with a camera that was not given: px, degrees, metres, focal length in %, and
     each parameter's error in its standard deviations."""
-    world = sample_every(shot.stage.field, 0.5).points_world
+    world = sample_evenly(shot.stage.field, 0.5).points_world
     rows: dict[str, list[float]] = {k: [] for k in ("px", "degrees", "metres", "focal %", "sds")}
     for frame in found.frames:
         fit = frame.fit

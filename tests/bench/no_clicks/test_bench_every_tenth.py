@@ -16,12 +16,12 @@ from typing import Any
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.camera.base import Camera
-from procc_annotator.camera.scaling import scaled
+from procc_annotator.camera.scaling import scaled_camera
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
-from procc_annotator.field.sample import sample_every
+from procc_annotator.field.sample import sample_evenly
 from procc_annotator.fit.from_picture.proposing import propose_camera
-from procc_annotator.fit.through_shot.following_shot import track
+from procc_annotator.fit.through_shot.following_shot import track_shot
 from tests.bench.no_clicks.clips import JUDGED_AT, Clip, is_right, soccer_clips
 from tests.bench.no_clicks.test_bench_proposals import Tally
 
@@ -31,7 +31,7 @@ _EVERY, _SPACING_M = 10, 0.5
 
 def in_sight(camera: Camera, size: tuple[int, int], field: Field) -> FrameAnnotation:
     """What a camera, in px of a picture of ``size``, shows of a field: points of each element."""
-    shown, samples = scaled(camera, size, JUDGED_AT), sample_every(field, _SPACING_M)
+    shown, samples = scaled_camera(camera, size, JUDGED_AT), sample_evenly(field, _SPACING_M)
     right, bottom = (side - 1 for side in JUDGED_AT)
     found = []
     for name, index in field.index.items():
@@ -46,7 +46,7 @@ def in_sight(camera: Camera, size: tuple[int, int], field: Field) -> FrameAnnota
 def _judges(clip: Clip, field: Field) -> dict[int, FrameAnnotation]:
     """Of every 10th frame that can be judged, what is listed."""
     judges = {}
-    for frame in track(clip.frame, range(clip.count), field).frames:
+    for frame in track_shot(clip.frame, range(clip.count), field).frames:
         if frame.number % _EVERY:
             continue
         if frame.number in clip.truth:

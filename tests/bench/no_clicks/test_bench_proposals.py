@@ -22,7 +22,7 @@ import pytest
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
-from procc_annotator.fit.from_picture.agreed_positions import positions_of_fits
+from procc_annotator.fit.from_picture.agreed_positions import cluster_fit_positions
 from procc_annotator.fit.from_picture.proposal import SURE, KnownPosition, Proposal
 from procc_annotator.fit.from_picture.proposing import propose_camera
 from procc_annotator.image.pixels import PixelArray
@@ -114,7 +114,7 @@ def test_clips(benchmark: Any, shared_data: Path, known: bool) -> None:
             positions: tuple[KnownPosition, ...] = ()
             if known:
                 first = [proposed(clip.frame(n), soccer)[0] for n in clip.truth]
-                positions = positions_of_fits([p.fit for p in first if p.state == SURE], soccer)
+                positions = cluster_fit_positions([p.fit for p in first if p.state == SURE], soccer)
             for number, truth in clip.truth.items():
                 found, seconds = proposed(clip.frame(number), soccer, positions)
                 right = is_right(truth, found.fit.camera, clip.size, soccer)

@@ -21,7 +21,7 @@ import pytest
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.load import load_field
 from procc_annotator.fit.fitting import fit_camera
-from procc_annotator.fit.through_shot.following_shot import track
+from procc_annotator.fit.through_shot.following_shot import track_shot
 from procc_annotator.fit.through_shot.track import Track, TrackedFrame
 from tests.bench.no_clicks.clips import Clip, farthest, soccer_clips
 
@@ -82,7 +82,7 @@ def jumps_of(frames: Sequence[TrackedFrame], width_px: int) -> list[int]:
 
 def _followed(clip: Clip, anchors: dict[int, Any]) -> Followed:
     began = time.process_time()
-    found = track(clip.frame, range(clip.count), load_field("soccer"), anchors=anchors)
+    found = track_shot(clip.frame, range(clip.count), load_field("soccer"), anchors=anchors)
     return Followed(clip, found, time.process_time() - began)
 
 

@@ -16,8 +16,8 @@ from procc_annotator.field.geometry import Arc, Circle, Line
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.predict.ghosts import find_ghosts
 from procc_annotator.image.decode import PixelArray
-from procc_annotator.image.paint import snap, snap_all
-from procc_annotator.session.strokes.expected_paint import ExpectedPaint
+from procc_annotator.image.paint import snap_to_line, snap_points_to_lines
+from procc_annotator.session.strokes.expected_paint import ExpectedLines
 from procc_annotator.session.strokes.ghost_points import accept_all, find_points
 from procc_annotator.session.strokes.regularise import regularise
 from tests.bench.paint.truth import Element, TruthFrame
@@ -72,10 +72,10 @@ class Accepted:
     ends: list[float] = field(default_factory=list)
 
 
-def camera_of(frame: TruthFrame) -> ExpectedPaint:
+def camera_of(frame: TruthFrame) -> ExpectedLines:
     """What to look for, as after the whole frame was annotated."""
     fit = fit_camera(whole(frame), frame.field, size=frame.size)
-    return ExpectedPaint(frame.field, frame.size[0], fit.camera)
+    return ExpectedLines(frame.field, frame.size[0], fit.camera)
 
 
 def whole(frame: TruthFrame) -> FrameAnnotation:
@@ -91,7 +91,7 @@ def whole(frame: TruthFrame) -> FrameAnnotation:
 
 
 def snapping(
-    frame: TruthFrame, picture: PixelArray, paint: ExpectedPaint, *, directed: bool
+    frame: TruthFrame, picture: PixelArray, paint: ExpectedLines, *, directed: bool
 ) -> dict[str, Snaps]:
     """Clicks 4 px to either side of the paint, by kind; and beside hidden paint and bare ground."""
     found: dict[str, Snaps] = defaultdict(Snaps)
@@ -111,7 +111,7 @@ def snapping(
 
 def _snap_beside(
     picture: PixelArray,
-    paint: ExpectedPaint,
+    paint: ExpectedLines,
     into: Snaps,
     names: Sequence[str],
     points: FloatArray,
@@ -130,7 +130,7 @@ def _snap_beside(
 
 def _snapped(
     picture: PixelArray,
-    paint: ExpectedPaint,
+    paint: ExpectedLines,
     into: Snaps,
     name: str,
     click: Place,
@@ -139,7 +139,7 @@ def _snapped(
 ) -> Place | None:
     sought, shown = paint.at(name, click)
     began = time.thread_time()
-    place = snap(picture, click, sought, direction=direction if directed else shown)
+    place = snap_to_line(picture, click, sought, direction=direction if directed else shown)
     into.seconds.append(time.thread_time() - began)
     return place
 
@@ -159,7 +159,7 @@ def _bends(element: Element) -> bool:
 
 def regular(frame: TruthFrame, picture: PixelArray, rng: np.random.Generator) -> Regular:
     """Every element clicked by a hand and regularised."""
-    paint, found = ExpectedPaint(frame.field, frame.size[0]), Regular()
+    paint, found = ExpectedLines(frame.field, frame.size[0]), Regular()
     for e in frame.elements:
         known = frame.field.element(e.name)
         if known is None or not isinstance(known.geometry, Line | Arc | Circle):
@@ -177,11 +177,11 @@ def regular(frame: TruthFrame, picture: PixelArray, rng: np.random.Generator) ->
 
 
 def regularised(
-    polyline: Polyline, frame: TruthFrame, picture: PixelArray, paint: ExpectedPaint
+    polyline: Polyline, frame: TruthFrame, picture: PixelArray, paint: ExpectedLines
 ) -> Polyline:
     known = frame.field.element(polyline.class_name)
     sought = paint.of(polyline.class_name)
-    snapped = partial(snap_all, picture, sought=sought)
+    snapped = partial(snap_points_to_lines, picture, sought=sought)
     curved, bar = known is not None and known.is_curved, sought.looks.kind == BAR
     return regularise(polyline, curved=curved, size=frame.size, snap=snapped, bar=bar).polyline
 

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from procc_annotator.session.strokes.expected_paint import ExpectedPaint
+from procc_annotator.session.strokes.expected_paint import ExpectedLines
 from tests.bench.paint.measures import (
     Accepted,
     Regular,
@@ -34,7 +34,7 @@ def test_snapping(benchmark: Any, shared_data: Path, given: str) -> None:
         rows: dict[tuple[str, str], Snaps] = defaultdict(Snaps)
         for frame in truth_frames():
             paint = (
-                camera_of(frame) if given == "camera" else ExpectedPaint(frame.field, frame.size[0])
+                camera_of(frame) if given == "camera" else ExpectedLines(frame.field, frame.size[0])
             )
             directed = given == "direction"
             found = snapping(frame, frame.picture(shared_data), paint, directed=directed)

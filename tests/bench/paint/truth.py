@@ -21,7 +21,7 @@ from procc_annotator.annotation import FloatArray, Polyline, point_from_px
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
 from procc_annotator.image.decode import PixelArray, decode_bgra
-from procc_annotator.image.video import open_shared
+from procc_annotator.image.video import open_shared_video
 
 FOLDER = Path(__file__).parents[2] / "data" / "paint"
 _LONGEST_GAP_PX = 130.0  # between two points, over which a course may be drawn
@@ -123,7 +123,7 @@ class TruthFrame:
 
 @cache
 def _frame(clip: Path, number: int) -> PixelArray:
-    return open_shared(clip).frame(number)
+    return open_shared_video(clip).frame(number)
 
 
 @cache

@@ -16,7 +16,7 @@ import pytest
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.load import field_names, load_field, with_lines
-from procc_annotator.fit.determined import hardly_determined
+from procc_annotator.fit.determined import ill_conditioned_reason
 from procc_annotator.fit.fitting import fit_camera
 from tests.bench.sports.court_cameras import fitted_back, read_cameras
 from tests.bench.sports.views import Views
@@ -44,7 +44,7 @@ def test_fit_plausible_cameras(benchmark: Any, name: str) -> None:
             fit = fit_camera(view.annotation, views.field)
             seconds.append(time.process_time() - began)
             errors.append(views.median_error(view.camera, fit.camera))
-            sure.append(fit.camera is not None and not hardly_determined(fit))
+            sure.append(fit.camera is not None and not ill_conditioned_reason(fit))
             shown = view.annotation.polylines
             for count in _COUNTS:
                 if number >= _SOME_VIEWS or count > len(shown):

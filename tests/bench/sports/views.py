@@ -10,7 +10,7 @@ from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px
 from procc_annotator.camera.base import Camera
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.model import Field
-from procc_annotator.fit.solving.surroundings import Range, surroundings_of
+from procc_annotator.fit.solving.surroundings import PlacementRange, camera_placement_prior
 from procc_annotator.metric.project import project_field
 from procc_annotator.metric.setup import EvaluationSetup
 
@@ -36,7 +36,7 @@ class Views:
 
     def __init__(self, field: Field) -> None:
         self.field = field
-        self.around = surroundings_of(field)
+        self.around = camera_placement_prior(field)
         self.setup = EvaluationSetup(field, SIZE, "procc")
         xs = np.linspace(-self.around.half_length, self.around.half_length, 60)
         ys = np.linspace(-self.around.half_width, self.around.half_width, 40)
@@ -142,7 +142,7 @@ class Views:
         )
 
 
-def _drawn(rng: np.random.Generator, between: Range) -> float:
+def _drawn(rng: np.random.Generator, between: PlacementRange) -> float:
     """A length within a range; cameras may all stand at the same one."""
     least, usual, most = between
     return float(rng.triangular(least, usual, most)) if least < most else usual

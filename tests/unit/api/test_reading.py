@@ -25,7 +25,7 @@ from procc_annotator import (
     load_field,
 )
 from procc_annotator.report.conversion import convert_annotations
-from procc_annotator.report.conversion_output import Wanted
+from procc_annotator.report.conversion_output import ConversionRequest
 
 
 def test_a_dataset_is_its_field_its_annotations_and_its_pictures(sample_data: Path) -> None:
@@ -87,7 +87,7 @@ def test_every_format_is_read_as_the_commands_do(
 ) -> None:
     """Sizes that a file leaves out are those of the pictures around it."""
     own = load_annotations(sample_data)
-    convert_annotations(sample_data, tmp_path / "out", Wanted(fmt), load_field())
+    convert_annotations(sample_data, tmp_path / "out", ConversionRequest(fmt), load_field())
     read = load_annotations(tmp_path / "out")
     assert list(read) == list(own)
     for name, annotation in own.items():

@@ -73,8 +73,8 @@ def test_cameras_fitted_to_the_clicks_they_are_judged_by_are_marked(
     fits = load_cameras(tmp_path)
     found = evaluate_set({name: annotations[name] for name in names}, fits)
     assert found.described == "soccernet, 960x540, fitted on these clicks"
-    at_hand = {name: fit_camera(annotations[name], model="R") for name in names}
-    assert evaluate_set({n: annotations[n] for n in names}, at_hand).described == found.described
+    loaded_annotation = {name: fit_camera(annotations[name], model="R") for name in names}
+    assert evaluate_set({n: annotations[n] for n in names}, loaded_annotation).described == found.described
     moved = annotations | {"00001": annotations["00003"]}
     some = evaluate_set(moved, fits)
     mark = "fitted on these clicks, or to another version of these annotations"

@@ -15,7 +15,7 @@ from procc_annotator.camera.base import Camera
 from procc_annotator.camera.fisheye import FisheyeCamera
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.camera.projections import ElementProjections
-from procc_annotator.camera.scaling import ScaledCamera, scaled
+from procc_annotator.camera.scaling import ScaledCamera, scaled_camera
 
 SIZE = (1280, 720)
 BASE = {
@@ -150,7 +150,7 @@ def test_projections_alone_have_no_ground() -> None:
 
 
 def test_a_model_that_cannot_be_scaled_is_scaled_from_outside() -> None:
-    camera = scaled(Unknown(CAMERAS["tangential"]), SIZE, (960, 540))
+    camera = scaled_camera(Unknown(CAMERAS["tangential"]), SIZE, (960, 540))
     assert isinstance(camera, ScaledCamera)
     points = np.random.default_rng(0).uniform((-30, -30, -2), (30, 30, 0), (40, 3))
     own = CAMERAS["tangential"].scaled(SIZE, (960, 540))

@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from procc_annotator.camera.fisheye import FisheyeCamera
-from procc_annotator.camera.matrices import pose_of
+from procc_annotator.camera.matrices import pose_from_rt
 
 coefficient = st.floats(-0.05, 0.05)
 
@@ -40,7 +40,7 @@ def test_projection_is_opencvs(
     # From the vector to the matrix: OpenCV's way back takes turns below 1e-5 for none at all.
     rotation = np.asarray(cv2.Rodrigues(np.array(turn))[0], dtype=np.float64)
     t = np.array([1.0, -2.0, 40.0])
-    pose = pose_of(rotation, t)
+    pose = pose_from_rt(rotation, t)
     camera = camera_of(
         coefficients,
         pan_rad=pose.pan_rad,

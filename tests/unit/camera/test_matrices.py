@@ -13,11 +13,11 @@ from hypothesis import strategies as st
 from procc_annotator.camera.matrices import (
     calibration_matrix,
     distortion_vector,
-    fisheye_of,
-    intrinsics_of,
-    pan_tilt_roll,
-    pinhole_of,
-    pose_of,
+    fisheye_from_parts,
+    intrinsics_from_matrix,
+    angles_from_rotation,
+    pinhole_from_parts,
+    pose_from_rt,
     translation,
 )
 from procc_annotator.camera.pinhole import rotation_cam_from_world
@@ -34,7 +34,7 @@ T = np.array([1.0, -2.0, 60.0])
 )
 def test_the_angles_are_those_of_the_rotation(pan: float, tilt: float, roll: float) -> None:
     rotation = rotation_cam_from_world(pan, tilt, roll)
-    found = pan_tilt_roll(rotation)
+    found = angles_from_rotation(rotation)
     np.testing.assert_allclose(rotation_cam_from_world(*found), rotation, atol=3e-12)
     assert 0 <= found[1] <= math.pi
 
@@ -48,24 +48,24 @@ def test_a_camera_of_matrices_projects_as_opencv_does(seed: int, count: int) -> 
     distortion = random.uniform(-1, 1, 14) * limits
     points_cam = random.uniform((-20, -10, 30), (20, 10, 90), (60, 3))
     points = (points_cam - T) @ rotation
-    camera = pinhole_of(intrinsics_of(K), pose_of(rotation, T), distortion[:count].tolist())
+    camera = pinhole_from_parts(intrinsics_from_matrix(K), pose_from_rt(rotation, T), distortion[:count].tolist())
     px, valid = camera.project(points)
     assert valid.all()
     given_ = distortion[:count] if count else None
     expected, _ = cv2.projectPoints(points, turn, T, K, given_)
     np.testing.assert_allclose(px, expected[:, 0], atol=1e-6)
-    again = pinhole_of(
-        intrinsics_of(calibration_matrix(camera)),
-        pose_of(camera.rotation_cam_from_world, translation(camera)),
+    again = pinhole_from_parts(
+        intrinsics_from_matrix(calibration_matrix(camera)),
+        pose_from_rt(camera.rotation_cam_from_world, translation(camera)),
         distortion_vector(camera),
     )
     np.testing.assert_allclose(again.project(points)[0], px, atol=1e-8)
 
 
 def test_a_rounded_rotation_becomes_the_nearest_one_and_larger_flaws_are_refused() -> None:
-    fine = pose_of(R.round(6), T)
+    fine = pose_from_rt(R.round(6), T)
     assert not fine.notices
-    rough = pose_of(R.round(4), T)
+    rough = pose_from_rt(R.round(4), T)
     assert [n.split(";")[0] for n in rough.notices] == ["R is not exactly a rotation"]
     angles = fine.pan_rad, fine.tilt_rad, fine.roll_rad
     np.testing.assert_allclose(rotation_cam_from_world(*angles), R, atol=1e-6)
@@ -78,9 +78,9 @@ def test_a_rounded_rotation_becomes_the_nearest_one_and_larger_flaws_are_refused
         (R[:2], "3 x 3 finite"),
     ):
         with pytest.raises(ValueError, match=said):
-            pose_of(flawed, T)
+            pose_from_rt(flawed, T)
     with pytest.raises(ValueError, match="t is not 3 finite"):
-        pose_of(R, np.array([1.0, np.inf, 0]))
+        pose_from_rt(R, np.array([1.0, np.inf, 0]))
 
 
 def test_a_skew_is_left_out_where_it_moves_nothing_and_refused_where_it_does() -> None:
@@ -89,10 +89,10 @@ def test_a_skew_is_left_out_where_it_moves_nothing_and_refused_where_it_does() -
         skewed[0, 1] = skew  # the lowest row of 540 is 279 px from 260: 279 / 1400 * 0.05 = 0.00996
         if moves:
             with pytest.raises(ValueError, match=r"skew, which moves pixels by up to 0\.012"):
-                intrinsics_of(skewed, (960, 540))
+                intrinsics_from_matrix(skewed, (960, 540))
         else:
-            assert bool(intrinsics_of(skewed, (960, 540)).notices) == (skew > 0)
-    assert intrinsics_of(2 * K).focal_px == (1500.0, 1400.0)
+            assert bool(intrinsics_from_matrix(skewed, (960, 540)).notices) == (skew > 0)
+    assert intrinsics_from_matrix(2 * K).focal_px == (1500.0, 1400.0)
 
 
 @pytest.mark.parametrize(
@@ -108,15 +108,15 @@ def test_a_skew_is_left_out_where_it_moves_nothing_and_refused_where_it_does() -
 )
 def test_what_is_no_calibration_matrix_is_refused(k: np.ndarray) -> None:
     with pytest.raises(ValueError, match="K"):
-        intrinsics_of(k)
+        intrinsics_from_matrix(k)
 
 
 def test_distortions_nobody_here_models_are_refused() -> None:
-    inside, pose = intrinsics_of(K), pose_of(R, T)
+    inside, pose = intrinsics_from_matrix(K), pose_from_rt(R, T)
     with pytest.raises(ValueError, match="6 entries, expected 4, 5, 8, 12 or 14"):
-        pinhole_of(inside, pose, [0.0] * 6)
+        pinhole_from_parts(inside, pose, [0.0] * 6)
     with pytest.raises(ValueError, match="tilts the sensor"):
-        pinhole_of(inside, pose, [0.0] * 12 + [0.01, 0])
+        pinhole_from_parts(inside, pose, [0.0] * 12 + [0.01, 0])
     with pytest.raises(ValueError, match="4 entries, found 5"):
-        fisheye_of(inside, pose, [0.0] * 5)
-    assert fisheye_of(inside, pose, [0.1, 0.2, 0.3, 0.4]).coefficients == (0.1, 0.2, 0.3, 0.4)
+        fisheye_from_parts(inside, pose, [0.0] * 5)
+    assert fisheye_from_parts(inside, pose, [0.1, 0.2, 0.3, 0.4]).coefficients == (0.1, 0.2, 0.3, 0.4)

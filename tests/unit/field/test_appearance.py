@@ -8,7 +8,7 @@ import pytest
 
 from procc_annotator.errors import FieldError
 from procc_annotator.field.appearance import ANY, BAR, EDGE, LINE, NOTHING, Appearance
-from procc_annotator.field.load import field_names, load_field, shipped_file
+from procc_annotator.field.load import field_names, load_field, builtin_field_file
 
 MIDDLE = 'measured = "centre"\n'  # of soccer's halfway line
 
@@ -44,7 +44,7 @@ def test_shipped_fields_say_how_paint_looks(sport: str, name: str, expected: App
 
 @pytest.mark.parametrize("sport", field_names())
 def test_every_painted_line_of_a_shipped_field_has_a_width_and_a_tone(sport: str) -> None:
-    text = shipped_file(sport).read_text(encoding="utf-8")
+    text = builtin_field_file(sport).read_text(encoding="utf-8")
     assert "\ntone = " in text.split("[[elements]]")[0]
     for element in load_field(sport).elements:
         own = element.appearance
@@ -69,7 +69,7 @@ def test_every_painted_line_of_a_shipped_field_has_a_width_and_a_tone(sport: str
 def test_a_mistake_is_told_with_its_place(
     tmp_path: Path, old: str, new: str, expected: str
 ) -> None:
-    text = shipped_file("soccer").read_text(encoding="utf-8")
+    text = builtin_field_file("soccer").read_text(encoding="utf-8")
     if new.startswith("[bars]\npaint_colour"):
         text = text.replace('paint_colour = "white"\n\n# Where', "\n# Where")
     path = tmp_path / "field.toml"
@@ -82,7 +82,7 @@ def test_a_mistake_is_told_with_its_place(
 
 def test_what_paint_looks_like_is_no_part_of_what_a_field_is(tmp_path: Path) -> None:
     """A copy of a shipped field made before it said so is that field still."""
-    text = shipped_file("soccer").read_text(encoding="utf-8")
+    text = builtin_field_file("soccer").read_text(encoding="utf-8")
     path = tmp_path / "field.toml"
     path.write_text(text.replace('tone = "lighter"\n', ""), encoding="utf-8")
     field = load_field(path)

@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from procc_annotator.errors import FieldError
-from procc_annotator.field.checks import RemarkSeverity, check_field
-from procc_annotator.field.lines import line_of
+from procc_annotator.field.checks import WarningSeverity, validate_field
+from procc_annotator.field.lines import line_number_of
 from procc_annotator.field.load import field_names, load_field
 from procc_annotator.resources import resources_dir
 
@@ -85,12 +85,12 @@ def written(tmp_path: Path, text: str) -> Path:
 def remarks(tmp_path: Path, old: str = "", new: str = "", **taken: str) -> list[str]:
     assert old in COURT
     field = load_field(written(tmp_path, COURT.replace(old, new, 1)))
-    return [str(remark) for remark in check_field(field, taken)]
+    return [str(remark) for remark in validate_field(field, taken)]
 
 
 @pytest.mark.parametrize("name", field_names())
 def test_the_shipped_fields_give_no_warning(name: str) -> None:
-    found = [r for r in check_field(load_field(name)) if r.severity is not RemarkSeverity.NOTE]
+    found = [r for r in validate_field(load_field(name)) if r.severity is not WarningSeverity.NOTE]
     assert not found
 
 
@@ -193,7 +193,7 @@ def test_a_doubt_is_named_with_its_place_and_what_to_do(
 def test_misplaced_elements_are_named(tmp_path: Path, old: str, new: str, expected: str) -> None:
     assert old in COURT
     text = COURT.replace("symmetries = [180]", "symmetries = []").replace(old, new)
-    found = [str(remark) for remark in check_field(load_field(written(tmp_path, text)))]
+    found = [str(remark) for remark in validate_field(load_field(written(tmp_path, text)))]
     assert expected in found
 
 
@@ -201,7 +201,7 @@ def test_coordinates_from_a_corner_are_noticed(tmp_path: Path) -> None:
     text = COURT.replace("-length / 2", "0").replace("length / 2", "length")
     text = text.replace("-width / 2", "0").replace("width / 2", "width")
     text = text.replace("symmetries = [180]", "symmetries = []")
-    found = [str(r) for r in check_field(load_field(written(tmp_path, text)))]
+    found = [str(r) for r in validate_field(load_field(written(tmp_path, text)))]
     assert any("their middle is 10 m away from the origin" in r for r in found)
     assert any("their middle is 5 m away from the origin" in r for r in found)
     assert any("element 'End right': lies up to 10 m outside" in r for r in found)
@@ -210,7 +210,7 @@ def test_coordinates_from_a_corner_are_noticed(tmp_path: Path) -> None:
 def test_half_a_field_is_noticed(tmp_path: Path) -> None:
     found = [
         str(r)
-        for r in check_field(
+        for r in validate_field(
             load_field(written(tmp_path, COURT.replace("length / 2", "length / 4")))
         )
     ]
@@ -265,15 +265,15 @@ def test_an_error_says_its_line(tmp_path: Path, old: str, new: str, line_with: s
 def test_lines_of_a_real_file() -> None:
     text = (resources_dir() / "field" / "soccer.toml").read_text(encoding="utf-8")
     lines = text.splitlines()
-    line = line_of(text, "element 'Goal left post left '.start[2]")
+    line = line_number_of(text, "element 'Goal left post left '.start[2]")
     assert line is not None
     assert lines[line - 1].startswith('start = ["-half_length", "goal_width / 2"')
-    assert line_of(text, "element 'no such element'.start") is None
-    assert line_of(text, "the file") is None
+    assert line_number_of(text, "element 'no such element'.start") is None
+    assert line_number_of(text, "the file") is None
 
 
 def test_a_hostile_line_costs_no_time() -> None:
     """A quarter of a megabyte of blanks: by its square it would take minutes."""
     started = time.process_time()
-    assert line_of("[" + " " * 250_000 + "x", "dimensions.length") is None
+    assert line_number_of("[" + " " * 250_000 + "x", "dimensions.length") is None
     assert time.process_time() - started < 5

@@ -24,7 +24,7 @@ from procc_annotator.field.geometry import (
 )
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Element, Field
-from procc_annotator.field.sample import sample_every
+from procc_annotator.field.sample import sample_evenly
 
 FloatArray = NDArray[np.float64]
 
@@ -116,7 +116,7 @@ def element(name: str, element_name: str) -> Element:
 def samples(name: str, element_name: str) -> FloatArray:
     """(n, 2) metres: an element as seen from above, at least every 25 cm."""
     field = court(name)
-    return sample_every(field, 0.25).of(field.index[element_name])[:, :2]
+    return sample_evenly(field, 0.25).of(field.index[element_name])[:, :2]
 
 
 def solid(element_name: str, places: FloatArray) -> FloatArray:

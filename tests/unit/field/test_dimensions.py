@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from procc_annotator.errors import FieldError
-from procc_annotator.field.checks import check_field
-from procc_annotator.field.load import load_field, resized
+from procc_annotator.field.checks import validate_field
+from procc_annotator.field.load import load_field, with_dimensions
 from tests.unit.field.test_checks import COURT, written
 
 OPEN = COURT.replace(
@@ -30,16 +30,16 @@ def test_a_pitch_is_longer_than_wide(name: str) -> None:
     assert width is not None
     side = width.maximum
     with pytest.raises(FieldError, match=rf"length > width, and {side:g} > {side:g} does not hold"):
-        resized(field, {"length": side, "width": side})
-    assert resized(field, {"length": side, "width": side - 0.01}).dimensions[1].value == side - 0.01
+        with_dimensions(field, {"length": side, "width": side})
+    assert with_dimensions(field, {"length": side, "width": side - 0.01}).dimensions[1].value == side - 0.01
 
 
 def test_every_sign_counts(tmp_path: Path) -> None:
     wanted = '["length >= 2 * width", "width <= length / 2", "width < length", "length > width"]'
     field = load_field(court(tmp_path, wanted))
-    assert resized(field, {"length": 22.0}).dimensions[0].value == 22.0
+    assert with_dimensions(field, {"length": 22.0}).dimensions[0].value == 22.0
     with pytest.raises(FieldError, match=r"length >= 2 \* width, and 18 >= 20 does not hold"):
-        resized(field, {"length": 18.0})
+        with_dimensions(field, {"length": 18.0})
 
 
 def test_equal_but_for_rounding_is_equal(tmp_path: Path) -> None:
@@ -81,7 +81,7 @@ def test_relations_in_the_wrong_table_are_told_where_they_belong(tmp_path: Path)
 
 def test_a_value_that_no_others_allow_is_a_remark(tmp_path: Path) -> None:
     # A width of 20 m takes a length over 20 m, which the range of the length has.
-    assert check_field(load_field(court(tmp_path, '["length > width"]'))) == ()
-    (remark,) = check_field(load_field(court(tmp_path, '["length > 1.5 * width"]')))
+    assert validate_field(load_field(court(tmp_path, '["length > width"]'))) == ()
+    (remark,) = validate_field(load_field(court(tmp_path, '["length > 1.5 * width"]')))
     assert remark.place == "dimensions.width"
     assert "20 m is never allowed: the rules ask for length > 1.5 * width" in remark.text

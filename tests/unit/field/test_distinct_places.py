@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from procc_annotator.field.distinct_places import distinct_places
+from procc_annotator.field.distinct_places import distinctive_points
 from procc_annotator.field.load import load_field
 
 
@@ -22,17 +22,17 @@ from procc_annotator.field.load import load_field
     ],
 )
 def test_soccer(place: tuple[float, float, float]) -> None:
-    names, places = distinct_places(load_field().elements)
+    names, places = distinctive_points(load_field().elements)
     assert len(names) == len(places)
     assert np.linalg.norm(places - place, axis=1).min() < 0.05
 
 
 def test_each_is_there_once() -> None:
-    _, places = distinct_places(load_field().elements)
+    _, places = distinctive_points(load_field().elements)
     apart = np.linalg.norm(places[:, None] - places, axis=2)
     np.fill_diagonal(apart, np.inf)
     assert apart.min() > 0.05
 
 
 def test_of_no_elements_there_are_none() -> None:
-    assert distinct_places(())[1].shape == (0, 3)
+    assert distinctive_points(())[1].shape == (0, 3)

@@ -7,7 +7,7 @@ import pytest
 from procc_annotator.errors import FieldError
 from procc_annotator.field.geometry import Spot
 from procc_annotator.field.landmarks import field_at, with_landmarks, without_landmarks
-from procc_annotator.field.load import load_field, resized
+from procc_annotator.field.load import load_field, with_dimensions
 from procc_annotator.field.model import Landmark
 
 SEAT = Landmark("Seat 12", "Seat, row 12", (10.0, -45.0, -6.5), colour="#123456", shortcut="F7")
@@ -57,7 +57,7 @@ def test_nothing_is_made_anew_where_nothing_moves() -> None:
 
 def test_other_dimensions_leave_the_landmarks_where_they_are() -> None:
     field = with_landmarks(load_field(), [SEAT, *BALL], "17")
-    sized = resized(field, {"length": 100.0})
+    sized = with_dimensions(field, {"length": 100.0})
     assert sized.element("Seat 12") == field.element("Seat 12")
     assert sized.element("Ball") == field.element("Ball")
     assert sized.landmarks == field.landmarks

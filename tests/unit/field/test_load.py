@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from procc_annotator.errors import FieldError
 from procc_annotator.field.geometry import Arc, Line
-from procc_annotator.field.load import field_names, load_field, resized
+from procc_annotator.field.load import field_names, load_field, with_dimensions
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.resources import resources_dir
 
@@ -211,7 +211,7 @@ def test_a_file_with_the_name_of_a_shipped_field_is_told_apart(tmp_path: Path) -
     changed = load_field(mine)
     assert changed != load_field("soccer")
     assert changed.described == "soccer (field.toml)"
-    assert resized(changed, {"length": 100.0}).described == "soccer (field.toml) 100 x 68 m"
+    assert with_dimensions(changed, {"length": 100.0}).described == "soccer (field.toml) 100 x 68 m"
     assert EvaluationSetup(changed).describe() == "soccernet, 960x540, soccer (field.toml)"
 
 

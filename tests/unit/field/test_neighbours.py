@@ -11,8 +11,8 @@ from procc_annotator.field.geometry import Arc, Circle, Geometry, Line, Spot
 from procc_annotator.field.landmarks import with_landmarks
 from procc_annotator.field.load import field_names, load_field
 from procc_annotator.field.model import Element, Field, Landmark
-from procc_annotator.field.neighbours import distances_from, distances_to, meeting
-from procc_annotator.field.sample import sample_every
+from procc_annotator.field.neighbours import distances_from, distances_to, touching_elements
+from procc_annotator.field.sample import sample_evenly
 
 
 def apart(one: Geometry, other: Geometry) -> float:
@@ -52,15 +52,15 @@ def test_two_places_are_as_far_apart_as_they_are() -> None:
 
 def test_what_is_joined_meets() -> None:
     field = load_field("soccer")
-    assert set(meeting(field, "Side line left")) >= {
+    assert set(touching_elements(field, "Side line left")) >= {
         "Big rect. left top",
         "Goal left post right",
         "Side line top",
         "Corner flag left bottom",
     }
-    assert "Circle left" in meeting(field, "Big rect. left main")
-    assert "Side line right" not in meeting(field, "Side line left")
-    assert meeting(field, "no such class") == ()
+    assert "Circle left" in touching_elements(field, "Big rect. left main")
+    assert "Side line right" not in touching_elements(field, "Side line left")
+    assert touching_elements(field, "no such class") == ()
 
 
 @pytest.mark.parametrize("name", field_names())
@@ -81,7 +81,7 @@ def test_the_nearest_segments_are_found_among_all(name: str) -> None:
         elements = (field.elements[i],)
         reached = distances_from(field, (field.elements[i].name,))
         for j, other in enumerate(field.elements):
-            points = sample_every(Field("", "", (), (other,)), 0.25).of(0)
+            points = sample_evenly(Field("", "", (), (other,)), 0.25).of(0)
             dense = distances_to(elements, points).min()
             assert reached[j] <= dense + 0.05
             assert reached[j] >= dense - 0.2

@@ -10,14 +10,14 @@ import pytest
 from procc_annotator.field.geometry import Arc, Chain, Circle, Line, outline_of
 from procc_annotator.field.load import field_names, load_field
 from procc_annotator.field.model import Element, Field
-from procc_annotator.field.paint import paint_of, painted_class
-from procc_annotator.field.sample import sample_every
+from procc_annotator.field.paint import marking_field, class_of_border
+from procc_annotator.field.sample import sample_evenly
 
 SOCCER = load_field("soccer")
 
 
 def borders_of(field: Field, name: str) -> list[Element]:
-    return [e for e in paint_of(field).elements if painted_class(e.name) == name]
+    return [e for e in marking_field(field).elements if class_of_border(e.name) == name]
 
 
 def one_element(geometry, **looks) -> Field:
@@ -45,11 +45,11 @@ def test_soccer_is_measured_at_the_outer_edge() -> None:
 @pytest.mark.parametrize("name", field_names())
 def test_every_border_is_as_far_away_as_the_paint_is_wide(name: str) -> None:
     field = load_field(name)
-    own = sample_every(field, 0.01 if name == "tennis" else 0.05)
+    own = sample_evenly(field, 0.01 if name == "tennis" else 0.05)
     painted = [e for e in field.elements if e.line_width > 0]
     assert painted
-    for border in paint_of(field).elements:
-        element = field.element(painted_class(border.name))
+    for border in marking_field(field).elements:
+        element = field.element(class_of_border(border.name))
         assert element is not None
         wanted = element.line_width / (1 if element.inside is not None else 2)
         line = own.of(field.index[element.name])

@@ -10,23 +10,23 @@ import numpy as np
 import pytest
 
 from procc_annotator.errors import FieldError
-from procc_annotator.field.geometry import Arc, Chain, Circle, Line, ends_of, same_place
+from procc_annotator.field.geometry import Arc, Chain, Circle, Line, ends_of, same_geometry
 from procc_annotator.field.landmarks import with_landmarks
 from procc_annotator.field.load import (
     field_names,
     load_field,
-    resized,
-    shipped_file,
+    with_dimensions,
+    builtin_field_file,
     with_lines,
 )
 from procc_annotator.field.model import Element, Field, Landmark
-from procc_annotator.field.paint import paint_of, painted_class, side_of_paint
-from procc_annotator.field.painted_middle import at_middle_of_paint
+from procc_annotator.field.paint import marking_field, class_of_border, marking_side
+from procc_annotator.field.painted_middle import with_centred_markings
 from procc_annotator.field.symmetry import find_symmetry
 
 
 def geometry_of(field: str, name: str) -> object:
-    element = at_middle_of_paint(load_field(field)).element(name)
+    element = with_centred_markings(load_field(field)).element(name)
     assert element is not None
     return element.geometry
 
@@ -77,7 +77,7 @@ def test_wide_paint_moves_far() -> None:
 @pytest.mark.parametrize("name", field_names())
 def test_a_shipped_field_stays_the_same_but_for_its_paint(name: str) -> None:
     field = load_field(name)
-    moved = at_middle_of_paint(field)
+    moved = with_centred_markings(field)
     assert [replace(e, geometry=None, inside=None) for e in moved.elements] == [
         replace(e, geometry=None, inside=None) for e in field.elements
     ]
@@ -85,11 +85,11 @@ def test_a_shipped_field_stays_the_same_but_for_its_paint(name: str) -> None:
     for turn in field.symmetries:
         there = find_symmetry(moved.elements, math.degrees(turn.turn_rad))
         assert there.partner == turn.partner
-    at_an_edge = {e.name for e in field.elements if side_of_paint(e)}
+    at_an_edge = {e.name for e in field.elements if marking_side(e)}
     assert {e.name for e in moved.elements if e != field.element(e.name)} == at_an_edge
-    assert not any(side_of_paint(e) for e in moved.elements)
-    assert at_middle_of_paint(moved) is moved
-    assert at_middle_of_paint(replace(moved, lines="measured")) == moved
+    assert not any(marking_side(e) for e in moved.elements)
+    assert with_centred_markings(moved) is moved
+    assert with_centred_markings(replace(moved, lines="measured")) == moved
     assert moved.described == f"{name}, lines at their middle"
 
 
@@ -97,9 +97,9 @@ def test_a_shipped_field_stays_the_same_but_for_its_paint(name: str) -> None:
 def test_the_paint_stays_where_it_is(name: str) -> None:
     """One of its borders is where the element was, the other where it was before."""
     field = load_field(name)
-    moved = at_middle_of_paint(field)
+    moved = with_centred_markings(field)
     for element in field.elements:
-        if not side_of_paint(element):
+        if not marking_side(element):
             continue
         before = [element.geometry, *_borders(field, element)]
         after = _borders(moved, element)
@@ -109,11 +109,11 @@ def test_the_paint_stays_where_it_is(name: str) -> None:
             radii = sorted(p.radius for p in before)
             assert sorted(p.radius for p in after) == pytest.approx(radii), element.name
         else:
-            assert any(same_place(p, q) for p in element.geometry.parts for q in after)
+            assert any(same_geometry(p, q) for p in element.geometry.parts for q in after)
 
 
 def _borders(field: Field, element: Element) -> list:
-    return [e.geometry for e in paint_of(field).elements if painted_class(e.name) == element.name]
+    return [e.geometry for e in marking_field(field).elements if class_of_border(e.name) == element.name]
 
 
 def _across(borders: list, element: Element) -> list[float]:
@@ -133,7 +133,7 @@ def test_what_has_no_paint_or_no_known_side_stays() -> None:
         *(e for e in soccer.elements if e.line_width == 0),
     )
     assert any(e.is_spot for e in odd)
-    assert at_middle_of_paint(replace(soccer, elements=odd)).elements == odd
+    assert with_centred_markings(replace(soccer, elements=odd)).elements == odd
 
 
 def test_lines_are_moved_and_put_back_with_dimensions_and_landmarks() -> None:
@@ -144,7 +144,7 @@ def test_lines_are_moved_and_put_back_with_dimensions_and_landmarks() -> None:
     assert moved.described == "soccer 101 x 68 m, lines at their middle"
     assert moved.element("Side line left").geometry.start[0] == pytest.approx(-50.5 + 0.06)
     assert moved.element("Seat") == sized.element("Seat")
-    wider = resized(moved, {"length": 103.0})
+    wider = with_dimensions(moved, {"length": 103.0})
     assert (wider.lines, wider.landmarks) == ("middle", sized.landmarks)
     assert wider.element("Side line left").geometry.start[0] == pytest.approx(-51.5 + 0.06)
     assert with_lines(moved, "measured") == sized
@@ -154,10 +154,10 @@ def test_lines_are_moved_and_put_back_with_dimensions_and_landmarks() -> None:
 
 def test_a_field_file_may_say_where_its_lines_are(tmp_path: Path) -> None:
     own = tmp_path / "field.toml"
-    text = shipped_file("volleyball").read_text()
+    text = builtin_field_file("volleyball").read_text()
     own.write_text('lines = "middle"\n' + text)
     field, shipped = load_field(own), load_field("volleyball")
-    assert field == at_middle_of_paint(shipped)
+    assert field == with_centred_markings(shipped)
     assert field.full_name == "volleyball"  # it is no other field
     assert with_lines(field, "measured") == shipped
     own.write_text('lines = "edge"\n' + text)

@@ -21,7 +21,7 @@ from procc_annotator.field.geometry import (
 )
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
-from procc_annotator.field.sample import sample_every
+from procc_annotator.field.sample import sample_evenly
 
 FloatArray = NDArray[np.float64]
 
@@ -42,7 +42,7 @@ def line(field: Field, name: str) -> Line:
 
 
 def places(field: Field, name: str, spacing_m: float = 0.1) -> FloatArray:
-    return sample_every(field, spacing_m).of(field.index[name])
+    return sample_evenly(field, spacing_m).of(field.index[name])
 
 
 def painted_towards(field: Field, name: str, x: float, y: float) -> bool:

@@ -9,9 +9,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from procc_annotator.field.geometry import Circle, Line, at_angles, middle_of
+from procc_annotator.field.geometry import Circle, Line, points_at_angles, middle_of
 from procc_annotator.field.load import load_field
-from procc_annotator.field.sample import sample_every, sample_official
+from procc_annotator.field.sample import sample_evenly, sample_official
 
 
 def test_official_sampling_of_a_straight_element() -> None:
@@ -53,7 +53,7 @@ def test_the_official_elements_are_1187_points() -> None:
 @given(st.floats(0.05, 20))
 def test_even_sampling_keeps_ends_and_closes_circles(spacing: float) -> None:
     field = load_field()
-    samples = sample_every(field, spacing)
+    samples = sample_evenly(field, spacing)
     for i, element in enumerate(field.elements):
         points = samples.of(i)
         if element.is_spot:
@@ -73,7 +73,7 @@ def test_even_sampling_keeps_ends_and_closes_circles(spacing: float) -> None:
 @given(length=st.floats(90.1, 120), width=st.floats(45, 90))
 def test_the_symmetry_maps_the_field_onto_itself(length: float, width: float) -> None:
     field = load_field("soccer", length=length, width=width)
-    samples = sample_every(field, 0.5)
+    samples = sample_evenly(field, 0.5)
     for i, element in enumerate(field.elements):
         partner = field.symmetries[0].name_of(element.name)
         assert field.symmetries[0].name_of(partner) == element.name
@@ -86,7 +86,7 @@ def test_the_symmetry_maps_the_field_onto_itself(length: float, width: float) ->
 @pytest.mark.parametrize("spacing", [0, -1, math.nan, math.inf])
 def test_a_senseless_spacing_is_refused(spacing: float) -> None:
     with pytest.raises(ValueError, match="positive spacing"):
-        sample_every(load_field(), spacing)
+        sample_evenly(load_field(), spacing)
 
 
 def test_a_rim_is_round_even_at_the_official_spacing() -> None:
@@ -94,6 +94,6 @@ def test_a_rim_is_round_even_at_the_official_spacing() -> None:
     rim = sample_official(field).of(field.index["Rim left"])
     geometry = field.elements[field.index["Rim left"]].geometry
     assert isinstance(geometry, Circle)
-    circle = at_angles(geometry, np.linspace(0, 2 * math.pi, 721))
+    circle = points_at_angles(geometry, np.linspace(0, 2 * math.pi, 721))
     apart = np.linalg.norm(circle[:, None] - rim[None], axis=2).min(axis=1)
     assert apart.max() < 0.025

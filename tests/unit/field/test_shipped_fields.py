@@ -14,11 +14,11 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from procc_annotator.field.dimensions import broken_relation
-from procc_annotator.field.geometry import Geometry, Spot, outline_of, turned
+from procc_annotator.field.dimensions import violated_relation
+from procc_annotator.field.geometry import Geometry, Spot, outline_of, rotated
 from procc_annotator.field.load import default_field_name, field_names, load_field
 from procc_annotator.field.model import Element, Field
-from procc_annotator.field.sample import sample_every
+from procc_annotator.field.sample import sample_evenly
 from procc_annotator.field.symmetry import NoPartnerError, find_symmetry
 
 FloatArray = NDArray[np.float64]
@@ -66,7 +66,7 @@ def sizes(name: str) -> tuple[Field, ...]:
     legal = [
         chosen
         for chosen in (least, most, *mixed)
-        if not broken_relation(field.relations, nominal | chosen)
+        if not violated_relation(field.relations, nominal | chosen)
     ]
     assert len(legal) >= 2
     return (field, *(load_field(name, **chosen) for chosen in legal))
@@ -172,7 +172,7 @@ def test_nothing_lies_below_the_ground_or_in_the_clouds(name: str) -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_every_symmetry_maps_the_geometry_onto_itself(name: str) -> None:
     for field in sizes(name):
-        samples = sample_every(field, 1.0)
+        samples = sample_evenly(field, 1.0)
         for symmetry in field.symmetries:
             assert sorted(symmetry.partner) == sorted(symmetry.partner.values())
             assert sorted(symmetry.partner) == sorted(field.index)
@@ -211,8 +211,8 @@ def test_partners_are_alike(name: str) -> None:
             assert (one.inside is None) == (other.inside is None), own
             if one.inside is None or other.inside is None:
                 continue
-            there = turned(one.geometry, symmetry.turn_rad)
-            inside = outline_of(turned(Spot(one.inside), symmetry.turn_rad))[0]
+            there = rotated(one.geometry, symmetry.turn_rad)
+            inside = outline_of(rotated(Spot(one.inside), symmetry.turn_rad))[0]
             assert side_of(there, inside) == pytest.approx(side_of(there, np.array(other.inside)))
 
 
@@ -249,7 +249,7 @@ def rotation(turn_rad: float) -> FloatArray:
 def distance_to(points: FloatArray, geometry: Geometry) -> FloatArray:
     """(n,) metres from points to a geometry, by its own samples a centimetre apart."""
     element = Element("it", "it", "", "#ffffff", "", geometry)
-    places = sample_every(Field("", "", (), (element,)), 0.1).points_world
+    places = sample_evenly(Field("", "", (), (element,)), 0.1).points_world
     starts, along = places[:-1], np.diff(places, axis=0)
     if not len(along):
         return np.linalg.norm(points - places[0], axis=1)
@@ -266,7 +266,7 @@ def side_of(geometry: Geometry, place: FloatArray) -> float:
     Beyond the ends of a straight element its prolongation counts.
     """
     element = Element("it", "it", "", "#ffffff", "", geometry)
-    places = sample_every(Field("", "", (), (element,)), 0.1).points_world
+    places = sample_evenly(Field("", "", (), (element,)), 0.1).points_world
     nearest = int(np.linalg.norm((places[1:] + places[:-1]) / 2 - place, axis=1).argmin())
     (ax, ay, _), (bx, by, _) = places[nearest], places[nearest + 1]
     return float(np.sign(round((bx - ax) * (place[1] - ay) - (by - ay) * (place[0] - ax), 9)))

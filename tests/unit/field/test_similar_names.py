@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from procc_annotator.field.load import load_field
-from procc_annotator.field.similar_names import similar_classes
+from procc_annotator.field.similar_names import matching_classes
 
 
 @pytest.mark.parametrize(
@@ -28,12 +28,12 @@ from procc_annotator.field.similar_names import similar_classes
     ],
 )
 def test_labels_and_their_classes(field: str, label: str, classes: list[str]) -> None:
-    assert list(similar_classes(label, load_field(field)).classes) == classes
+    assert list(matching_classes(label, load_field(field)).classes) == classes
 
 
 def test_the_other_side_is_never_alike() -> None:
     field = load_field("soccer")
     for side, other in (("left", "right"), ("top", "bottom")):
         for element in field.elements:
-            found = similar_classes(f"{element.name} {side}", field).classes
+            found = matching_classes(f"{element.name} {side}", field).classes
             assert not any(other in name and side not in name for name in found)

@@ -10,14 +10,14 @@ import numpy as np
 
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.load import load_field
-from procc_annotator.field.sample import sample_every
+from procc_annotator.field.sample import sample_evenly
 from procc_annotator.fit.solving.models import camera_from_vector
-from procc_annotator.fit.solving.observations import PictureFrame
+from procc_annotator.fit.solving.observations import ImageFrame
 from procc_annotator.image.pixels import PixelArray
 
 SIZE = (640, 360)
 FIELD = load_field("soccer")
-FRAME = PictureFrame(SIZE)
+FRAME = ImageFrame(SIZE)
 _FINER = 4
 _GROUND, _PAINT = (40, 110, 50), (225, 235, 230)
 
@@ -73,7 +73,7 @@ def apart_px(one: PinholeCamera, other: PinholeCamera) -> float:
 
 def _strokes(shown: PinholeCamera) -> list[tuple[np.ndarray, int]]:
     found = []
-    samples = sample_every(FIELD, 0.5)
+    samples = sample_evenly(FIELD, 0.5)
     for row, element in enumerate(FIELD.elements):
         if element.is_spot or element.optional:
             continue

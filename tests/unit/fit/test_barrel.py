@@ -11,9 +11,9 @@ from procc_annotator.annotation import FrameAnnotation, Polyline
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.load import load_field
 from procc_annotator.fit.fitting import fit_camera
-from procc_annotator.fit.predict.ground_uncertainty import ground_uncertainty
-from procc_annotator.fit.predict.sight import stretches_in_sight
-from procc_annotator.fit.solving.models import KAPPA, LEAST_KAPPA
+from procc_annotator.fit.predict.ground_uncertainty import map_ground_uncertainty
+from procc_annotator.fit.predict.sight import visible_stretches
+from procc_annotator.fit.solving.models import KAPPA, MIN_KAPPA
 from tests.bench.sports.views import SIZE, Views
 
 COURT = Views(load_field("basketball_fiba"))
@@ -69,7 +69,7 @@ def test_the_coefficient_is_bounded() -> None:
     """kappa = -0.14, which the picture's corners can just bear."""
     camera = wide(-0.14 * (650 / HALF_DIAGONAL) ** 2)
     fit = fit_camera(clicked(camera), COURT.field)
-    assert fit.vector[KAPPA] == LEAST_KAPPA
+    assert fit.vector[KAPPA] == MIN_KAPPA
     assert COURT.median_error(camera, fit.camera) < 4
 
 
@@ -96,8 +96,8 @@ def test_nothing_is_folded_back_into_the_picture() -> None:
     true = replace(wide(-0.18, 700.0), position_world=(2.0, 10.0, -3.0), tilt_rad=np.deg2rad(80))
     fit = fit_camera(clicked(true), COURT.field)
     assert fit.camera.radial[0] < -0.1
-    shown = {one.name for one in stretches_in_sight(COURT.field, fit.camera, SIZE)}
-    seen = {one.name for one in stretches_in_sight(COURT.field, true, SIZE)}
+    shown = {one.name for one in visible_stretches(COURT.field, fit.camera, SIZE)}
+    seen = {one.name for one in visible_stretches(COURT.field, true, SIZE)}
     # Where they would be without distortion.
     px, in_front = replace(fit.camera, radial=(0.0,) * 6).project(COURT.ground)
     beyond = in_front & (np.hypot(*(px - (479.5, 269.5)).T) > 1200)
@@ -120,5 +120,5 @@ def test_uncertainty_is_known_where_it_is_shown_and_nowhere_else() -> None:
     expected = np.median([f.projected_sd(places) for f in fits], axis=0)
     assert (expected > 0.6 * scatter).all()
     assert (expected < 3 * scatter).all()
-    known = ground_uncertainty(fit, COURT.field)
+    known = map_ground_uncertainty(fit, COURT.field)
     assert known.statistics.median < 0.1

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from procc_annotator.camera.pinhole import PinholeCamera
-from procc_annotator.fit.click_noise import noise_together
-from procc_annotator.fit.triangulation import Triangulated, View, triangulate
+from procc_annotator.fit.click_noise import pooled_noise_factor
+from procc_annotator.fit.triangulation import Triangulation, ClickedView, triangulate
 
 STAND = np.array([10.0, -40.0, -8.0])
 CLICK_PX = 1.5  # as the views say
@@ -22,18 +22,18 @@ def camera(x: float) -> PinholeCamera:
     return PinholeCamera(pan, tilt, 0.0, position, (1800.0, 1800.0), (479.5, 269.5))
 
 
-def together(found: list[Triangulated]) -> float:
-    return noise_together([(one.squares, one.spare) for one in found])
+def together(found: list[Triangulation]) -> float:
+    return pooled_noise_factor([(one.squares, one.spare) for one in found])
 
 
 def run(
     rng: np.random.Generator, noise_px: float, views: int, places: int
-) -> tuple[np.ndarray, list[Triangulated]]:
+) -> tuple[np.ndarray, list[Triangulation]]:
     cameras = [camera(x) for x in np.linspace(-40, 40, views)]
     truth = STAND + rng.normal(size=(places, 3)) * (6, 4, 2)
     clicked = [
         [
-            View(str(i), c, c.project(p[None])[0][0] + rng.normal(0, noise_px, 2), CLICK_PX)
+            ClickedView(str(i), c, c.project(p[None])[0][0] + rng.normal(0, noise_px, 2), CLICK_PX)
             for i, c in enumerate(cameras)
         ]
         for p in truth
@@ -81,7 +81,7 @@ def test_one_bad_click_does_not_make_all_others_bad() -> None:
         place = STAND + rng.normal(size=3) * 3
         off = rng.normal(0, 1.5, (3, 2)) + (18.0 if number == 0 else 0.0) * np.eye(3)[:, :2]
         views = [
-            View(str(i), c, c.project(place[None])[0][0] + off[i], CLICK_PX)
+            ClickedView(str(i), c, c.project(place[None])[0][0] + off[i], CLICK_PX)
             for i, c in enumerate(cameras)
         ]
         found.append(triangulate(views))
@@ -93,7 +93,7 @@ def test_good_clicks_do_not_make_cameras_better() -> None:
     """Of views that are themselves uncertain the clicks' share alone becomes smaller."""
     place = STAND[None]
     views = [
-        View(
+        ClickedView(
             str(x),
             c,
             c.project(place)[0][0],

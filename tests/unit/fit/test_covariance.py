@@ -45,14 +45,14 @@ def test_projected_covariance_by_moving_the_parameters(views, field, model, k1) 
     assert model == "H" or np.sign(fit.camera.radial[0]) == (0 if model == "P" else np.sign(k1))
     world = np.array([(-40.0, 5.0, 0.0), (-20.0, -30.0, 0.0)])
     from procc_annotator.fit.solving.models import camera_from_vector, homography_camera
-    from procc_annotator.fit.solving.observations import PictureFrame
-    from procc_annotator.fit.solving.residual import homography_of
+    from procc_annotator.fit.solving.observations import ImageFrame
+    from procc_annotator.fit.solving.residual import homographies_from_corrections
 
-    frame = PictureFrame(fit.size)
+    frame = ImageFrame(fit.size)
 
     def shown(vector: np.ndarray) -> np.ndarray:
         if fit.basis is not None:
-            matrix = homography_of(vector[None], fit.basis)[0]
+            matrix = homographies_from_corrections(vector[None], fit.basis)[0]
             return homography_camera(matrix, frame).project(world)[0]
         return camera_from_vector(vector, frame).project(world)[0]
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
-from procc_annotator.fit.solving.crossings import nearest_crossing
-from procc_annotator.fit.solving.observations import PictureFrame, observe
+from procc_annotator.fit.solving.crossings import nearest_control_point
+from procc_annotator.fit.solving.observations import ImageFrame, build_observations
 
-FRAME = PictureFrame((960, 540))
+FRAME = ImageFrame((960, 540))
 NEAR_CORNER = ("Side line bottom", "Side line left")
 
 
@@ -18,13 +18,13 @@ def only(annotation: FrameAnnotation, *names: str) -> FrameAnnotation:
 
 def test_the_picture_shows_the_place_where_it_is(views, field) -> None:
     view = views.main(np.random.default_rng(50), noise_px=0.0, k1=0.0)
-    place, shown = nearest_crossing(observe(view.annotation, field, FRAME))
+    place, shown = nearest_control_point(build_observations(view.annotation, field, FRAME))
     expected, seen = view.camera.project(place[None])
     assert seen.all()
     np.testing.assert_allclose(shown + np.array(FRAME.centre_px), expected[0], atol=1e-3)
     # Of several crossings the one nearest to the middle of the picture.
     for pair in (("Big rect. left main", "Big rect. left top"), NEAR_CORNER):
-        found = nearest_crossing(observe(only(view.annotation, *pair), field, FRAME))
+        found = nearest_control_point(build_observations(only(view.annotation, *pair), field, FRAME))
         if found is not None:
             assert np.hypot(*shown) <= np.hypot(*found[1]) + 1e-9
 
@@ -35,7 +35,7 @@ def test_lines_are_prolonged(views, field) -> None:
         Polyline("Side line top", (Point(0.2, 0.5), Point(0.5, 0.5))),
         Polyline("Side line left", (Point(0.1, 0.6), Point(0.0, 0.8))),
     )
-    place, shown = nearest_crossing(observe(FrameAnnotation(lines), field, FRAME))
+    place, shown = nearest_control_point(build_observations(FrameAnnotation(lines), field, FRAME))
     np.testing.assert_allclose(place, (-52.5, -34.0, 0.0), atol=1e-6)
     np.testing.assert_allclose(shown, ((0.15 - 0.5) * 959, 0.0), atol=1e-6)
 
@@ -53,4 +53,4 @@ def test_some_lines_never_meet(field) -> None:
         (("Side line top", "Circle central"), (level, up)),
     ):  # fmt: skip
         lines = tuple(Polyline(n, c) for n, c in zip(names, courses, strict=True))
-        assert nearest_crossing(observe(FrameAnnotation(lines), field, FRAME)) is None, names
+        assert nearest_control_point(build_observations(FrameAnnotation(lines), field, FRAME)) is None, names

@@ -10,13 +10,13 @@ from procc_annotator.fit.solving.jacobian import Lens, project
 from procc_annotator.fit.solving.models import (
     camera_from_vector,
     homography_from_pinhole,
-    rotations,
+    rotation_matrices,
 )
 from procc_annotator.fit.solving.models import vector_from_camera as to_vector
-from procc_annotator.fit.solving.observations import PictureFrame, observe
-from procc_annotator.fit.solving.residual import HIDDEN_PX, homography_residuals, pinhole_residuals
+from procc_annotator.fit.solving.observations import ImageFrame, build_observations
+from procc_annotator.fit.solving.residual import HIDDEN_RESIDUAL_PX, homography_residuals, pinhole_residuals
 
-FRAME = PictureFrame((960, 540))
+FRAME = ImageFrame((960, 540))
 # Steps of each parameter that move pixels by about a hundredth.
 STEPS = np.array([1e-6, 1e-6, 1e-6, 1e-4, 1e-4, 1e-4, 1e-6, 1e-6, 1e-6, 1e-4, 1e-4])
 
@@ -27,7 +27,7 @@ STEPS = np.array([1e-6, 1e-6, 1e-6, 1e-4, 1e-4, 1e-4, 1e-6, 1e-6, 1e-6, 1e-4, 1e
 def test_of_pinhole_residuals(views, field, seed, kappa) -> None:
     rng = np.random.default_rng(seed)
     view = views.random(rng, noise_px=1.0)
-    seen = observe(view.annotation, field, FRAME)
+    seen = build_observations(view.annotation, field, FRAME)
     vector = to_vector(view.camera, FRAME)
     vector[8:] = 0.01, 5.0, -3.0
     if kappa is not None:
@@ -50,7 +50,7 @@ def test_of_exact_points_is_exact(views, field, k1) -> None:
     """Ends are left out: there the residual changes its nature."""
     view = views.main(np.random.default_rng(0), noise_px=0.0, k1=k1)
     inner = FrameAnnotation(tuple(Polyline(p.class_name, p.points[1:-1]) for p in view.annotation))
-    seen = observe(inner, field, FRAME)
+    seen = build_observations(inner, field, FRAME)
     assert seen.points.shape[1] > 15
     vector = to_vector(view.camera, FRAME)
     found = pinhole_residuals(vector[None], seen, FRAME.half_diagonal, 11)
@@ -69,7 +69,7 @@ def test_of_exact_points_is_exact(views, field, k1) -> None:
 def test_of_homography_residuals(views, field) -> None:
     rng = np.random.default_rng(4)
     view = views.main(rng, k1=0.0)
-    seen = observe(view.annotation, field, FRAME, ground_only=True)
+    seen = build_observations(view.annotation, field, FRAME, ground_only=True)
     basis = homography_from_pinhole(to_vector(view.camera, FRAME))
     vector = rng.normal(0, 1e-3, 8)
     found = homography_residuals(vector[None], seen, basis)
@@ -122,30 +122,30 @@ def test_what_barrel_distortion_does_not_show_is_taken_for_its_edge() -> None:
     np.testing.assert_allclose(back[0, 1:], fold, rtol=1e-6)
     ahead = np.array([[0.999, 1.001], [0.0, 0.0], [1.0, 1.0]])[None] * [[[fold], [0.0], [700.0]]]
     world = lens.rotation.transpose(0, 2, 1) @ ahead
-    assert lens.beyond_fold(world).tolist() == [[False, True]]
+    assert lens.is_beyond_fold(world).tolist() == [[False, True]]
     straight = Lens.of(np.zeros((1, 11)), FRAME.half_diagonal)
-    assert straight.beyond_fold(world) is None
+    assert straight.is_beyond_fold(world) is None
 
 
 def test_vectors_and_cameras_are_inverse(views) -> None:
     for size, kappa in (((960, 540), 0.03), ((1920, 1080), -0.1), ((1280, 720), 0.03)):
-        frame = PictureFrame(size)
+        frame = ImageFrame(size)
         vector = np.array([0.3, 1.4, 0.01, 3.0, -60.0, -12.0, 7.5, kappa, 0.01, 4.0, -6.0])
         camera = camera_from_vector(vector, frame)
         np.testing.assert_allclose(to_vector(camera, frame), vector, atol=1e-9)
         np.testing.assert_allclose(
-            rotations(vector[None])[0], camera.rotation_cam_from_world, atol=1e-12
+            rotation_matrices(vector[None])[0], camera.rotation_cam_from_world, atol=1e-12
         )
 
 
 def test_elements_behind_the_camera_cost_a_constant(views, field) -> None:
     view = views.main(np.random.default_rng(0))
-    seen = observe(view.annotation, field, FRAME)
+    seen = build_observations(view.annotation, field, FRAME)
     vector = to_vector(view.camera, FRAME)
     vector[0] += np.pi
     vector[1] = np.deg2rad(100)  # not even what lies under the camera
     found = pinhole_residuals(vector[None], seen, FRAME.half_diagonal, 8)
     assert np.isfinite(found.derivatives).all()
-    hidden = found.distances[0] == HIDDEN_PX
+    hidden = found.distances[0] == HIDDEN_RESIDUAL_PX
     assert hidden.all()
     assert not found.derivatives[0][:, :, hidden].any()

@@ -13,10 +13,10 @@ from procc_annotator import fit_camera, load_annotation
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.load import load_field
-from procc_annotator.fit.determined import hardly_determined
+from procc_annotator.fit.determined import ill_conditioned_reason
 from procc_annotator.fit.solving.models import Z
-from procc_annotator.fit.solving.plausible import objection
-from procc_annotator.fit.solving.surroundings import surroundings_of
+from procc_annotator.fit.solving.plausible import implausible_reason
+from procc_annotator.fit.solving.surroundings import camera_placement_prior
 from tests.bench.sports.views import Views
 
 FRAME = load_annotation(Path(__file__).parents[3] / "sample_data" / "00002.json")
@@ -33,21 +33,21 @@ FRAME = load_annotation(Path(__file__).parents[3] / "sample_data" / "00002.json"
 )
 def test_what_is_left_open_is_told(changes, says) -> None:
     fit = fit_camera(FRAME)
-    assert hardly_determined(replace(fit, deviations=replace(fit.deviations, **changes))) == says
+    assert ill_conditioned_reason(replace(fit, deviations=replace(fit.deviations, **changes))) == says
 
 
 def test_the_focal_length_counts_as_a_share() -> None:
     fit = fit_camera(FRAME)
     wide = replace(fit.deviations, focal_px=0.2 * fit.camera.focal_px[0])
-    assert hardly_determined(replace(fit, deviations=wide)) == "focal length ± 20 %"
-    assert hardly_determined(fit_camera(FRAME, model="H")) == ""
+    assert ill_conditioned_reason(replace(fit, deviations=wide)) == "focal length ± 20 %"
+    assert ill_conditioned_reason(fit_camera(FRAME, model="H")) == ""
 
 
 def test_a_height_of_nothing_is_not_below_the_ground() -> None:
     vector = fit_camera(FRAME).vector.copy()
     for z, says in ((0.01, "on the ground"), (-0.01, "on the ground"), (1.0, "1.0 m below")):
         vector[Z] = z
-        assert says in objection(vector, surroundings_of(load_field()))
+        assert says in implausible_reason(vector, camera_placement_prior(load_field()))
 
 
 @pytest.mark.parametrize("seed", range(3))
@@ -60,13 +60,13 @@ def test_one_mark_tells_the_ends_of_a_track_apart_and_lanes_alone_do_not(seed) -
     annotation = track.clicks(true, np.random.default_rng(seed))
     fit = fit_camera(annotation, track.field)
     assert not fit.left_out
-    assert "other end" not in hardly_determined(fit)
+    assert "other end" not in ill_conditioned_reason(fit)
     assert track.median_error(true, fit.camera) < 6
 
     lanes = tuple(p for p in annotation.polylines if p.class_name != "Finish line")
     assert len(lanes) == len(annotation.polylines) - 1
     fit = fit_camera(FrameAnnotation(lanes), track.field)
-    assert "the same from the other end" in hardly_determined(fit)
+    assert "the same from the other end" in ill_conditioned_reason(fit)
 
 
 def test_a_field_that_is_the_same_from_both_ends_has_none() -> None:

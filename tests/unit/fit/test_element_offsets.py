@@ -8,7 +8,7 @@ import pytest
 from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px, points_px
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.predict.ghosts import find_ghosts
-from procc_annotator.fit.solving.element_offsets import USUAL_OFFSET_PX
+from procc_annotator.fit.solving.element_offsets import PRIOR_OFFSET_PX
 
 SIZE = (960, 540)
 PLACES = np.array([(-40.0, 5.0, 0.0), (-20.0, -30.0, 0.0), (-52.5, 0.0, -2.44)])
@@ -34,7 +34,7 @@ def test_the_offsets_of_elements_are_told_from_the_noise_of_clicks(views, field)
             clicked = beside(views.clicks(truth, rng, 0.7), rng, by_px)
             fit = fit_camera(clicked, field, model="R")
             found.append(fit.offset_px)
-    assert np.median(said[0.0]) < USUAL_OFFSET_PX
+    assert np.median(said[0.0]) < PRIOR_OFFSET_PX
     assert 1.0 < np.median(said[2.0]) < 2.5
 
 
@@ -68,4 +68,4 @@ def test_three_elements_tell_nothing_of_offsets(views, field) -> None:
     annotation = views.main(np.random.default_rng(4)).annotation
     fit = fit_camera(FrameAnnotation(annotation.polylines[:3]), field)
     if fit.camera is not None:
-        assert fit.offset_px == pytest.approx(USUAL_OFFSET_PX, abs=0.3)
+        assert fit.offset_px == pytest.approx(PRIOR_OFFSET_PX, abs=0.3)

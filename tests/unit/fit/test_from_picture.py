@@ -12,11 +12,11 @@ import pytest
 
 from procc_annotator.annotation import FloatArray
 from procc_annotator.camera.pinhole import PinholeCamera
-from procc_annotator.fit.from_picture.proposal import KnownPosition, Proposal, State
+from procc_annotator.fit.from_picture.proposal import KnownPosition, Proposal, ProposalState
 from procc_annotator.fit.from_picture.proposing import better_proposal, propose_camera
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.models import vector_from_camera
-from procc_annotator.fit.solving.observations import PictureFrame
+from procc_annotator.fit.solving.observations import ImageFrame
 from procc_annotator.image.decode import PixelArray, decode_bgra
 from tests.drawn_shots import PICTURE_SIZE, Look, Stage, draw, looking_at, stage_of
 
@@ -131,12 +131,12 @@ def test_a_wrong_known_position_is_not_sure_and_replaces_nothing() -> None:
     assert (found.state, found.fit.camera) == ("sure", _anywhere().fit.camera)
 
 
-def _seen(position: tuple[float, float, float], x: float, share: float, state: State) -> Proposal:
+def _seen(position: tuple[float, float, float], x: float, share: float, state: ProposalState) -> Proposal:
     """A camera that looks at (x, 0, 0) and agrees so well with the line pixels."""
     size = (1280, 720)
     focal_px = 1700.0 * np.hypot(*position[1:]) / np.hypot(60, 16)
     camera = looking_at(position, (x, 0, 0), focal_px, size)
-    vector = vector_from_camera(camera, PictureFrame(size))
+    vector = vector_from_camera(camera, ImageFrame(size))
     fit = FitResult("P", size, camera, vector=vector, covariance=np.eye(len(vector)) * 0.09)
     return Proposal(state, "", fit, share, share, 0.3, 0.5, None)
 
@@ -154,7 +154,7 @@ def _seen(position: tuple[float, float, float], x: float, share: float, state: S
     ],
 )
 def test_a_known_position_is_one_more_hypothesis(
-    at_known: Proposal, kept: str, state: State
+    at_known: Proposal, kept: str, state: ProposalState
 ) -> None:
     free = _seen((0, 60, -16), 20.0, 0.88, "sure")
     found = better_proposal(free, at_known, _stage().field)

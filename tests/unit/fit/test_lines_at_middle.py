@@ -12,13 +12,13 @@ from procc_annotator.camera.base import Camera
 from procc_annotator.field.load import load_field, with_lines
 from procc_annotator.field.model import Field
 from procc_annotator.fit.fitting import fit_camera
-from procc_annotator.image.paint import snap_all
+from procc_annotator.image.paint import snap_points_to_lines
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.project import project_field
 from procc_annotator.metric.score import score
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.dataset.camera_set import CameraSet
-from procc_annotator.session.strokes.expected_paint import ExpectedPaint
+from procc_annotator.session.strokes.expected_paint import ExpectedLines
 
 FRAME, SIZE = "00003", (1280, 720)
 EVALUATED = (960, 540)
@@ -27,14 +27,14 @@ COURT = load_field("volleyball")
 
 def snapped(picture: np.ndarray, camera: Camera) -> FrameAnnotation:
     """Clicks near where the rules measure, put on the painted lines."""
-    polylines, paint = [], ExpectedPaint(COURT, SIZE[0])
+    polylines, paint = [], ExpectedLines(COURT, SIZE[0])
     for name, pieces in project_field(camera, EvaluationSetup(COURT, SIZE, "procc")).pieces.items():
         element, piece = COURT.element(name), max(pieces, key=len)
         if not (element.line_width and element.is_straight):
             continue
         clicks = piece[0] + np.linspace(0.1, 0.9, 8)[:, None] * (piece[-1] - piece[0])
         along, sought = np.diff(clicks, axis=0)[[0] * len(clicks)], paint.of(name)
-        placed = snap_all(picture, clicks, along, sought)
+        placed = snap_points_to_lines(picture, clicks, along, sought)
         placed = placed[~np.isnan(placed[:, 0])]
         if len(placed) > 2:
             polylines.append(Polyline(name, tuple(point_from_px(x, y, SIZE) for x, y in placed)))

@@ -10,14 +10,14 @@ import pytest
 from procc_annotator.field.appearance import Appearance
 from procc_annotator.field.geometry import Line
 from procc_annotator.field.model import Field
-from procc_annotator.fit.on_paint.beside import beside_in
-from procc_annotator.fit.on_paint.expected import expect
-from procc_annotator.fit.on_paint.looking import look, shares_on_paint
-from procc_annotator.fit.on_paint.marks import residuals
-from procc_annotator.fit.on_paint.painted import painted_of
-from procc_annotator.fit.on_paint.refining import refine_on_paint
+from procc_annotator.fit.on_paint.beside import displaced_elements_in_image
+from procc_annotator.fit.on_paint.expected import expected_line_points
+from procc_annotator.fit.on_paint.looking import measure_lines, found_shares
+from procc_annotator.fit.on_paint.marks import edge_point_errors
+from procc_annotator.fit.on_paint.painted import marking_points
+from procc_annotator.fit.on_paint.refining import align_with_lines
 from procc_annotator.fit.solving.models import vector_from_camera
-from procc_annotator.fit.solving.observations import PictureFrame
+from procc_annotator.fit.solving.observations import ImageFrame
 from tests.drawn_shots import draw as draw_scene
 from tests.drawn_shots import looking_at, stage_of
 from tests.unit.fit.plain_pictures import FIELD, FRAME, SIZE, apart_px, camera, draw
@@ -29,7 +29,7 @@ VECTOR = vector_from_camera(TRUE, FRAME)
 def test_a_camera_beside_its_paint_is_put_on_it() -> None:
     beside = replace(TRUE, pan_rad=TRUE.pan_rad + 0.006, tilt_rad=TRUE.tilt_rad - 0.003)
     assert apart_px(TRUE, beside) > 5
-    found = refine_on_paint(draw(TRUE), FIELD, beside)
+    found = align_with_lines(draw(TRUE), FIELD, beside)
     assert isinstance(found.fit.camera, type(TRUE))
     assert apart_px(TRUE, found.fit.camera) < 0.7
     assert found.coverage > 0.9
@@ -42,7 +42,7 @@ def test_a_camera_beside_its_paint_is_put_on_it() -> None:
 def test_what_is_said_of_its_sureness_is_true() -> None:
     offs = []
     for seed in range(6):
-        found = refine_on_paint(draw(TRUE, noise=6.0, seed=seed), FIELD, TRUE).fit
+        found = align_with_lines(draw(TRUE, noise=6.0, seed=seed), FIELD, TRUE).fit
         assert found.vector is not None
         assert found.covariance is not None
         off = (found.vector - VECTOR)[:8]
@@ -51,10 +51,10 @@ def test_what_is_said_of_its_sureness_is_true() -> None:
 
 
 def test_a_picture_without_lines_has_no_camera() -> None:
-    found = refine_on_paint(draw(TRUE, lines=False), FIELD, TRUE)
+    found = align_with_lines(draw(TRUE, lines=False), FIELD, TRUE)
     assert found.fit.camera is None or found.coverage < 0.3
     blank = np.full((SIZE[1], SIZE[0], 4), 90, dtype=np.uint8)
-    found = refine_on_paint(blank, FIELD, TRUE)
+    found = align_with_lines(blank, FIELD, TRUE)
     assert found.fit.camera is None
     assert found.fit.failure
     assert found.residual_px is None
@@ -62,8 +62,8 @@ def test_a_picture_without_lines_has_no_camera() -> None:
 
 def test_a_camera_that_sees_nothing_of_the_field_expects_nothing() -> None:
     away = vector_from_camera(replace(TRUE, pan_rad=TRUE.pan_rad + np.pi), FRAME)
-    assert not len(expect(away, painted_of(FIELD), FRAME, 5.0).rows)
-    assert refine_on_paint(draw(TRUE), FIELD, away).fit.camera is None
+    assert not len(expected_line_points(away, marking_points(FIELD), FRAME, 5.0).rows)
+    assert align_with_lines(draw(TRUE), FIELD, away).fit.camera is None
 
 
 def test_paint_darker_than_its_ground_is_found_as_such() -> None:
@@ -83,20 +83,20 @@ def test_paint_darker_than_its_ground_is_found_as_such() -> None:
         (dark, picture, False),
         (FIELD, inverted, False),
     ):
-        painted = painted_of(field)
-        seen = look(shown, VECTOR, painted, FRAME, 4.0)
-        share, _ = shares_on_paint(seen, np.ones(len(seen.marks)), painted)
+        painted = marking_points(field)
+        seen = measure_lines(shown, VECTOR, painted, FRAME, 4.0)
+        share, _ = found_shares(seen, np.ones(len(seen.marks)), painted)
         assert (share > 0.8) == found
 
 
 def test_derivatives_of_marks_are_those_of_where_they_appear() -> None:
-    marks = look(draw(TRUE), VECTOR, painted_of(FIELD), FRAME, 4.0).marks
-    _, by = residuals(VECTOR[None], marks, FRAME.half_diagonal)
+    marks = measure_lines(draw(TRUE), VECTOR, marking_points(FIELD), FRAME, 4.0).marks
+    _, by = edge_point_errors(VECTOR[None], marks, FRAME.half_diagonal)
     for parameter, step in enumerate((1e-6, 1e-6, 1e-6, 1e-4, 1e-4, 1e-4, 1e-6, 1e-5)):
         ahead, back = VECTOR.copy(), VECTOR.copy()
         ahead[parameter] += step
         back[parameter] -= step
-        off = residuals(np.array([ahead, back]), marks, FRAME.half_diagonal)[0]
+        off = edge_point_errors(np.array([ahead, back]), marks, FRAME.half_diagonal)[0]
         assert (off[1] - off[0]) / (2 * step) == pytest.approx(
             by[0, :, parameter], rel=1e-3, abs=1e-3
         )
@@ -119,23 +119,23 @@ def _with_a_line_elsewhere(name: str, metres: float) -> Field:
 @pytest.mark.parametrize("metres", [0.35, -0.35])
 def test_a_line_that_lies_beside_its_paint_is_named(metres: float) -> None:
     picture, moved = draw(TRUE), _with_a_line_elsewhere("Big rect. right main", metres)
-    assert not beside_in(picture, VECTOR, painted_of(FIELD), FRAME)
-    said = beside_in(picture, VECTOR, painted_of(moved), FRAME)
+    assert not displaced_elements_in_image(picture, VECTOR, marking_points(FIELD), FRAME)
+    said = displaced_elements_in_image(picture, VECTOR, marking_points(moved), FRAME)
     assert said.startswith("Big rect. right main lies ")
     assert said.endswith(" px beside its paint")
 
 
 def test_a_line_that_is_not_painted_lies_beside_nothing() -> None:
     """Somebody forgot it, or it is worn: that is no other place."""
-    assert not beside_in(draw(TRUE, lines=False), VECTOR, painted_of(FIELD), FRAME)
+    assert not displaced_elements_in_image(draw(TRUE, lines=False), VECTOR, marking_points(FIELD), FRAME)
 
 
 def test_a_narrow_line_between_two_colours_is_found_in_its_middle() -> None:
     """Its brightest place lies towards the lighter of the two."""
     stage, size = stage_of("basketball_fiba"), (960, 540)
     shown = looking_at((0, 21.5, -6.5), (-6, 0, 0), 640, size, kappa=0.03)
-    painted, frame = painted_of(stage.field), PictureFrame(size)
-    seen = look(draw_scene(stage, shown, size), vector_from_camera(shown, frame), painted, frame, 5)
+    painted, frame = marking_points(stage.field), ImageFrame(size)
+    seen = measure_lines(draw_scene(stage, shown, size), vector_from_camera(shown, frame), painted, frame, 5)
     own = painted.element[seen.expected.rows] == painted.names.index("Court edge bottom")
     off = seen.offsets.px[own & seen.offsets.found]
     assert len(off) > 50

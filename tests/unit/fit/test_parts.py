@@ -12,11 +12,11 @@ from procc_annotator.field.geometry import Arc, Chain, Circle, Geometry, Line, S
 from procc_annotator.field.model import Element, Field
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.solving.models import vector_from_camera
-from procc_annotator.fit.solving.observations import PictureFrame, observe, used_points
+from procc_annotator.fit.solving.observations import ImageFrame, build_observations, used_point_indices
 from procc_annotator.fit.solving.residual import Residuals, pinhole_residuals
 
 SIZE = (960, 540)
-FRAME = PictureFrame(SIZE)
+FRAME = ImageFrame(SIZE)
 CAMERA = PinholeCamera(
     np.deg2rad(-8), np.deg2rad(68), np.deg2rad(0.5), (2.0, 26.0, -9.0),
     (900.0, 900.0), (479.5, 269.5), (0.05, 0, 0, 0, 0, 0),
@@ -86,7 +86,7 @@ def clicked(
 
 
 def residuals(annotation: FrameAnnotation, vector: np.ndarray | None = None) -> Residuals:
-    seen = observe(annotation, FIELD, FRAME)
+    seen = build_observations(annotation, FIELD, FRAME)
     assert seen is not None
     at = vector_from_camera(CAMERA, FRAME) if vector is None else vector
     return pinhole_residuals(at[None], seen, FRAME.half_diagonal, 11)
@@ -194,9 +194,9 @@ def test_distances_to_curves_seen_edge_on_are_true(height, off_px) -> None:
         exact = shown[rng.integers(0, len(shown), 60)]
         points = exact + rng.normal(0, off_px, exact.shape)
         polylines.append(Polyline(name, tuple(point_from_px(x, y, SIZE) for x, y in points)))
-        points = points[used_points(polylines[-1], FRAME)]
+        points = points[used_point_indices(polylines[-1], FRAME)]
         expected.append(np.hypot(*(points[:, None] - shown[None]).transpose(2, 0, 1)).min(axis=1))
-    seen = observe(FrameAnnotation(tuple(polylines)), field, FRAME)
+    seen = build_observations(FrameAnnotation(tuple(polylines)), field, FRAME)
     vector = vector_from_camera(camera, FRAME)
     found = pinhole_residuals(vector[None], seen, FRAME.half_diagonal, 7)
     order = [shapes[e.name] for e in seen.elements]

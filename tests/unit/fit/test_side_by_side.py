@@ -8,17 +8,17 @@ import numpy as np
 import pytest
 
 from procc_annotator.annotation import FrameAnnotation, Polyline
-from procc_annotator.fit.fitting import ToFit, fit_camera, fit_cameras
+from procc_annotator.fit.fitting import FitRequest, fit_camera, fit_cameras
 from procc_annotator.fit.solving import residual, search
-from procc_annotator.fit.solving.observations import PictureFrame, observe
-from procc_annotator.fit.solving.side_by_side import walked_together
-from procc_annotator.fit.solving.solver import walked
+from procc_annotator.fit.solving.observations import ImageFrame, build_observations
+from procc_annotator.fit.solving.side_by_side import run_batched
+from procc_annotator.fit.solving.solver import run_steps
 
 SIZE, LARGER = (960, 540), (1920, 1080)
 
 
 @pytest.fixture(scope="module")
-def frames(views, field) -> list[ToFit]:
+def frames(views, field) -> list[FitRequest]:
     """Frames unlike each other: few and many elements, with and without curves, barrel, wrong
     labels, too little for a camera, another size."""
     rng = np.random.default_rng(5)
@@ -78,20 +78,20 @@ def test_no_frames_get_no_cameras() -> None:
 def test_residuals_of_several_frames_are_worked_out_at_once(frames, monkeypatch) -> None:
     """As often as the slowest frame asks for them, not as often as all of them do."""
     looks: Counter[str] = Counter()
-    computed = residual.find_feet
+    computed = residual.find_closest_points
 
     def counted(*args, **options):
         looks[way] += 1
         return computed(*args, **options)
 
-    monkeypatch.setattr(residual, "find_feet", counted)
-    frame = PictureFrame(SIZE)
-    seen = [observe(annotation, field, frame) for annotation, field, size in frames[:8]]
+    monkeypatch.setattr(residual, "find_closest_points", counted)
+    frame = ImageFrame(SIZE)
+    seen = [build_observations(annotation, field, frame) for annotation, field, size in frames[:8]]
     steps = [(one, frames[0][1], frame, "R") for one in seen]
     way = "alone"
-    alone = [walked(search.search_steps(*one)) for one in steps]
+    alone = [run_steps(search.search_camera_steps(*one)) for one in steps]
     way = "together"
-    together = walked_together([search.search_steps(*one) for one in steps])
+    together = run_batched([search.search_camera_steps(*one) for one in steps])
     for one, other in zip(alone, together, strict=True):
         assert one.solution.steps == other.solution.steps
         np.testing.assert_allclose(one.vector, other.vector, rtol=1e-6, atol=1e-9)

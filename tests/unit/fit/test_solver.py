@@ -7,18 +7,18 @@ from functools import partial
 import numpy as np
 import pytest
 
-from procc_annotator.fit.solving.models import KAPPA, LEAST_KAPPA, vector_from_camera
-from procc_annotator.fit.solving.observations import PictureFrame, observe
+from procc_annotator.fit.solving.models import KAPPA, MIN_KAPPA, vector_from_camera
+from procc_annotator.fit.solving.observations import ImageFrame, build_observations
 from procc_annotator.fit.solving.residual import pinhole_residuals
-from procc_annotator.fit.solving.search import search
-from procc_annotator.fit.solving.solver import Loss, Prior, Problem, solve
+from procc_annotator.fit.solving.search import search_camera
+from procc_annotator.fit.solving.solver import RobustLoss, GaussianPrior, Problem, solve
 from procc_annotator.fit.solving.starts import (
     wide_prior,
 )
-from procc_annotator.fit.solving.surroundings import surroundings_of
+from procc_annotator.fit.solving.surroundings import camera_placement_prior
 
 scipy = pytest.importorskip("scipy")
-FRAME = PictureFrame((960, 540))
+FRAME = ImageFrame((960, 540))
 
 
 @pytest.mark.parametrize("seed", range(4))
@@ -26,13 +26,13 @@ FRAME = PictureFrame((960, 540))
 def test_squared_loss_as_scipy(views, field, seed, free, barrel) -> None:
     k1 = -0.4 if barrel else None
     view = views.random(np.random.default_rng(seed), at_least=6, side=0, k1=k1)
-    seen = observe(view.annotation, field, FRAME)
+    seen = build_observations(view.annotation, field, FRAME)
     start = vector_from_camera(view.camera, FRAME)
     if free == 7:
         start[KAPPA] = 0.0
-    prior = wide_prior(np.array([0]), surroundings_of(field), free)
+    prior = wide_prior(np.array([0]), camera_placement_prior(field), free)
     residuals = partial(pinhole_residuals, seen=seen, half_diagonal=FRAME.half_diagonal, free=free)
-    problem = Problem(residuals, seen.weights, Loss("squared", 1.0), prior, bounded=KAPPA)
+    problem = Problem(residuals, seen.weights, RobustLoss("squared", 1.0), prior, bounded=KAPPA)
     ours = solve(problem, start[None].copy(), iterations=60, tolerance=1e-12)
     root = np.sqrt(seen.weights)
 
@@ -44,7 +44,7 @@ def test_squared_loss_as_scipy(views, field, seed, free, barrel) -> None:
 
     low = np.full(free, -np.inf)
     if free > KAPPA:
-        low[KAPPA] = LEAST_KAPPA if barrel else 0.0
+        low[KAPPA] = MIN_KAPPA if barrel else 0.0
     scale = np.r_[1e-3, 1e-3, 1e-3, 0.1, 0.1, 0.1, 1e-3, 1e-2, 1e-3, 1, 1][:free]
     inside = np.maximum(start[:free], low + 1e-6)
     theirs = scipy.optimize.least_squares(
@@ -71,8 +71,8 @@ def test_a_parameter_on_its_bound_lets_the_others_go_on() -> None:
             self.distances = np.hypot(self.values[:, 0], self.values[:, 1])
             self.whole = np.ones_like(self.distances, dtype=bool)
 
-    flat = Prior(np.zeros((1, 2)), np.zeros((1, 2)))
-    problem = Problem(FoundCamera, np.ones(1), Loss("squared", 1.0), flat, bounded=1)
+    flat = GaussianPrior(np.zeros((1, 2)), np.zeros((1, 2)))
+    problem = Problem(FoundCamera, np.ones(1), RobustLoss("squared", 1.0), flat, bounded=1)
     found = solve(problem, np.array([[0.0, 5.0], [10.0, 0.5]]), iterations=50, tolerance=1e-14)
     # On y = 0: minimise (x - 3)^2 + (2 + x / 4)^2.
     expected = (3 - 0.5) / (1 + 1 / 16)
@@ -81,7 +81,7 @@ def test_a_parameter_on_its_bound_lets_the_others_go_on() -> None:
 
 @pytest.mark.parametrize("kind", ["cauchy", "geman_mcclure", "huber", "squared"])
 def test_weights_are_the_slope_of_the_cost(kind) -> None:
-    loss = Loss(kind, 3.0)
+    loss = RobustLoss(kind, 3.0)
     distances = np.linspace(0.1, 40, 60)
     step = 1e-6
     slope = (
@@ -103,15 +103,15 @@ def test_a_search_that_starts_below_zero_keeps_to_the_lower_bound() -> None:
             self.distances = np.abs(self.values[:, 0])
             self.whole = np.ones_like(self.distances, dtype=bool)
 
-    flat = Prior(np.zeros((1, 1)), np.zeros((1, 1)))
-    problem = Problem(FoundCamera, np.ones(1), Loss("squared", 1.0), flat, bounded=0)
+    flat = GaussianPrior(np.zeros((1, 1)), np.zeros((1, 1)))
+    problem = Problem(FoundCamera, np.ones(1), RobustLoss("squared", 1.0), flat, bounded=0)
     found = solve(problem, np.array([[0.3], [0.0], [-0.01]]), iterations=20)
-    np.testing.assert_allclose(found.vectors, [[0.0], [0.0], [LEAST_KAPPA]], atol=1e-12)
+    np.testing.assert_allclose(found.vectors, [[0.0], [0.0], [MIN_KAPPA]], atol=1e-12)
 
 
 def test_the_radial_coefficient_of_a_search_never_falls_below_zero(views, field) -> None:
     rng = np.random.default_rng(3)
     for _ in range(4):
         view = views.random(rng, k1=-0.05, at_least=6)
-        found = search(observe(view.annotation, field, FRAME), field, FRAME, "R")
+        found = search_camera(build_observations(view.annotation, field, FRAME), field, FRAME, "R")
         assert found.vector[KAPPA] >= 0

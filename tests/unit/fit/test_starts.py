@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from procc_annotator.field.model import CameraPlaces
+from procc_annotator.field.model import CameraPlacement
 from procc_annotator.fit.fitting import fit_camera
 from tests.bench.sports.views import Views
 
@@ -19,7 +19,7 @@ def test_a_place_without_a_range_is_believed_but_not_to_the_metre(
 ) -> None:
     """The camera is at 32 m and 14 m: the file may be right or somewhat off."""
     view = views.main(np.random.default_rng(5), noise_px=0.5, k1=0.0)
-    exact = replace(field, cameras=CameraPlaces((30.0, 30.0, 30.0), (height, height, height)))
+    exact = replace(field, cameras=CameraPlacement((30.0, 30.0, 30.0), (height, height, height)))
     fit = fit_camera(view.annotation, exact, model=model)
     assert fit.camera is not None, fit.failure
     assert median_error(view.camera, fit.camera) < 2
@@ -28,7 +28,7 @@ def test_a_place_without_a_range_is_believed_but_not_to_the_metre(
 
 def test_cameras_that_all_stand_at_one_distance_and_height_are_found(field) -> None:
     """As a field file may say; the study of every sport draws its cameras from there."""
-    exact = Views(replace(field, cameras=CameraPlaces((30.0, 30.0, 30.0), (12.0, 12.0, 12.0))))
+    exact = Views(replace(field, cameras=CameraPlacement((30.0, 30.0, 30.0), (12.0, 12.0, 12.0))))
     view = exact.random(np.random.default_rng(2))
     assert view.camera.position_world[2] == -12
     fit = fit_camera(view.annotation, exact.field)

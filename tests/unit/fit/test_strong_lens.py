@@ -13,28 +13,28 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.fisheye import FisheyeCamera
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.load import load_field
-from procc_annotator.fit.determined import hardly_determined
+from procc_annotator.fit.determined import ill_conditioned_reason
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.labels.check import check_labels
 from procc_annotator.fit.labels.finding import Rule, Severity
 from procc_annotator.fit.predict.ghosts import find_ghosts
 from procc_annotator.fit.solving.jacobian import Lens, project
 from procc_annotator.fit.solving.models import (
-    FREE,
+    FREE_PARAMETERS,
     KAPPA,
-    SECOND,
+    SECOND_KAPPA,
     camera_from_vector,
     fisheye_from_vector,
-    strong_vector_from_camera,
+    wide_angle_vector_from_camera,
 )
-from procc_annotator.fit.solving.observations import PictureFrame
-from procc_annotator.fit.together.tripod import share_position
+from procc_annotator.fit.solving.observations import ImageFrame
+from procc_annotator.fit.together.tripod import fit_shared_position
 from procc_annotator.session.runs.calibration_run import camera_file
 from tests.unit.fit.conftest import SIZE, Views
 
 COURT = load_field("basketball_fiba")
 VIEWS = Views(COURT)
-FRAME = PictureFrame(SIZE)
+FRAME = ImageFrame(SIZE)
 GROUND = np.array([(x, y, 0.0) for x in np.linspace(-13, 13, 27) for y in np.linspace(-7, 7, 15)])
 POSE = (0.15, 1.2, 0.005, (2.0, 14.0, -6.0))
 FISHEYE = FisheyeCamera(*POSE, (520, 520), (483, 265), (-0.03, 0.01, 0, 0))
@@ -55,14 +55,14 @@ def off(camera, other) -> float:
 
 @pytest.mark.parametrize("model", CAMERAS)
 def test_the_solver_sees_what_the_camera_shows(model: str) -> None:
-    vector = strong_vector_from_camera(CAMERAS[model], FRAME)
+    vector = wide_angle_vector_from_camera(CAMERAS[model], FRAME)
     of_vector = fisheye_from_vector if model == "F" else camera_from_vector
     again = of_vector(vector, FRAME)
     shown, valid = CAMERAS[model].project(GROUND)
     assert again.project(GROUND)[0][valid] == pytest.approx(shown[valid])
     lens = Lens.of(vector[None], FRAME.half_diagonal)
     world = GROUND.T[None]
-    pixels, _, _ = project(lens, world, np.zeros_like(world), FREE[model])
+    pixels, _, _ = project(lens, world, np.zeros_like(world), FREE_PARAMETERS[model])
     expected = (shown - np.array(FRAME.centre_px)) * FRAME.scale
     near = valid & (np.abs(expected) < 1000).all(axis=1)
     assert pixels[0].T[near] == pytest.approx(expected[near], abs=1e-6)
@@ -73,16 +73,16 @@ def test_the_solver_sees_what_the_camera_shows(model: str) -> None:
 
 @pytest.mark.parametrize("model", CAMERAS)
 def test_derivatives_are_those_of_differences(model: str) -> None:
-    vector = strong_vector_from_camera(CAMERAS[model], FRAME)
+    vector = wide_angle_vector_from_camera(CAMERAS[model], FRAME)
     world = GROUND[(np.abs(GROUND[:, 0] - 2) < 6)].T[None]
     along = np.broadcast_to(np.array([0.6, -0.8, 0.0])[:, None], world.shape[1:])[None]
 
     def at(changed, place=world):
         lens = Lens.of(changed[None], FRAME.half_diagonal)
-        return project(lens, place, along, FREE[model])
+        return project(lens, place, along, FREE_PARAMETERS[model])
 
     _, moved, found = at(vector)
-    for i in range(FREE[model]):
+    for i in range(FREE_PARAMETERS[model]):
         step = np.zeros(len(vector))
         step[i] = 1e-5
         difference = (at(vector + step)[0] - at(vector - step)[0]) / 2e-5
@@ -99,7 +99,7 @@ def test_a_strong_lens_is_found_where_one_coefficient_is_not_enough(model: str) 
     assert off(CAMERAS[model], fit.camera) < 1.0
     assert not fit.left_out
     assert fit.mean_px < 0.7 * plain.mean_px
-    assert len(fit.parameters) == len(fit.covariance) == FREE[model]
+    assert len(fit.parameters) == len(fit.covariance) == FREE_PARAMETERS[model]
     chosen = fit_camera(annotation, COURT, model="auto")
     assert chosen.model in CAMERAS
     assert off(CAMERAS[model], chosen.camera) < 1.5
@@ -161,7 +161,7 @@ def test_what_it_says_of_itself_holds(model: str) -> None:
         sd = fit.projected_sd(GROUND[inside])
         error = np.hypot(*(fit.camera.project(GROUND[inside])[0] - shown[inside]).T)
         shares.append((error < 2 * sd).mean())
-        assert hardly_determined(fit) == ""
+        assert ill_conditioned_reason(fit) == ""
     assert np.mean(shares) > 0.9
 
 
@@ -180,20 +180,20 @@ def test_positions_are_shared_by_fisheyes_too() -> None:
     cameras = {f"f{i}": replace(FISHEYE, pan_rad=p) for i, p in enumerate((-0.1, 0.05, 0.2, 0.3))}
     frames = {name: clicks(c, i) for i, (name, c) in enumerate(cameras.items())}
     alone = {n: fit_camera(a, COURT, model="F", start=cameras[n]) for n, a in frames.items()}
-    shared = share_position(frames, alone, COURT)
-    assert [len(tripod.frames) for tripod in shared.tripods] == [4]
-    assert np.abs(shared.tripods[0].position_m - np.array(POSE[3])).max() < 0.15
+    shared = fit_shared_position(frames, alone, COURT)
+    assert [len(tripod.frames) for tripod in shared.groups] == [4]
+    assert np.abs(shared.groups[0].position_m - np.array(POSE[3])).max() < 0.15
     for name, fit in shared.fits.items():
         assert isinstance(fit.camera, FisheyeCamera)
         assert off(cameras[name], fit.camera) < 1.0
 
 
 def test_lenses_that_fold_show_nothing_twice() -> None:
-    vector = strong_vector_from_camera(RADIAL, FRAME)
-    vector[KAPPA], vector[SECOND] = -0.4, 0.0
+    vector = wide_angle_vector_from_camera(RADIAL, FRAME)
+    vector[KAPPA], vector[SECOND_KAPPA] = -0.4, 0.0
     lens = Lens.of(vector[None], FRAME.half_diagonal)
     world = GROUND.T[None]
-    beyond = lens.beyond_fold(world)
+    beyond = lens.is_beyond_fold(world)
     folded = ~camera_from_vector(vector, FRAME).project(GROUND)[1]
     depth = (lens.linear[0, 2, :3] @ world[0] + lens.linear[0, 2, 3]) > 0.001
     assert (beyond[0][depth] == folded[depth]).all()

@@ -15,23 +15,23 @@ import pytest
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.geometry import Line
 from procc_annotator.fit.from_picture.proposal import KnownPosition, Proposal
-from procc_annotator.fit.on_paint.painted import painted_of
+from procc_annotator.fit.on_paint.painted import marking_points
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.models import vector_from_camera
-from procc_annotator.fit.solving.observations import PictureFrame
+from procc_annotator.fit.solving.observations import ImageFrame
 from procc_annotator.fit.through_shot import following_shot, shot_marks
-from procc_annotator.fit.through_shot.banded import Normal, solve_normal
+from procc_annotator.fit.through_shot.banded import BandedNormalEquations, solve_banded
 from procc_annotator.fit.through_shot.chain import FrameChain
-from procc_annotator.fit.through_shot.following import follow
-from procc_annotator.fit.through_shot.following_shot import track
-from procc_annotator.fit.through_shot.reading import glimpses
-from procc_annotator.fit.through_shot.smoothing import Smoothed, smoothed
-from procc_annotator.fit.through_shot.starting import belief_at, pinhole_near
-from procc_annotator.fit.through_shot.stepping import Stepped
+from procc_annotator.fit.through_shot.following import track_run
+from procc_annotator.fit.through_shot.following_shot import track_shot
+from procc_annotator.fit.through_shot.reading import decoded_frames
+from procc_annotator.fit.through_shot.smoothing import SmoothedChain, smooth_chain
+from procc_annotator.fit.through_shot.starting import state_from_camera, nearest_pinhole_vector
+from procc_annotator.fit.through_shot.stepping import FilterStep
 from procc_annotator.fit.through_shot.track import Track, TrackedFrame
-from procc_annotator.fit.through_shot.turning import OWN, small_of, turn_between
+from procc_annotator.fit.through_shot.turning import MOTION_PARAMETERS, motion_image, estimate_inter_frame_motion
 from procc_annotator.image.pixels import PixelArray
-from procc_annotator.image.video import open_shared
+from procc_annotator.image.video import open_shared_video
 from tests.drawn_shots import Aim, DrawnShot, Look, course, stage_of
 from tests.unit.fit import plain_pictures
 from tests.unit.fit.plain_pictures import FIELD, FRAME, SIZE, apart_px, camera, draw
@@ -62,7 +62,7 @@ def _nothing(_picture: PixelArray, _field: object, _known: tuple[KnownPosition, 
 def _followed(frame: Callable[[int], PixelArray] = _picture, **options: object) -> Track:
     options.setdefault("propose", _nothing)
     options.setdefault("anchors", {0: CAMERAS[0]})
-    return track(frame, range(COUNT), FIELD, **options)  # type: ignore[arg-type]
+    return track_shot(frame, range(COUNT), FIELD, **options)  # type: ignore[arg-type]
 
 
 def _off(frame: TrackedFrame) -> float:
@@ -103,8 +103,8 @@ def test_a_sure_camera_is_not_replaced_by_one_that_leaves_its_lines(
 ) -> None:
     """All frames together suit a camera that is turned: then they stay as they were followed."""
 
-    def turned(chain: FrameChain, *given: object) -> Smoothed:
-        found = smoothed(chain, *given)  # type: ignore[arg-type]
+    def turned(chain: FrameChain, *given: object) -> SmoothedChain:
+        found = smooth_chain(chain, *given)  # type: ignore[arg-type]
         by = 0.02 * (np.arange(11) == 0)  # 30 px
         steps = [
             replace(step, belief=replace(step.belief, vector=step.belief.vector + by))
@@ -116,7 +116,7 @@ def test_a_sure_camera_is_not_replaced_by_one_that_leaves_its_lines(
         fit = FitResult("R", SIZE, CAMERAS[0], vector=vector_from_camera(CAMERAS[0], FRAME))
         return Proposal("sure", "all is there", fit, 1.0, 1.0, 0.1, 0.9, None)
 
-    monkeypatch.setattr(following_shot, "smoothed", turned)
+    monkeypatch.setattr(following_shot, "smooth_chain", turned)
     found = _followed(anchors={}, propose=propose)
     assert max(_off(f) for f in found.frames) < 1.5
     assert not any(f.reason for f in found.frames)
@@ -129,7 +129,7 @@ def test_frames_solved_some_at_a_time_have_the_same_cameras(
         return _picture(number, lines=not 6 <= number < 12)  # some have nothing to solve
 
     whole = _followed(frame)
-    monkeypatch.setattr(shot_marks, "_AT_ONCE", 3)
+    monkeypatch.setattr(shot_marks, "_BATCH_FRAMES", 3)
     for one, other in zip(whole.frames, _followed(frame).frames, strict=True):
         assert one.fit is not None
         assert other.fit is not None
@@ -153,7 +153,7 @@ def test_a_long_line_that_the_camera_shows_elsewhere_is_reported_and_a_worn_one_
     field = FIELD if worn else replace(FIELD, elements=(*others, away))
     if worn:
         monkeypatch.setattr(plain_pictures, "FIELD", replace(FIELD, elements=others))
-    found = track(
+    found = track_shot(
         lambda number: draw(CAMERAS[number]), range(4), field, anchors={0: CAMERAS[0]}
     ).frames[1:]
     assert all(f.state == "followed" and f.coverage > 0.65 and _off(f) < 1.0 for f in found)
@@ -246,11 +246,11 @@ def test_it_ends_as_soon_as_it_is_told_to() -> None:
 
 
 def test_no_frames_are_no_track() -> None:
-    assert track(_picture, range(0), FIELD).frames == ()
+    assert track_shot(_picture, range(0), FIELD).frames == ()
 
 
 def test_frames_come_backwards_and_a_failure_is_passed_on() -> None:
-    assert [g.number for g in glimpses(_picture, range(12, 2, -1))] == list(range(12, 2, -1))
+    assert [g.number for g in decoded_frames(_picture, range(12, 2, -1))] == list(range(12, 2, -1))
 
     def broken(number: int) -> PixelArray:
         if number == 4:
@@ -258,25 +258,25 @@ def test_frames_come_backwards_and_a_failure_is_passed_on() -> None:
         return _picture(number)
 
     with pytest.raises(OSError, match="gone"):
-        list(glimpses(broken, range(10)))
+        list(decoded_frames(broken, range(10)))
 
 
 def test_the_motion_of_a_picture_is_that_of_its_camera() -> None:
     before, now = CAMERAS[3], CAMERAS[5]
-    turn = turn_between(
-        small_of(_picture(3)),
-        small_of(_picture(5)),
+    turn = estimate_inter_frame_motion(
+        motion_image(_picture(3)),
+        motion_image(_picture(5)),
         vector_from_camera(before, FRAME),
         np.zeros(4),
         FRAME,
     )
     assert turn is not None
-    true = (vector_from_camera(now, FRAME) - vector_from_camera(before, FRAME))[OWN]
+    true = (vector_from_camera(now, FRAME) - vector_from_camera(before, FRAME))[MOTION_PARAMETERS]
     assert np.abs(turn.step - true)[:2].max() < 1.0 / 1500  # a solver px
     assert abs(turn.step[3] - true[3]) < 0.004
-    unlike = small_of(UNLIKE)
+    unlike = motion_image(UNLIKE)
     vector = vector_from_camera(before, FRAME)
-    assert turn_between(small_of(_picture(3)), unlike, vector, np.zeros(4), FRAME) is None
+    assert estimate_inter_frame_motion(motion_image(_picture(3)), unlike, vector, np.zeros(4), FRAME) is None
 
 
 def test_a_banner_laid_over_the_picture_does_not_hold_the_camera_back() -> None:
@@ -287,9 +287,9 @@ def test_a_banner_laid_over_the_picture_does_not_hold_the_camera_back() -> None:
     for picture in pictures:
         picture[-len(banner) :] = banner
     before, now = (vector_from_camera(one, FRAME) for one in cameras)
-    turn = turn_between(*map(small_of, pictures), before, np.zeros(4), FRAME)
+    turn = estimate_inter_frame_motion(*map(motion_image, pictures), before, np.zeros(4), FRAME)
     assert turn is not None
-    assert np.abs(turn.step - (now - before)[OWN])[:2].max() < 0.5 / 1500  # half a solver px
+    assert np.abs(turn.step - (now - before)[MOTION_PARAMETERS])[:2].max() < 0.5 / 1500  # half a solver px
 
 
 def test_a_chain_is_solved_as_all_of_it_at_once_would_be() -> None:
@@ -306,8 +306,8 @@ def test_a_chain_is_solved_as_all_of_it_at_once_would_be() -> None:
     right = random.normal(size=(total, 1))
     blocks = [slice(k * own, (k + 1) * own) for k in range(count)]
     last = slice(count * own, total)
-    found = solve_normal(
-        Normal(
+    found = solve_banded(
+        BandedNormalEquations(
             np.array([whole[b, b] for b in blocks]),
             np.array([whole[a, b] for a, b in itertools.pairwise(blocks)]),
             np.array([whole[b, last] for b in blocks]),
@@ -347,7 +347,7 @@ def test_a_camera_that_moves_where_each_place_leaves_a_few_lines_behind() -> Non
     shot = DrawnShot(stage_of("soccer"), (cameras,), (640, 360), Look(people=False))
     pictures = [shot.frame(number) for number in range(count)]
     anchors = {0: shot.cameras[0]}
-    found = track(pictures.__getitem__, range(count), shot.stage.field, anchors=anchors)
+    found = track_shot(pictures.__getitem__, range(count), shot.stage.field, anchors=anchors)
     for frame, true in zip(found.frames, shot.cameras, strict=True):
         assert frame.fit is not None
         assert isinstance(frame.fit.camera, PinholeCamera)
@@ -359,9 +359,9 @@ def test_a_camera_that_moves_where_each_place_leaves_a_few_lines_behind() -> Non
 @pytest.mark.soak
 def test_a_tripod_beside_a_pitch_that_is_not_as_its_file_says_stays_one(shared_data: Path) -> None:
     """A position a frame explains such a shot a little better, by a camera that flies 19 m."""
-    video = open_shared(shared_data / "clips" / "soccer_7_Psg-Angers_103_110.mp4")
+    video = open_shared_video(shared_data / "clips" / "soccer_7_Psg-Angers_103_110.mp4")
     told: list[TrackedFrame] = []
-    found = track(video.frame, range(video.frame_count), FIELD, on_frame=told.append)
+    found = track_shot(video.frame, range(video.frame_count), FIELD, on_frame=told.append)
     cameras = [f.fit.camera for f in found.frames if f.fit is not None]
     places = [c.position_world for c in cameras if isinstance(c, PinholeCamera)]
     assert len(places) == video.frame_count
@@ -373,11 +373,11 @@ def test_a_tripod_beside_a_pitch_that_is_not_as_its_file_says_stays_one(shared_d
 
 def test_coverage_is_that_of_the_camera_that_is_handed_back() -> None:
     """Lines that all frames together move a camera away from are not on its paint any more."""
-    frame = PictureFrame(SIZE)
-    painted = painted_of(FIELD)
-    start = belief_at(pinhole_near(CAMERAS[0], FIELD, frame), FIELD, painted, frame)
-    steps: list[Stepped] = []
-    follow(
+    frame = ImageFrame(SIZE)
+    painted = marking_points(FIELD)
+    start = state_from_camera(nearest_pinhole_vector(CAMERAS[0], FIELD, frame), FIELD, painted, frame)
+    steps: list[FilterStep] = []
+    track_run(
         _picture,
         range(6),
         start,
@@ -392,7 +392,7 @@ def test_coverage_is_that_of_the_camera_that_is_handed_back() -> None:
     steps[3] = replace(steps[3], marks=replace(marks, across=marks.across + 6.0 * beside))
     turns = tuple(step.turn for step in steps[1:])
     chain = FrameChain(tuple(range(6)), tuple(steps), turns, {0: start})
-    found = smoothed(chain, FIELD, frame).chain.steps
+    found = smooth_chain(chain, FIELD, frame).chain.steps
     shares = [after.coverage / before.coverage for after, before in zip(found, steps, strict=True)]
     assert shares[3] == pytest.approx(2 / 3, abs=0.05)
     assert min(shares[:3] + shares[4:]) > 0.95

@@ -14,10 +14,10 @@ from procc_annotator.camera.fisheye import FisheyeCamera
 from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.camera.scaling import ScaledCamera
-from procc_annotator.camera.sight_line import projection_slopes, sight_line
-from procc_annotator.fit.place_agreement import agreement_of_views
-from procc_annotator.fit.projected_ellipse import projected_ellipses
-from procc_annotator.fit.triangulation import Triangulated, View, triangulate, usual_click_px
+from procc_annotator.camera.sight_line import projection_jacobian, viewing_ray
+from procc_annotator.fit.place_agreement import compare_with_survey
+from procc_annotator.fit.projected_ellipse import project_error_ellipses
+from procc_annotator.fit.triangulation import Triangulation, ClickedView, triangulate, default_click_sd_px
 
 FloatArray = NDArray[np.float64]
 SEAT = np.array([18.0, -47.0, -9.5])
@@ -61,17 +61,17 @@ class Plain:
 
 def _clicks(
     *cameras: object, off: FloatArray | float = 0.0, place: FloatArray = SEAT
-) -> list[View]:
+) -> list[ClickedView]:
     views = []
     for i, camera in enumerate(cameras):
         px, shown = camera.project(SEAT[None])  # type: ignore[attr-defined]
         assert shown.all()
         moved = px[0] + (off[i] if isinstance(off, np.ndarray) else off)
-        views.append(View(f"view{i}", camera, moved, 1.0))  # type: ignore[arg-type]
+        views.append(ClickedView(f"view{i}", camera, moved, 1.0))  # type: ignore[arg-type]
     return views
 
 
-def _position(found: Triangulated) -> FloatArray:
+def _position(found: Triangulation) -> FloatArray:
     assert found.position is not None, found.failure
     return np.array(found.position)
 
@@ -100,8 +100,8 @@ def test_any_model_will_do() -> None:
 
 
 def test_a_sight_line_is_the_same_whether_the_model_is_known_or_searched() -> None:
-    known = sight_line(CAMERAS[1], np.array([200.0, 400.0]))
-    searched = sight_line(Plain(CAMERAS[1]), np.array([200.0, 400.0]))
+    known = viewing_ray(CAMERAS[1], np.array([200.0, 400.0]))
+    searched = viewing_ray(Plain(CAMERAS[1]), np.array([200.0, 400.0]))
     assert known is not None
     assert searched is not None
     assert abs(abs(float(known.direction @ searched.direction)) - 1) < 1e-9
@@ -111,7 +111,7 @@ def test_a_sight_line_is_the_same_whether_the_model_is_known_or_searched() -> No
 
 def test_the_derivatives_agree_with_a_known_camera() -> None:
     plain = replace(CAMERAS[0], radial=(0.0,) * 6, tangential=(0.0, 0.0))
-    _, slopes = projection_slopes(plain, SEAT[None])
+    _, slopes = projection_jacobian(plain, SEAT[None])
     x, y, z = plain.rotation_cam_from_world @ (SEAT - plain.position_world)
     fx, fy = plain.focal_px
     exact = np.array([[fx / z, 0, -fx * x / z**2], [0, fy / z, -fy * y / z**2]])
@@ -165,7 +165,7 @@ def test_the_covariance_holds_what_the_cameras_do_not_know() -> None:
 
     def from_position(camera: PinholeCamera, places: FloatArray) -> FloatArray:
         # Moving the camera is moving the place the other way.
-        _, slopes = projection_slopes(camera, places)
+        _, slopes = projection_jacobian(camera, places)
         return np.asarray(sd_m**2 * slopes @ slopes.transpose(0, 2, 1))
 
     errors, covariances = [], []
@@ -176,7 +176,7 @@ def test_the_covariance_holds_what_the_cameras_do_not_know() -> None:
             believed = replace(camera, position_world=(x, y, z))
             px = view.point_px + rng.normal(0, 1.0, 2)
             views.append(
-                View(view.name, believed, px, 1.0, lambda p, c=believed: from_position(c, p))
+                ClickedView(view.name, believed, px, 1.0, lambda p, c=believed: from_position(c, p))
             )
         found = triangulate(views, estimate_noise=False)
         errors.append(_position(found) - SEAT)
@@ -229,7 +229,7 @@ def test_lines_of_sight_that_meet_behind_a_camera_are_refused() -> None:
     left = _looking_at((-10.0, 70.0, -18.0), np.array([-40.0, 0.0, -5.0]))
     right = _looking_at((10.0, 70.0, -18.0), np.array([40.0, 0.0, -5.0]))
     middle = np.array([480.0, 270.0])
-    views = [View("left", left, middle, 1.0), View("right", right, middle, 1.0)]
+    views = [ClickedView("left", left, middle, 1.0), ClickedView("right", right, middle, 1.0)]
     found = triangulate(views)
     assert found.failure is not None
     assert "meet behind the camera of left" in found.failure
@@ -240,12 +240,12 @@ def test_what_no_view_can_tell_is_said() -> None:
     middle = np.array([480.0, 270.0])
     folds = FisheyeCamera(0.0, 1.2, 0.0, (0.0, 70.0, -18.0), (500.0, 500.0), (480.0, 270.0))
     folds = replace(folds, coefficients=(-0.3, 0.0, 0.0, 0.0))
-    flat = [View("a", ground, middle, 1.0), View("b", ground, middle, 1.0)]
+    flat = [ClickedView("a", ground, middle, 1.0), ClickedView("b", ground, middle, 1.0)]
     for views, words in (
         ([], "in no view"),
         (_clicks(CAMERAS[0]), "one view only"),
         (flat, "know only the ground"),
-        ([*_clicks(CAMERAS[0]), View("c", folds, np.array([4000.0, 0.0]), 1.0)], "shows nothing"),
+        ([*_clicks(CAMERAS[0]), ClickedView("c", folds, np.array([4000.0, 0.0]), 1.0)], "shows nothing"),
     ):  # fmt: skip
         failure = triangulate(views).failure
         assert failure is not None
@@ -253,14 +253,14 @@ def test_what_no_view_can_tell_is_said() -> None:
 
 
 def test_a_click_is_as_good_as_its_picture_is_wide() -> None:
-    assert usual_click_px(1920) == pytest.approx(2 * usual_click_px(960))
+    assert default_click_sd_px(1920) == pytest.approx(2 * default_click_sd_px(960))
 
 
 def test_the_ellipse_holds_95_percent_of_where_the_place_may_appear() -> None:
     rng = np.random.default_rng(8)
     found = triangulate(_clicks(*CAMERAS[:2]), estimate_noise=False)
     assert found.position is not None
-    ellipse = projected_ellipses(CAMERAS[2], [found.position], [found.covariance])[0]
+    ellipse = project_error_ellipses(CAMERAS[2], [found.position], [found.covariance])[0]
     assert ellipse is not None
     assert found.covariance is not None
     places = rng.multivariate_normal(found.position, np.array(found.covariance), 4000)
@@ -277,26 +277,26 @@ def test_the_ellipse_holds_95_percent_of_where_the_place_may_appear() -> None:
 
 def test_a_place_behind_the_camera_has_no_ellipse() -> None:
     away = np.array(CAMERAS[0].position_world) * 2 - SEAT
-    assert projected_ellipses(CAMERAS[0], [tuple(away.tolist())], [None])[0] is None
+    assert project_error_ellipses(CAMERAS[0], [tuple(away.tolist())], [None])[0] is None
 
 
 def test_a_known_place_is_compared_to_its_clicks() -> None:
     clicks = _clicks(*CAMERAS[:3])
-    near = agreement_of_views(clicks, tuple(SEAT + np.array([0.02, 0.0, 0.0])))
+    near = compare_with_survey(clicks, tuple(SEAT + np.array([0.02, 0.0, 0.0])))
     assert near.astray == ()
     assert max(px for _, px in near.residuals_px) < 1
     off = SEAT + np.array([1.0, 0.0, 0.0])
-    far = agreement_of_views(clicks, tuple(off))
+    far = compare_with_survey(clicks, tuple(off))
     assert far.astray == ("view0", "view1", "view2")
     shown = np.array([view.camera.project(off[None])[0][0] - view.point_px for view in clicks])
     assert [px for _, px in far.residuals_px] == pytest.approx(np.hypot(*shown.T))
     # A place that is only known to a metre contradicts nothing, nor do clicks known to be noisy.
-    assert agreement_of_views(clicks, tuple(off), ((1, 0, 0), (0, 1, 0), (0, 0, 1))).astray == ()
+    assert compare_with_survey(clicks, tuple(off), ((1, 0, 0), (0, 1, 0), (0, 0, 1))).astray == ()
     noisy = [replace(view, click_px=20.0) for view in clicks]
-    assert agreement_of_views(noisy, tuple(off), estimate_noise=False).astray == ()
+    assert compare_with_survey(noisy, tuple(off), estimate_noise=False).astray == ()
 
 
 def test_a_known_place_behind_a_camera_is_told() -> None:
-    found = agreement_of_views(_clicks(*CAMERAS[:2]), (0.0, 90.0, -18.0))
+    found = compare_with_survey(_clicks(*CAMERAS[:2]), (0.0, 90.0, -18.0))
     assert "view0" in found.astray
     assert "view0" not in dict(found.residuals_px)

@@ -12,11 +12,11 @@ from procc_annotator.field.model import Landmark
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.solving.jacobian import Lens
 from procc_annotator.fit.solving.models import vector_from_camera
-from procc_annotator.fit.solving.noise import softened
-from procc_annotator.fit.solving.observations import PictureFrame, observe
+from procc_annotator.fit.solving.noise import whitened
+from procc_annotator.fit.solving.observations import ImageFrame, build_observations
 from procc_annotator.fit.solving.residual import pinhole_residuals
-from procc_annotator.fit.together.known import Usual
-from procc_annotator.fit.together.tripod import Tripod, fit_from
+from procc_annotator.fit.together.known import LensAndRollPrior
+from procc_annotator.fit.together.tripod import PositionGroup, fit_at_known_position
 
 SIZE = (960, 540)
 CLOSE_UP = PinholeCamera(
@@ -92,10 +92,10 @@ def test_a_place_known_badly_hardly_moves_the_camera(field) -> None:
 
 def test_derivatives_are_those_of_the_softened_residual(field) -> None:
     rng = np.random.default_rng(2)
-    frame = PictureFrame(SIZE)
+    frame = ImageFrame(SIZE)
     vector = vector_from_camera(CLOSE_UP, frame)
-    seen = observe(clicks(rng, 5.0), field_of(field, STAND, SD_M), frame)
-    seen = softened(seen, Lens.of(vector[None], frame.half_diagonal).linear[0])
+    seen = build_observations(clicks(rng, 5.0), field_of(field, STAND, SD_M), frame)
+    seen = whitened(seen, Lens.of(vector[None], frame.half_diagonal).linear[0])
     found = pinhole_residuals(vector[None], seen, frame.half_diagonal, 7)
     for i, step in enumerate((1e-7, 1e-7, 1e-7, 1e-4, 1e-4, 1e-4, 1e-7)):
         ends = []
@@ -111,13 +111,13 @@ def test_so_it_is_with_the_position_known(field) -> None:
     """A camera on its tripod: pan, tilt and zoom are told by landmarks."""
     rng = np.random.default_rng(3)
     sd_m = np.full(3, 0.01)
-    usual = Usual((0.0, 0.001), (0.0, 0.02))
+    usual = LensAndRollPrior((0.0, 0.001), (0.0, 0.02))
     place = np.array(CLOSE_UP.position_world)
-    tripod = Tripod(("a", "b", "c"), place, np.diag(sd_m**2), sd_m, sd_m, usual)
+    tripod = PositionGroup(("a", "b", "c"), place, np.diag(sd_m**2), sd_m, sd_m, usual)
     found = []
     for _ in range(30):
         known = field_of(field, STAND + rng.normal(size=STAND.shape) * SD_M, SD_M)
-        fit = fit_from(clicks(rng), known, tripod, model="P", size=SIZE)
+        fit = fit_at_known_position(clicks(rng), known, tripod, model="P", size=SIZE)
         assert fit.camera is not None, fit.failure
         found.append(squares(fit))
     # Held at a position the fit counts seven parameters all the same: it says rather too little.

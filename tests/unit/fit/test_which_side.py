@@ -11,18 +11,18 @@ from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.labels.finding import RemedyKind, Rule, Severity
-from procc_annotator.fit.labels.orientation import renamed
+from procc_annotator.fit.labels.orientation import relabelled
 from procc_annotator.fit.which_side import (
-    OnOtherSide,
-    Stand,
-    frames_on_other_side,
-    other_side_finding,
-    stand_of,
+    OppositeSideFrame,
+    FittedPosition,
+    find_opposite_frames,
+    opposite_side_finding,
+    fitted_position,
 )
 from procc_annotator.session.clicks.remedies import rename_classes
 
-STAND = Stand((0.0, -70.0, -16.0), ((0.1, 0, 0), (0, 1.0, 0), (0, 0, 0.1)), "R", True)
-FOUND = OnOtherSide(5, 9, STAND)
+STAND = FittedPosition((0.0, -70.0, -16.0), ((0.1, 0, 0), (0, 1.0, 0), (0, 0, 0.1)), "R", True)
+FOUND = OppositeSideFrame(5, 9, STAND)
 
 
 @pytest.fixture(scope="module")
@@ -38,11 +38,11 @@ def frames(views) -> dict[str, FrameAnnotation]:
 
 def test_turned_frames_are_found_and_turned_back(frames, field) -> None:
     turned = {name: field.half_turn.name_of(name) for name in field.index}
-    given = {n: renamed(a, turned) if n == "f3" else a for n, a in frames.items()}
-    stands = {name: stand_of(fit_camera(a, field)) for name, a in given.items()}
-    found = frames_on_other_side(stands, field)
+    given = {n: relabelled(a, turned) if n == "f3" else a for n, a in frames.items()}
+    stands = {name: fitted_position(fit_camera(a, field)) for name, a in given.items()}
+    found = find_opposite_frames(stands, field)
     assert set(found) == {"f3"}
-    finding = other_side_finding(given["f3"], field, found["f3"])
+    finding = opposite_side_finding(given["f3"], field, found["f3"])
     assert (finding.rule, finding.severity) == (Rule.OTHER_SIDE, Severity.ERROR)
     (remedy,) = finding.remedies
     assert remedy.kind is RemedyKind.RELABEL
@@ -51,19 +51,19 @@ def test_turned_frames_are_found_and_turned_back(frames, field) -> None:
 
 
 def test_a_homography_and_a_failed_fit_stand_nowhere(frames, field) -> None:
-    assert stand_of(fit_camera(frames["f1"], field, model="H")) is None
-    assert stand_of(fit_camera(FrameAnnotation(()), field)) is None
+    assert fitted_position(fit_camera(frames["f1"], field, model="H")) is None
+    assert fitted_position(fit_camera(FrameAnnotation(()), field)) is None
 
 
 def test_a_field_whose_sides_differ_tells_by_itself(frames, field) -> None:
-    stands = {name: stand_of(fit_camera(a, field)) for name, a in frames.items()}
+    stands = {name: fitted_position(fit_camera(a, field)) for name, a in frames.items()}
     stands["f0"] = replace(stands["f0"], position_m=(0.0, -70.0, -16.0))
-    assert frames_on_other_side(stands, replace(field, symmetries=())) == {}
+    assert find_opposite_frames(stands, replace(field, symmetries=())) == {}
 
 
 def test_labels_that_half_a_turn_leaves_as_they_are_say_nothing(field) -> None:
     middle = FrameAnnotation((Polyline("Middle line", (Point(0.2, 0.2), Point(0.3, 0.6))),))
-    assert other_side_finding(middle, field, FOUND) is None
+    assert opposite_side_finding(middle, field, FOUND) is None
 
 
 @pytest.mark.parametrize(
@@ -74,6 +74,6 @@ def test_labels_that_half_a_turn_leaves_as_they_are_say_nothing(field) -> None:
     ],
 )
 def test_how_sure_it_is(frames, field, found, severity) -> None:
-    finding = other_side_finding(frames["f2"], field, found)
+    finding = opposite_side_finding(frames["f2"], field, found)
     assert finding.severity is severity
     assert RemedyKind.RELABEL in {remedy.kind for remedy in finding.remedies}

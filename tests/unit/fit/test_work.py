@@ -8,7 +8,7 @@ import pytest
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.solving import barrel, cut_out, search, strong_lens
-from procc_annotator.fit.solving.observations import MOST_POINTS, PictureFrame, observe
+from procc_annotator.fit.solving.observations import MAX_POINTS, ImageFrame, build_observations
 
 # Times that residuals are computed (for any number of cameras at once), at most: 4 + 5 steps of the
 # search, 20 robust ones, 20 final ones, one look at the start of each of these four stages, and one
@@ -114,8 +114,8 @@ def test_thousands_of_points_cost_no_more_than_many(views, field, work, median_e
         return Polyline(polyline.class_name, tuple(Point(*p) for p in zip(*uv, strict=True)))
 
     many = FrameAnnotation(tuple(dense(p, 1500) for p in view.annotation))
-    seen = observe(many, field, PictureFrame((960, 540)))
-    assert max(seen.counts) == MOST_POINTS
+    seen = build_observations(many, field, ImageFrame((960, 540)))
+    assert max(seen.counts) == MAX_POINTS
     ends = seen.points[:, [0, seen.counts[0] - 1]]
     first = many.get(seen.elements[0].name).points
     expected = [[(p.u - 0.5) * 959, (p.v - 0.5) * 539] for p in (first[0], first[-1])]

@@ -8,16 +8,16 @@ import cv2
 import numpy as np
 import pytest
 
-from procc_annotator.image.adjust import Look, adjust, value_table
+from procc_annotator.image.adjust import DisplayAdjustment, adjust_image, tone_curve
 from procc_annotator.image.decode import PixelArray, decode_bgra
 
 GRASS = (60, 110, 70)  # b, g, r
 LOOKS = [
-    Look(brightness=0.4),
-    Look(contrast=-0.5),
-    Look(gamma=2.2),
-    Look(enhance=True),
-    Look(brightness=-1.0, contrast=1.0, gamma=0.2, enhance=True),
+    DisplayAdjustment(brightness=0.4),
+    DisplayAdjustment(contrast=-0.5),
+    DisplayAdjustment(gamma=2.2),
+    DisplayAdjustment(enhance=True),
+    DisplayAdjustment(brightness=-1.0, contrast=1.0, gamma=0.2, enhance=True),
 ]
 
 
@@ -55,17 +55,17 @@ def _contrast(pixels: PixelArray) -> float:
 
 def test_a_plain_look_gives_the_very_array() -> None:
     pixels = _noise((20, 30))
-    assert Look().is_plain
-    assert adjust(pixels, Look()) is pixels
+    assert DisplayAdjustment().is_identity
+    assert adjust_image(pixels, DisplayAdjustment()) is pixels
 
 
 @pytest.mark.parametrize("look", LOOKS)
-def test_the_array_given_stays_as_it_was(look: Look) -> None:
+def test_the_array_given_stays_as_it_was(look: DisplayAdjustment) -> None:
     pixels = _noise((90, 160))
     before = pixels.copy()
-    shown = adjust(pixels, look)
+    shown = adjust_image(pixels, look)
     np.testing.assert_array_equal(pixels, before)
-    assert not look.is_plain
+    assert not look.is_identity
     assert not np.shares_memory(shown, pixels)
     assert shown.shape == pixels.shape
     assert shown.dtype == np.uint8
@@ -76,41 +76,41 @@ def test_the_array_given_stays_as_it_was(look: Look) -> None:
 
 @pytest.mark.parametrize("look", LOOKS)
 @pytest.mark.parametrize("shape", [(1, 1), (2, 1), (3, 200)])
-def test_pictures_of_any_size(look: Look, shape: tuple[int, int]) -> None:
-    assert adjust(_noise(shape), look).shape == (*shape, 4)
+def test_pictures_of_any_size(look: DisplayAdjustment, shape: tuple[int, int]) -> None:
+    assert adjust_image(_noise(shape), look).shape == (*shape, 4)
 
 
 def test_a_file_is_not_touched(tmp_path: Path) -> None:
     path = tmp_path / "frame.png"
     cv2.imwrite(str(path), _noise((20, 30))[..., :3])
     before = path.read_bytes()
-    adjust(decode_bgra(path), LOOKS[-1])
+    adjust_image(decode_bgra(path), LOOKS[-1])
     assert path.read_bytes() == before
 
 
 def test_brightness_shifts_every_value() -> None:
     grey = np.full((4, 4, 4), (100, 120, 140, 255), dtype=np.uint8)
-    assert adjust(grey, Look(brightness=0.25))[0, 0].tolist() == [132, 152, 172, 255]
-    assert adjust(grey, Look(brightness=-0.25))[0, 0].tolist() == [68, 88, 108, 255]
+    assert adjust_image(grey, DisplayAdjustment(brightness=0.25))[0, 0].tolist() == [132, 152, 172, 255]
+    assert adjust_image(grey, DisplayAdjustment(brightness=-0.25))[0, 0].tolist() == [68, 88, 108, 255]
 
 
 def test_contrast_stretches_about_the_middle() -> None:
-    more, less = value_table(Look(contrast=0.5)).astype(int), value_table(Look(contrast=-0.5))
+    more, less = tone_curve(DisplayAdjustment(contrast=0.5)).astype(int), tone_curve(DisplayAdjustment(contrast=-0.5))
     assert more[157] - more[98] == pytest.approx(2 * (157 - 98), abs=1)
     assert int(less[228]) - int(less[28]) == pytest.approx(100, abs=1)
     assert abs(more[127] - 127) <= 1
 
 
 def test_gamma_lightens_the_dark_and_keeps_black_and_white() -> None:
-    lighter, darker = value_table(Look(gamma=2.0)), value_table(Look(gamma=0.5))
+    lighter, darker = tone_curve(DisplayAdjustment(gamma=2.0)), tone_curve(DisplayAdjustment(gamma=0.5))
     assert (lighter[0], lighter[255], darker[0], darker[255]) == (0, 255, 0, 255)
     assert lighter[64] == pytest.approx(128, abs=1)
     assert darker[128] == pytest.approx(64, abs=1)
 
 
 @pytest.mark.parametrize("look", LOOKS)
-def test_order_of_values_is_kept(look: Look) -> None:
-    assert (np.diff(value_table(look).astype(int)) >= 0).all()
+def test_order_of_values_is_kept(look: DisplayAdjustment) -> None:
+    assert (np.diff(tone_curve(look).astype(int)) >= 0).all()
 
 
 @pytest.mark.parametrize("grass", [GRASS, (20, 38, 24), (110, 170, 120)])
@@ -118,19 +118,19 @@ def test_order_of_values_is_kept(look: Look) -> None:
 @pytest.mark.parametrize("width", [2, 3, 6])
 def test_a_faint_line_becomes_clear(grass: tuple[int, int, int], strength: int, width: int) -> None:
     picture = _faint_line(grass, strength, width)
-    assert _contrast(adjust(picture, Look(enhance=True))) >= 2 * _contrast(picture) > 0
+    assert _contrast(adjust_image(picture, DisplayAdjustment(enhance=True))) >= 2 * _contrast(picture) > 0
 
 
 def test_a_faint_line_beside_boards_becomes_clear_too() -> None:
     picture = _faint_line(GRASS, 14)
     boards = np.array([(0, 0), (959, 0), (959, 310), (0, 160)])  # 20 px above the line
     cv2.fillPoly(picture, [boards], (200, 40, 30, 255))
-    assert _contrast(adjust(picture, Look(enhance=True))) >= 1.8 * _contrast(picture)
+    assert _contrast(adjust_image(picture, DisplayAdjustment(enhance=True))) >= 1.8 * _contrast(picture)
 
 
 def test_a_line_comes_out_in_its_place_and_no_wider() -> None:
     picture = _faint_line(GRASS, 20, 5)
-    shown = adjust(picture, Look(enhance=True))
+    shown = adjust_image(picture, DisplayAdjustment(enhance=True))
 
     def profile(pixels: PixelArray) -> np.ndarray:
         light = cv2.cvtColor(pixels, cv2.COLOR_BGRA2GRAY).astype(float)
@@ -151,7 +151,7 @@ def test_what_differs_much_already_is_left_almost_alone() -> None:
     checks = np.kron(np.indices((30, 40)).sum(axis=0) % 2, np.ones((8, 8))) * 100 + 80
     picture = np.full((240, 320, 4), 255, dtype=np.uint8)
     picture[..., :3] = checks[..., None]
-    shown = adjust(picture, Look(enhance=True)).astype(int)
+    shown = adjust_image(picture, DisplayAdjustment(enhance=True)).astype(int)
     assert np.abs(shown - picture).mean() < 12
 
 
@@ -167,4 +167,4 @@ def test_what_differs_much_already_is_left_almost_alone() -> None:
 )
 def test_values_beyond_their_range_are_refused(values: dict[str, float]) -> None:
     with pytest.raises(ValueError, match="expected"):
-        Look(**values)  # type: ignore[arg-type]
+        DisplayAdjustment(**values)  # type: ignore[arg-type]

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from procc_annotator.errors import ImageError
 from procc_annotator.image.decode import decode_bgra, decode_thumbnail, read_size
-from procc_annotator.image.header import size_in_header, upright_size
+from procc_annotator.image.header import header_size, displayed_size
 from procc_annotator.session.dataset.picture_sizes import picture_size
 
 COLOUR = (40, 120, 200)  # b, g, r
@@ -84,7 +84,7 @@ def test_most_sizes_are_known_without_decoding(tmp_path: Path, suffix: str) -> N
     path = tmp_path / "frame"
     path.write_bytes(_encode(suffix, _plain(64, 36)))
     with path.open("rb") as file:
-        assert upright_size(file) == (64, 36)
+        assert displayed_size(file) == (64, 36)
 
 
 @pytest.mark.parametrize("suffix", [".jpg", ".png", ".bmp", ".webp"])
@@ -245,30 +245,30 @@ def test_a_hundred_megapixels_are_the_limit(tmp_path: Path) -> None:
 def test_the_header_of_a_jpeg_says_its_size(flags: list[int]) -> None:
     done, data = cv2.imencode(".jpg", _plain(333, 222), flags)
     assert done
-    assert size_in_header(data.tobytes()) == (333, 222)
-    assert size_in_header(_exif_jpeg(_plain(64, 32), orientation=6)) == (64, 32)
+    assert header_size(data.tobytes()) == (333, 222)
+    assert header_size(_exif_jpeg(_plain(64, 32), orientation=6)) == (64, 32)
 
 
 @pytest.mark.parametrize("quality", [50, 101])  # webp above 100 is without loss
 def test_the_headers_of_the_other_kinds_say_their_size(quality: int) -> None:
     for suffix in (".png", ".bmp"):
-        assert size_in_header(_encode(suffix, _plain(333, 222))) == (333, 222)
+        assert header_size(_encode(suffix, _plain(333, 222))) == (333, 222)
     done, data = cv2.imencode(".webp", _plain(333, 222), [cv2.IMWRITE_WEBP_QUALITY, quality])
     assert done
-    assert size_in_header(data.tobytes()) == (333, 222)
+    assert header_size(data.tobytes()) == (333, 222)
     extended = b"VP8X" + struct.pack("<I", 10) + bytes(4)
     extended += (332).to_bytes(3, "little") + (221).to_bytes(3, "little")
-    assert size_in_header(b"RIFF" + bytes(4) + b"WEBP" + extended) == (333, 222)
+    assert header_size(b"RIFF" + bytes(4) + b"WEBP" + extended) == (333, 222)
     top_down = _encode(".bmp", _plain(8, 6))
     top_down = top_down[:22] + struct.pack("<i", -6) + top_down[26:]
-    assert size_in_header(top_down) == (8, 6)
+    assert header_size(top_down) == (8, 6)
 
 
 def test_no_header_that_was_cut_off_is_more_than_an_unknown_size() -> None:
     for suffix in (".png", ".jpg", ".bmp", ".webp"):
         data = _encode(suffix, _plain(40, 30))
         for length in range(60):
-            assert size_in_header(data[:length]) in (None, (40, 30))
+            assert header_size(data[:length]) in (None, (40, 30))
 
 
 def test_a_picture_of_another_kind_is_refused_whatever_its_name(tmp_path: Path) -> None:

@@ -16,9 +16,9 @@ from numpy.typing import NDArray
 
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.load import load_field
-from procc_annotator.field.sample import sample_every
+from procc_annotator.field.sample import sample_evenly
 from procc_annotator.image.decode import decode_bgra
-from procc_annotator.image.motion import Motion, carried_points, estimate_motion
+from procc_annotator.image.motion import CameraMotion, transfer_points, estimate_motion
 
 SIZE = (960, 540)
 Pixels = NDArray[np.uint8]
@@ -107,16 +107,16 @@ def _zoomed(camera: PinholeCamera, factor: float) -> PinholeCamera:
     return replace(camera, focal_px=(camera.focal_px[0] * factor, camera.focal_px[1] * factor))
 
 
-def _line_error(motion: Motion | None, before: PinholeCamera, now: PinholeCamera) -> Floats:
+def _line_error(motion: CameraMotion | None, before: PinholeCamera, now: PinholeCamera) -> Floats:
     """Distances in px between moved and true line points, of those both cameras see."""
     assert motion is not None
-    points = sample_every(load_field(), 0.5).points_world
+    points = sample_evenly(load_field(), 0.5).points_world
     (px_before, front_before), (px_now, front_now) = before.project(points), now.project(points)
     seen = front_before & front_now
     for px in (px_before, px_now):
         seen &= (px >= 0).all(axis=1) & (px <= np.array(SIZE) - 1).all(axis=1)
     assert seen.sum() > 20
-    away = carried_points(motion, px_before[seen]) - px_now[seen]
+    away = transfer_points(motion, px_before[seen]) - px_now[seen]
     return np.hypot(*away.T)
 
 
@@ -215,7 +215,7 @@ def test_a_camera_that_stands_still_does_not_move(sample_data: Path, number: str
     motion = estimate_motion(*noisy)
     assert motion is not None
     corners = np.array([(0, 0), (1279, 0), (0, 719), (1279, 719)], dtype=np.float64)
-    np.testing.assert_allclose(carried_points(motion, corners), corners, atol=2)
+    np.testing.assert_allclose(transfer_points(motion, corners), corners, atol=2)
 
 
 def test_pictures_may_differ_in_size(sample_data: Path) -> None:
@@ -225,21 +225,21 @@ def test_pictures_may_differ_in_size(sample_data: Path) -> None:
     assert motion is not None
     points = np.array([(0, 0), (639.5, 359.5), (1279, 719)])
     # The middle of a small pixel is the middle of the four it covers.
-    np.testing.assert_allclose(carried_points(motion, points), (points + 0.5) / 2 - 0.5, atol=0.1)
+    np.testing.assert_allclose(transfer_points(motion, points), (points + 0.5) / 2 - 0.5, atol=0.1)
     cropped = np.ascontiguousarray(picture[:, 200:1100])
     motion = estimate_motion(picture, cropped)
     assert motion is not None
     middle = np.array([(700.0, 300.0)])
-    np.testing.assert_allclose(carried_points(motion, middle), middle - (200, 0), atol=0.3)
+    np.testing.assert_allclose(transfer_points(motion, middle), middle - (200, 0), atol=0.3)
 
 
 def test_points_behind_the_camera_go_nowhere() -> None:
     homography = np.array([[1, 0, 5], [0, 1, 0], [-0.01, 0, 1]], dtype=np.float64)
-    motion = Motion(homography, 50, 60)
-    moved = carried_points(motion, np.array([(50.0, 10.0), (100.0, 0.0), (200.0, 0.0)]))
+    motion = CameraMotion(homography, 50, 60)
+    moved = transfer_points(motion, np.array([(50.0, 10.0), (100.0, 0.0), (200.0, 0.0)]))
     np.testing.assert_allclose(moved[0], (110, 20))
     assert np.isnan(moved[1:]).all()
-    assert carried_points(motion, np.empty((0, 2))).shape == (0, 2)
+    assert transfer_points(motion, np.empty((0, 2))).shape == (0, 2)
 
 
 @pytest.mark.parametrize(
@@ -266,6 +266,6 @@ def test_a_real_picture_under_graphics(
     points = np.column_stack([x.ravel(), y.ravel()])
     expected = cv2.perspectiveTransform(points[None], true)[0]
     seen = ((expected >= 0) & (expected <= (width - 1, height - 1))).all(axis=1)
-    away = np.hypot(*(carried_points(motion, points) - expected)[seen].T)
+    away = np.hypot(*(transfer_points(motion, points) - expected)[seen].T)
     assert np.median(away) < 0.5
     assert away.max() < 1.5

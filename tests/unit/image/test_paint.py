@@ -12,13 +12,13 @@ import pytest
 from procc_annotator.annotation import points_px
 from procc_annotator.field.appearance import ANY, BAR, LIGHTER, LINE, WHITE, Appearance
 from procc_annotator.field.load import load_field
-from procc_annotator.field.sample import sample_every
+from procc_annotator.field.sample import sample_evenly
 from procc_annotator.image.decode import PixelArray, decode_bgra
-from procc_annotator.image.paint import snap, snap_all
-from procc_annotator.image.sought import Sought
+from procc_annotator.image.paint import snap_to_line, snap_points_to_lines
+from procc_annotator.image.sought import LineTarget
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.session.dataset.camera_set import CameraSet
-from procc_annotator.session.strokes.expected_paint import ExpectedPaint
+from procc_annotator.session.strokes.expected_paint import ExpectedLines
 
 FIELD = load_field()
 GRASS, PAINT, BOARD = (50, 120, 55), (235, 240, 238), (160, 60, 40)
@@ -70,7 +70,7 @@ class TestDrawnLines:
         for away in (-5.0, -2.5, 0.0, 3.3, 5.0):
             click = centre + away * across + 4 * along
             direction = (float(along[0]), float(along[1])) if known else None
-            found = snap(picture, (click[0], click[1]), direction=direction)
+            found = snap_to_line(picture, (click[0], click[1]), direction=direction)
             assert off_line(found, centre, along) < 0.35
             assert found is not None
             slid = abs(float((np.array(found) - click) @ along))
@@ -78,17 +78,17 @@ class TestDrawnLines:
 
     def test_a_board_on_one_side_does_not_pull_the_centre(self) -> None:
         picture, centre, along = drawn(4.0, 10, other_side=BOARD)
-        found = snap(picture, (centre[0] + 2, centre[1] + 3))
+        found = snap_to_line(picture, (centre[0] + 2, centre[1] + 3))
         assert off_line(found, centre, along) < 0.4
 
     def test_the_edge_between_two_grounds_is_no_line(self) -> None:
         picture, centre, _ = drawn(0.0, 30, other_side=(60, 150, 75))
-        assert snap(picture, (centre[0], centre[1])) is None
+        assert snap_to_line(picture, (centre[0], centre[1])) is None
 
     def test_what_is_out_of_reach_stays(self) -> None:
         picture, centre, along = drawn(3.0, 0)
-        assert snap(picture, (centre[0], centre[1] + 9)) is None
-        found = snap(picture, (centre[0], centre[1] + 9), reach_px=12)
+        assert snap_to_line(picture, (centre[0], centre[1] + 9)) is None
+        found = snap_to_line(picture, (centre[0], centre[1] + 9), reach_px=12)
         assert off_line(found, centre, along) < 0.35
 
     def test_the_known_direction_decides_at_a_crossing(self) -> None:
@@ -96,32 +96,32 @@ class TestDrawnLines:
         upright, _, _ = drawn(3.0, 90, shift=0)
         both = np.maximum(level, upright)
         click = (centre[0] + 3.0, centre[1] + 4.0)
-        on_level = snap(both, click, direction=(1.0, 0.0))
+        on_level = snap_to_line(both, click, direction=(1.0, 0.0))
         assert on_level == pytest.approx((click[0], centre[1]), abs=0.35)
-        on_upright = snap(both, click, direction=(0.0, 1.0))
+        on_upright = snap_to_line(both, click, direction=(0.0, 1.0))
         assert on_upright == pytest.approx((centre[0], click[1]), abs=0.35)
 
     def test_the_nearer_of_two_lines_wins(self) -> None:
         near, centre, _ = drawn(2.5, 0, shift=0)
         far = np.roll(near, 9, axis=0)
         both = np.maximum(near, far)
-        found = snap(both, (centre[0], centre[1] + 2.5))
+        found = snap_to_line(both, (centre[0], centre[1] + 2.5))
         assert found is not None
         assert found[1] == pytest.approx(centre[1], abs=0.35)
 
     def test_outside_the_picture_there_is_nothing(self) -> None:
         picture, _, _ = drawn(3.0, 0)
         for place in ((-5.0, 40.0), (40.0, 200.0), (SIDE + 3.0, 40.0)):
-            assert snap(picture, place) is None
-        assert np.isnan(snap_all(picture, np.array([[-5.0, 40.0]]))).all()
+            assert snap_to_line(picture, place) is None
+        assert np.isnan(snap_points_to_lines(picture, np.array([[-5.0, 40.0]]))).all()
 
     def test_many_are_found_as_one_by_one(self) -> None:
         picture, centre, along = drawn(3.0, 20)
         points = centre + np.array([[0, 3], [2, -2], [30, 30]])
         directions = np.tile(along, (3, 1))
-        found = snap_all(picture, points, directions)
+        found = snap_points_to_lines(picture, points, directions)
         for point, row in zip(points, found, strict=True):
-            one = snap(picture, (point[0], point[1]), direction=(along[0], along[1]))
+            one = snap_to_line(picture, (point[0], point[1]), direction=(along[0], along[1]))
             assert np.isnan(row).all() if one is None else row == pytest.approx(one)
 
 
@@ -133,7 +133,7 @@ def test_on_a_real_frame_clicks_come_back_to_the_annotated_lines(shared_data: Pa
     rng = np.random.default_rng(0)
     errors, stayed = [], 0
     for polyline in annotation.polylines:
-        sought = ExpectedPaint(FIELD, size[0]).of(polyline.class_name)
+        sought = ExpectedLines(FIELD, size[0]).of(polyline.class_name)
         points = points_px(polyline, size)
         along = np.gradient(points, axis=0)
         along /= np.hypot(*along.T)[:, None]
@@ -141,7 +141,7 @@ def test_on_a_real_frame_clicks_come_back_to_the_annotated_lines(shared_data: Pa
             across = np.array([-direction[1], direction[0]])
             for _ in range(20):
                 click = point + rng.uniform(-5, 5) * across
-                found = snap(picture, (click[0], click[1]), sought, direction=tuple(direction))
+                found = snap_to_line(picture, (click[0], click[1]), sought, direction=tuple(direction))
                 if found is None:
                     stayed += 1
                 else:
@@ -154,7 +154,7 @@ def test_on_a_real_frame_clicks_come_back_to_the_annotated_lines(shared_data: Pa
 @pytest.mark.parametrize("known", [False, True])
 def test_on_drawn_frames_clicks_go_to_the_exact_geometry(sample_data: Path, known: bool) -> None:
     cameras = CameraSet.open(sample_data / "cameras" / "true", camera_size=(960, 540))
-    samples = sample_every(FIELD, 0.5)
+    samples = sample_evenly(FIELD, 0.5)
     rng = np.random.default_rng(1)
     errors = []
     for name in sorted(cameras.frames)[::3]:
@@ -173,7 +173,7 @@ def test_on_drawn_frames_clicks_go_to_the_exact_geometry(sample_data: Path, know
                 across = np.array([-direction[1], direction[0]])
                 click = points[row] + rng.uniform(-5, 5) * across
                 given = tuple(direction) if known else None
-                placed = snap(picture, (click[0], click[1]), direction=given)
+                placed = snap_to_line(picture, (click[0], click[1]), direction=given)
                 if placed is not None:
                     errors.append(abs(float((np.array(placed) - points[row]) @ across)))
     assert len(errors) > 150
@@ -185,7 +185,7 @@ def test_on_drawn_ice_clicks_go_to_the_middle_of_dark_lines(sample_data: Path, k
     """Blue and red lines, 30 cm wide, goal lines, 5 cm: all measured at their middle."""
     folder, field = sample_data / "ice_hockey", load_field("ice_hockey_iihf")
     cameras = CameraSet.open(folder / "cameras" / "true", camera_size=(960, 540))
-    samples = sample_every(field, 0.5)
+    samples = sample_evenly(field, 0.5)
     rng = np.random.default_rng(1)
     errors, tried = [], 0
     for name in sorted(cameras.frames)[::2]:
@@ -202,7 +202,7 @@ def test_on_drawn_ice_clicks_go_to_the_middle_of_dark_lines(sample_data: Path, k
                 across = np.array([-direction[1], direction[0]])
                 click = points[row] + rng.uniform(-5, 5) * across
                 given = tuple(direction) if known else None
-                placed = snap(picture, (click[0], click[1]), direction=given)
+                placed = snap_to_line(picture, (click[0], click[1]), direction=given)
                 tried += 1
                 if placed is not None:
                     errors.append(abs(float((np.array(placed) - points[row]) @ across)))
@@ -212,9 +212,9 @@ def test_on_drawn_ice_clicks_go_to_the_middle_of_dark_lines(sample_data: Path, k
 
 def test_plain_grass_never_moves_a_click(sample_data: Path) -> None:
     cameras = CameraSet.open(sample_data / "cameras" / "true", camera_size=(960, 540))
-    samples = sample_every(FIELD, 0.2)
+    samples = sample_evenly(FIELD, 0.2)
     rng = np.random.default_rng(2)
-    tried, paint = 0, ExpectedPaint(FIELD, 1280).of("Side line top")
+    tried, paint = 0, ExpectedLines(FIELD, 1280).of("Side line top")
     for name in ("00001", "00002", "00003", "00005"):  # no net in the way
         picture = decode_bgra(sample_data / f"{name}.jpg")
         height, width = picture.shape[:2]
@@ -227,11 +227,11 @@ def test_plain_grass_never_moves_a_click(sample_data: Path) -> None:
             players = green[y - 18 : y + 19, x - 18 : x + 19].min() < 14
             if not players and np.hypot(*(lines - (x, y)).T).min() > 15:
                 tried += 1
-                assert snap(picture, (float(x), float(y)), paint) is None
+                assert snap_to_line(picture, (float(x), float(y)), paint) is None
     assert tried > 300
 
 
-DARK_ON_LIGHT = Sought(Appearance(LINE, ANY, ANY, 0.05), (0.7, 6.0))
+DARK_ON_LIGHT = LineTarget(Appearance(LINE, ANY, ANY, 0.05), (0.7, 6.0))
 
 
 def lettered(stroke_px: int, gap_px: int) -> PixelArray:
@@ -246,31 +246,31 @@ def test_a_letters_stroke_is_no_line_of_any_tone() -> None:
     letters, line = lettered(18, 8), lettered(140, 1)
     for away in (-3.0, 2.0):
         for x in (70.0, 83.0, 96.0):
-            assert snap(letters, (x, 39.5 + away), DARK_ON_LIGHT, direction=(1.0, 0.0)) is None
-            found = snap(line, (x, 39.5 + away), DARK_ON_LIGHT, direction=(1.0, 0.0))
+            assert snap_to_line(letters, (x, 39.5 + away), DARK_ON_LIGHT, direction=(1.0, 0.0)) is None
+            found = snap_to_line(line, (x, 39.5 + away), DARK_ON_LIGHT, direction=(1.0, 0.0))
             assert found == pytest.approx((x, 39.5), abs=0.35)
 
 
 def test_what_is_farther_off_than_a_hand_errs_must_go_on_for_longer() -> None:
-    white = Sought(Appearance(LINE, LIGHTER, WHITE, 0.12), (0.7, 14.0))
+    white = LineTarget(Appearance(LINE, LIGHTER, WHITE, 0.12), (0.7, 14.0))
     short = lettered(22, 100)  # from 10 to 32
-    assert snap(short, (20.0, 41.5), white, direction=(1.0, 0.0)) is not None
-    assert snap(short, (20.0, 45.0), white, direction=(1.0, 0.0)) is None
+    assert snap_to_line(short, (20.0, 41.5), white, direction=(1.0, 0.0)) is not None
+    assert snap_to_line(short, (20.0, 45.0), white, direction=(1.0, 0.0)) is None
     long = lettered(140, 1)
-    assert snap(long, (70.0, 45.0), white, direction=(1.0, 0.0)) is not None
+    assert snap_to_line(long, (70.0, 45.0), white, direction=(1.0, 0.0)) is not None
 
 
 @pytest.mark.parametrize("reach_px", [1.5, 2.5, 4.0])
 def test_nothing_is_placed_beyond_reach(reach_px: float) -> None:
     """At a line's end it is seen beside the position, where askew it is nearer than it is here."""
     picture = lettered(70, 100)  # from 10 to 80
-    white = Sought(Appearance(LINE, LIGHTER, WHITE, 0.12), (0.7, 14.0), bends=True)
+    white = LineTarget(Appearance(LINE, LIGHTER, WHITE, 0.12), (0.7, 14.0), bends=True)
     away = []
     for turn in np.radians([-18.0, -12.0, -6.0, 6.0, 12.0, 18.0]):
         direction = math.cos(turn), math.sin(turn)
         for x in range(72, 84, 2):
             for y in np.arange(34.5, 45.0, 0.5):
-                placed = snap(picture, (x, y), white, direction=direction, reach_px=reach_px)
+                placed = snap_to_line(picture, (x, y), white, direction=direction, reach_px=reach_px)
                 if placed is not None:
                     away.append(math.dist(placed, (x, y)))
     assert len(away) >= 100
@@ -280,9 +280,9 @@ def test_nothing_is_placed_beyond_reach(reach_px: float) -> None:
 @pytest.mark.parametrize("turned_deg", [-15.0, 15.0])
 def test_at_a_lines_end_a_wrong_direction_does_not_take_the_click_off_it(turned_deg: float) -> None:
     picture = lettered(70, 100)  # from 10 to 80
-    white = Sought(Appearance(LINE, LIGHTER, WHITE, 0.12), (0.7, 14.0), bends=True)
+    white = LineTarget(Appearance(LINE, LIGHTER, WHITE, 0.12), (0.7, 14.0), bends=True)
     turn = math.radians(turned_deg)
-    found = snap(picture, (77.0, 40.5), white, direction=(math.cos(turn), math.sin(turn)))
+    found = snap_to_line(picture, (77.0, 40.5), white, direction=(math.cos(turn), math.sin(turn)))
     assert found is not None
     assert found[1] == pytest.approx(39.5, abs=0.6)
 
@@ -290,6 +290,6 @@ def test_at_a_lines_end_a_wrong_direction_does_not_take_the_click_off_it(turned_
 def test_a_bar_is_as_wide_as_a_camera_shows_it() -> None:
     looks = Appearance(BAR, ANY, WHITE, 0.1)
     for px_per_metre, is_it in ((40.0, True), (90.0, False)):
-        sought = Sought.of(looks, 960, px_per_metre)
-        found = snap(lettered(140, 1), (70.0, 41.0), sought, direction=(1.0, 0.0))
+        sought = LineTarget.of(looks, 960, px_per_metre)
+        found = snap_to_line(lettered(140, 1), (70.0, 41.0), sought, direction=(1.0, 0.0))
         assert (found is not None) == is_it

@@ -5,8 +5,8 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
-from procc_annotator.image.ground import ground_of
-from procc_annotator.image.paint_map import PaintMap, paint_map
+from procc_annotator.image.ground import field_mask
+from procc_annotator.image.paint_map import LinePixels, detect_line_pixels
 
 SIZE = (960, 540)
 GRASS, PAINT = (50, 130, 60), (225, 230, 228)
@@ -21,7 +21,7 @@ def _grass() -> np.ndarray:
     return picture
 
 
-def _beside(found: PaintMap, first: tuple[float, float], last: tuple[float, float]) -> np.ndarray:
+def _beside(found: LinePixels, first: tuple[float, float], last: tuple[float, float]) -> np.ndarray:
     """(N,) px across from the paint that was found to a line."""
     way = np.subtract(last, first) / np.hypot(*np.subtract(last, first))
     apart = found.points - np.array(first)[:, None]
@@ -31,7 +31,7 @@ def _beside(found: PaintMap, first: tuple[float, float], last: tuple[float, floa
 def test_a_line_is_found_at_its_middle_with_its_direction() -> None:
     picture = _grass()
     cv2.line(picture, (100, 200), (800, 480), PAINT, 3, cv2.LINE_AA)
-    found = paint_map(picture)
+    found = detect_line_pixels(picture)
     assert found.points.shape[1] > 500
     assert np.median(_beside(found, (100, 200), (800, 480))) < 0.3
     off = np.abs(found.along - np.arctan2(280, 700))
@@ -43,7 +43,7 @@ def test_the_same_place_in_a_larger_picture() -> None:
     picture = _grass()
     cv2.line(picture, (100, 200), (800, 480), PAINT, 3, cv2.LINE_AA)
     larger = cv2.resize(picture, (1920, 1080), interpolation=cv2.INTER_LINEAR)
-    found = paint_map(np.asarray(larger, dtype=np.uint8))
+    found = detect_line_pixels(np.asarray(larger, dtype=np.uint8))
     assert found.size == (1920, 1080)
     assert np.median(_beside(found, (200.5, 400.5), (1600.5, 960.5))) < 0.6
 
@@ -51,27 +51,27 @@ def test_the_same_place_in_a_larger_picture() -> None:
 def test_the_edge_of_a_mown_stripe_is_no_paint() -> None:
     picture = _grass()
     picture[300:] = (70, 160, 80)
-    assert not paint_map(picture).points.shape[1]
+    assert not detect_line_pixels(picture).points.shape[1]
 
 
 def test_what_does_not_go_on_is_no_paint() -> None:
     picture = _grass()
     for x in range(100, 900, 60):
         cv2.line(picture, (x, 300), (x + 14, 300), PAINT, 3, cv2.LINE_AA)
-    assert not paint_map(picture).points.shape[1]
+    assert not detect_line_pixels(picture).points.shape[1]
 
 
 def test_dark_paint_is_found_where_it_is_asked_for() -> None:
     picture = np.full((SIZE[1], SIZE[0], 3), 220, dtype=np.uint8)
     cv2.line(picture, (100, 200), (800, 480), (60, 60, 200), 4, cv2.LINE_AA)
-    assert not paint_map(picture).points.shape[1]
-    assert paint_map(picture, light=False, dark=True).points.shape[1] > 500
+    assert not detect_line_pixels(picture).points.shape[1]
+    assert detect_line_pixels(picture, light=False, dark=True).points.shape[1] > 500
 
 
 def test_the_ground_is_what_is_smooth_and_large_with_players_on_it() -> None:
     picture = _grass()
     cv2.rectangle(picture, (400, 300), (420, 350), (30, 30, 200), -1)
-    ground = ground_of(picture)
+    ground = field_mask(picture)
     assert ground.shape == (180, 320)
     assert not ground[:40].any()
     assert ground[55:].all()
@@ -79,7 +79,7 @@ def test_the_ground_is_what_is_smooth_and_large_with_players_on_it() -> None:
 
 def test_noise_has_no_ground() -> None:
     crowd = np.random.default_rng(2).integers(0, 255, (540, 960, 3))
-    assert not ground_of(crowd.astype(np.uint8)).any()
+    assert not field_mask(crowd.astype(np.uint8)).any()
 
 
 def _court() -> np.ndarray:
@@ -94,14 +94,14 @@ def _court() -> np.ndarray:
 
 
 def test_a_floor_has_the_colours_that_lines_part_and_no_others() -> None:
-    ground = paint_map(_court(), floor=True).ground > 0
+    ground = detect_line_pixels(_court(), floor=True).ground > 0
     assert ground[24:160].mean() > 0.97  # court and what is around it
     assert not ground[:15].any()
     assert not ground[172:].any()
 
 
 def test_a_line_between_two_colours_of_a_floor_lies_on_it() -> None:
-    found = paint_map(_court(), floor=True)
+    found = detect_line_pixels(_court(), floor=True)
     side = np.abs(found.points[1] - 150) < 2
     assert side.sum() > 400
     assert found.on_ground[side].all()
@@ -112,7 +112,7 @@ def test_a_floor_begins_where_paint_is() -> None:
     cv2.rectangle(picture, (0, 100), (960, 330), (236, 234, 230), -1)  # ice, less than half
     for x in (200, 400, 600):
         cv2.line(picture, (x, 100), (x, 330), (60, 60, 200), 3, cv2.LINE_AA)
-    ground = paint_map(picture, light=False, dark=True, floor=True).ground > 0
+    ground = detect_line_pixels(picture, light=False, dark=True, floor=True).ground > 0
     assert ground[38:105].mean() > 0.95
     assert not ground[120:].any()
 
@@ -125,7 +125,7 @@ def test_most_of_a_woods_grain_is_no_paint_where_paint_may_be_lighter_or_darker(
     cv2.line(picture, (100, 200), (800, 480), PAINT, 3, cv2.LINE_AA)
 
     def on_line(light: bool, dark: bool) -> np.ndarray:
-        found = paint_map(picture, light=light, dark=dark, floor=True)
+        found = detect_line_pixels(picture, light=light, dark=dark, floor=True)
         return _beside(found, (100, 200), (800, 480)) < 2
 
     grain = (~on_line(light=True, dark=False)).sum() + (~on_line(light=False, dark=True)).sum()
@@ -140,7 +140,7 @@ def test_a_wide_line_is_found_at_its_middle_where_lines_may_be_wide() -> None:
     cv2.line(picture, (100, 400), (600, 500), (60, 60, 200), 3, cv2.LINE_AA)
 
     def middle(wide: bool) -> int:
-        found = paint_map(picture, light=False, dark=True, floor=True, wide=wide)
+        found = detect_line_pixels(picture, light=False, dark=True, floor=True, wide=wide)
         return int((_beside(found, (100, 200), (800, 480)) < 1).sum())
 
     assert middle(wide=False) < 20

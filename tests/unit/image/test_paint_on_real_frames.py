@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from procc_annotator.image.paint import snap
-from procc_annotator.session.strokes.expected_paint import ExpectedPaint
+from procc_annotator.image.paint import snap_to_line
+from procc_annotator.session.strokes.expected_paint import ExpectedLines
 from tests.bench.paint.truth import truth_frames
 
 # Of each sport and kind of paint: the largest share moved over 2.5 px off, the least moved at all.
@@ -32,7 +32,7 @@ def test_clicks_go_to_the_paint_or_stay(shared_data: Path) -> None:
     clicks: dict[tuple[str, str], int] = defaultdict(int)
     for frame in truth_frames()[::2]:
         picture = frame.picture(shared_data)
-        paint = ExpectedPaint(frame.field, frame.size[0])
+        paint = ExpectedLines(frame.field, frame.size[0])
         for element in frame.elements:
             kind = frame.field.name, element.kind
             sought = paint.of(element.name)
@@ -40,7 +40,7 @@ def test_clicks_go_to_the_paint_or_stay(shared_data: Path) -> None:
                 for aside in (-4.0, 4.0):
                     click = x - aside * dy, y + aside * dx
                     clicks[kind] += 1
-                    placed = snap(picture, click, sought, direction=(dx, dy))
+                    placed = snap_to_line(picture, click, sought, direction=(dx, dy))
                     if placed is not None:
                         off = (placed[1] - y) * dx - (placed[0] - x) * dy
                         moved[kind].append(abs(off))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from procc_annotator.image.strip import straighten
+from procc_annotator.image.strip import straighten_curve
 
 
 def ramp(width: int = 60, height: int = 40) -> np.ndarray:
@@ -21,7 +21,7 @@ def test_rows_are_places_and_columns_offsets() -> None:
     angle = 0.4
     along, across = (np.cos(angle), np.sin(angle)), (-np.sin(angle), np.cos(angle))
     course = np.array([20.0, 12.0]) + np.arange(15)[:, None] * along
-    strip = straighten(ramp(), course, np.tile(across, (15, 1)), 5.0)
+    strip = straighten_curve(ramp(), course, np.tile(across, (15, 1)), 5.0)
     assert strip.offsets_px == pytest.approx(np.arange(-5.0, 5.5, 0.5))
     for place, offset in ((0, 0.0), (7, -3.5), (14, 5.0)):
         expected = course[place] + offset * np.array(across)
@@ -32,13 +32,13 @@ def test_rows_are_places_and_columns_offsets() -> None:
 
 def test_beyond_the_picture_its_edge_goes_on() -> None:
     course = np.array([[30.0, 1.0], [31.0, 0.0], [32.0, -1.0]])
-    strip = straighten(ramp(), course, np.tile([0.0, 1.0], (3, 1)), 4.0)
+    strip = straighten_curve(ramp(), course, np.tile([0.0, 1.0], (3, 1)), 4.0)
     assert strip.colours[1, :, 1] == pytest.approx(np.maximum(strip.offsets_px, 0.0), abs=0.55)
-    far = straighten(ramp(), course + 500.0, np.tile([0.0, 1.0], (3, 1)), 2.0)
+    far = straighten_curve(ramp(), course + 500.0, np.tile([0.0, 1.0], (3, 1)), 2.0)
     assert far.colours[..., :2].min(axis=(0, 1)) == pytest.approx([59.0, 39.0])
 
 
 def test_columns_stay_inside() -> None:
-    strip = straighten(ramp(), np.array([[20.0, 20.0], [21.0, 20.0]]), np.tile([0, 1], (2, 1)), 3.0)
+    strip = straighten_curve(ramp(), np.array([[20.0, 20.0], [21.0, 20.0]]), np.tile([0, 1], (2, 1)), 3.0)
     assert len(strip.offsets_px[strip.columns(-9.0, -8.0)]) == 1
     assert strip.offsets_px[strip.columns(-1.0, 1.0)] == pytest.approx([-1, -0.5, 0, 0.5, 1])

@@ -20,13 +20,13 @@ from procc_annotator.fit.result import FitResult
 from procc_annotator.image.decode import decode_bgra, decode_thumbnail, read_size
 from procc_annotator.image.video import (
     Video,
-    frame_of,
+    video_frame_of_path,
     frames_at_interval,
-    open_shared,
+    open_shared_video,
     scene_cuts,
 )
 from procc_annotator.session.dataset.picture_source import open_pictures
-from procc_annotator.session.runs.proposal_run import doubt_pixels
+from procc_annotator.session.runs.proposal_run import mark_non_square_pixels
 
 WIDTH, HEIGHT = 320, 192
 Pixels = NDArray[np.uint8]
@@ -173,7 +173,7 @@ def test_a_camera_is_not_sure_if_the_video_says_that_its_pixels_are_not_square(
 ) -> None:
     path = _write_h264(tmp_path / "a.mp4", [_frame(n) for n in range(3)], aspect)
     fit = FitResult("R", (WIDTH, HEIGHT), None)
-    found = doubt_pixels(Proposal(SURE, "", fit, 1.0, 1.0, 0.1, 1.0, None), path / "00000001")
+    found = mark_non_square_pixels(Proposal(SURE, "", fit, 1.0, 1.0, 0.1, 1.0, None), path / "00000001")
     assert found.state == state
     assert found.reason.startswith("its pixels are 1.333 times as wide as high") == (aspect > 1)
     assert open_pictures(path).notices == ((f"{path}: {found.reason}",) if aspect > 1 else ())
@@ -262,7 +262,7 @@ def test_a_missing_file_and_a_folder_are_errors(tmp_path: Path) -> None:
     with pytest.raises(ImageError, match="No such file"):
         Video.open(tmp_path / "gone.mp4")
     with pytest.raises(ImageError, match="No such file"):
-        open_shared(tmp_path / "gone.mp4")
+        open_shared_video(tmp_path / "gone.mp4")
     (tmp_path / "folder.mp4").mkdir()
     with pytest.raises(ImageError, match="is a folder, expected a file"):
         Video.open(tmp_path / "folder.mp4")
@@ -323,9 +323,9 @@ def test_a_search_for_cuts_can_be_stopped(cut_video: Path) -> None:
 
 def test_a_path_below_a_video_is_a_frame_of_it(tmp_path: Path) -> None:
     video = _write(tmp_path / "match.MP4", "mp4v", [_frame(n) for n in range(40)])
-    assert frame_of(video / "00000012") == (video, 12)
-    assert frame_of(video) is None
-    assert frame_of(tmp_path / "gone.mp4" / "00000012") is None
+    assert video_frame_of_path(video / "00000012") == (video, 12)
+    assert video_frame_of_path(video) is None
+    assert video_frame_of_path(tmp_path / "gone.mp4" / "00000012") is None
     picture = decode_bgra(video / "00000012")
     assert _number(picture) == 12
     assert read_size(video / "00000012") == (WIDTH, HEIGHT)
@@ -350,7 +350,7 @@ def test_a_folder_with_the_name_of_a_video_is_a_folder(tmp_path: Path) -> None:
 def test_a_video_that_was_replaced_is_read_anew(tmp_path: Path) -> None:
     path = _write(tmp_path / "a.mp4", "mp4v", [_frame(n) for n in range(4)])
     assert _number(decode_bgra(path / "1")) == 1
-    assert open_shared(path) is open_shared(path)
+    assert open_shared_video(path) is open_shared_video(path)
     path.unlink()
     _write(path, "mp4v", [_frame(n) for n in range(10, 15)])
     os.utime(path, ns=(1, 1))

@@ -11,8 +11,8 @@ from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.field.load import load_field
 from procc_annotator.interact.draw_tool import DrawTool
 from procc_annotator.interact.edit_tool import EditTool
-from procc_annotator.interact.gesture import Context, Modifiers
-from procc_annotator.interact.hints import SEPARATOR, GhostHint, hint
+from procc_annotator.interact.gesture import ToolContext, Modifiers
+from procc_annotator.interact.hints import SEPARATOR, GhostHint, status_hint
 from procc_annotator.interact.hit import Hit
 
 FIELD = load_field()
@@ -20,8 +20,8 @@ SIZE = (1280, 720)
 NAME = "Middle line"
 LINE = FrameAnnotation((Polyline(NAME, (Point(0.1, 0.1), Point(0.5, 0.5), Point(0.9, 0.2))),))
 
-NOTHING = Context(FrameAnnotation(), SIZE)
-FREE = Context(LINE, SIZE)
+NOTHING = ToolContext(FrameAnnotation(), SIZE)
+FREE = ToolContext(LINE, SIZE)
 CHOSEN = replace(FREE, selected_class=NAME)
 POINT = replace(CHOSEN, selected_point=(NAME, 1))
 OVER_POINT = Hit(NAME, "point", 1, 2.0, (600.0, 300.0))
@@ -42,7 +42,7 @@ class State:
     """A state of the window."""
 
     mode: str
-    context: Context | None
+    context: ToolContext | None
     draw: DrawTool = field(default_factory=DrawTool)
     edit: EditTool = field(default_factory=EditTool)
     over: Hit | None = None
@@ -51,7 +51,7 @@ class State:
     ghosts: GhostHint = field(default_factory=GhostHint)
 
     def say(self) -> str:
-        return hint(
+        return status_hint(
             self.mode,  # type: ignore[arg-type]
             self.draw,
             self.edit,
@@ -146,7 +146,7 @@ def test_counts_are_those_of_the_polylines() -> None:
 
 def test_a_class_the_field_does_not_know_is_called_as_in_the_file() -> None:
     strange = FrameAnnotation((Polyline("Corner flag", (Point(0.5, 0.5),)),))
-    context = Context(strange, SIZE, 1.0, "Corner flag")
+    context = ToolContext(strange, SIZE, 1.0, "Corner flag")
     assert "Corner flag" in State("edit", context).say()
 
 
@@ -194,7 +194,7 @@ class TestGhosts:
         assert "Tab: next of 7 ghosts" in text
 
     @pytest.mark.parametrize("context", [FREE, CHOSEN])
-    def test_while_the_next_one_is_worked_out_escape_ends_the_walk(self, context: Context) -> None:
+    def test_while_the_next_one_is_worked_out_escape_ends_the_walk(self, context: ToolContext) -> None:
         text = State("draw", context, ghosts=GhostHint(7, coming=True)).say()
         assert text.startswith("GHOST the next one comes in a moment")
         assert "Enter does nothing yet" in text

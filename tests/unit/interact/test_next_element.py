@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.field.load import load_field
-from procc_annotator.field.neighbours import meeting
+from procc_annotator.field.neighbours import touching_elements
 from procc_annotator.interact.next_element import next_element
 
 FIELD = load_field()
@@ -22,7 +22,7 @@ def test_the_same_rectangle_comes_first_by_what_meets() -> None:
         assert following is not None
         order.append(following)
     assert set(order) == {e.name for e in FIELD.elements if e.group == "Left penalty area"}
-    assert order[1] in meeting(FIELD, first)
+    assert order[1] in touching_elements(FIELD, first)
 
 
 def test_what_the_frame_before_had_comes_before_the_rest() -> None:
@@ -58,14 +58,14 @@ def test_what_a_set_need_not_have_comes_where_the_frame_before_had_it() -> None:
 
 
 def test_elements_meet_where_the_laws_of_the_game_say() -> None:
-    assert set(meeting(FIELD, "Circle left")) == {"Big rect. left main"}
-    assert set(meeting(FIELD, "Middle line")) == {
+    assert set(touching_elements(FIELD, "Circle left")) == {"Big rect. left main"}
+    assert set(touching_elements(FIELD, "Middle line")) == {
         "Centre mark", "Circle central", "Side line bottom", "Side line top"
     }  # fmt: skip
-    assert meeting(FIELD, "Line unknown") == ()
+    assert touching_elements(FIELD, "Line unknown") == ()
     for element in FIELD.elements:
-        for other in meeting(FIELD, element.name):
-            assert element.name in meeting(FIELD, other)
+        for other in touching_elements(FIELD, element.name):
+            assert element.name in touching_elements(FIELD, other)
 
 
 def test_what_a_camera_suggests_comes_first_and_what_it_has_not_in_sight_never() -> None:

@@ -11,7 +11,7 @@ from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.load import load_field
 from procc_annotator.interact import palette as tones
-from procc_annotator.interact.overlay import OverlayBuilder, ToDraw
+from procc_annotator.interact.overlay import OverlayBuilder, OverlayContent
 from procc_annotator.interact.overlay_shapes import Draft, Overlay
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import score
@@ -36,7 +36,7 @@ def overlay(
     measurement = measure(annotation, camera, SETUP)
     found = score(measurement, 5.0)
     return OverlayBuilder().build(
-        ToDraw(
+        OverlayContent(
             annotation=annotation,
             size=SETUP.size,
             field=FIELD,
@@ -117,7 +117,7 @@ def test_selection_highlight_draft_and_the_name_at_the_cursor() -> None:
         annotation, selection=("Middle line", 1), highlight="Middle line", pointer=(5.0, 6.0)
     )
     assert len(segments(found, "selection", tones.HALO)) == 1
-    assert len(segments(found, "selection", tones.RIM)) == 1
+    assert len(segments(found, "selection", tones.OUTLINE)) == 1
     assert len(marks(found, "ring", tones.HALO)) == 1
     assert found.labels[1].texts == ("Halfway line",)
     assert found.labels[1].positions.tolist() == [[5.0, 6.0]]
@@ -146,7 +146,7 @@ def test_mirrored_labels_colour_what_the_annotator_drew() -> None:
 def test_an_unknown_class_is_drawn_too(colour_by: str) -> None:
     flag = Polyline("Corner flag", (point_from_px(10, 10, SIZE), point_from_px(60, 9, SIZE)))
     found = OverlayBuilder().build(
-        ToDraw(
+        OverlayContent(
             annotation=FrameAnnotation((flag,)),
             size=SETUP.size,
             field=FIELD,
@@ -165,7 +165,7 @@ def test_what_stays_is_the_very_same_in_the_next_overlay() -> None:
     def build(*polylines: Polyline) -> Overlay:
         annotation = FrameAnnotation(polylines)
         return builder.build(
-            ToDraw(annotation=annotation, size=SETUP.size, field=FIELD, picture_size=SIZE, found=())
+            OverlayContent(annotation=annotation, size=SETUP.size, field=FIELD, picture_size=SIZE, found=())
         )
 
     side = Polyline("Side line top", (point_from_px(5, 9, SIZE), point_from_px(90, 12, SIZE)))
@@ -175,7 +175,7 @@ def test_what_stays_is_the_very_same_in_the_next_overlay() -> None:
     assert [a is b for a, b in zip(one.seen_marks, two.seen_marks, strict=True)].count(False) == 1
     assert len([a for a, b in lines if a is not b]) == 1
     fresh = OverlayBuilder().build(
-        ToDraw(
+        OverlayContent(
             annotation=FrameAnnotation((middle_line(4.0), side)),
             size=SETUP.size,
             field=FIELD,

@@ -9,9 +9,9 @@ from procc_annotator.field.load import load_field
 from procc_annotator.fit.labels.finding import Finding, Rule, Severity
 from procc_annotator.fit.result import FitResult
 from procc_annotator.interact import palette as tones
-from procc_annotator.interact.overlay import OverlayBuilder, ToDraw
+from procc_annotator.interact.overlay import OverlayBuilder, OverlayContent
 from procc_annotator.interact.overlay_shapes import Labels, Overlay
-from procc_annotator.session.facts.frame_check import FoundInFrame, remember
+from procc_annotator.session.facts.frame_check import StoredFinding, store_check
 
 SIZE = (101, 51)
 FIELD = load_field("soccer")
@@ -23,8 +23,8 @@ FRAME = FrameAnnotation(
 )
 
 
-def found(*findings: Finding) -> tuple[FoundInFrame, ...]:
-    return remember(FRAME, findings, FitResult("R", SIZE, None)).found
+def found(*findings: Finding) -> tuple[StoredFinding, ...]:
+    return store_check(FRAME, findings, FitResult("R", SIZE, None)).found
 
 
 def finding(name: str, severity: Severity, point: int | None = None) -> Finding:
@@ -35,7 +35,7 @@ def drawn(*findings: Finding, **more: object) -> Overlay:
     annotation = more.pop("annotation", FRAME)
     assert isinstance(annotation, FrameAnnotation)
     return OverlayBuilder().build(
-        ToDraw(
+        OverlayContent(
             annotation=annotation,
             size=SIZE,
             field=FIELD,

@@ -7,9 +7,9 @@ import itertools
 import numpy as np
 import pytest
 
-from procc_annotator.field.colours import difference, hex_of, linear_rgb
+from procc_annotator.field.colours import colour_difference, hex_colour, linear_rgb
 from procc_annotator.interact import palette
-from procc_annotator.interact.map_looks import DISAGREEMENT, UNCERTAINTY, MapLook
+from procc_annotator.interact.map_looks import DISAGREEMENT, UNCERTAINTY, MapStyle
 
 GRASS = ("#4F7F35", "#5F8F3F", "#3F6B3A", "#606060")
 
@@ -42,16 +42,16 @@ def lightness(rgb: np.ndarray) -> float:
 
 @pytest.mark.parametrize("look", [DISAGREEMENT, UNCERTAINTY], ids=lambda look: look.name)
 class TestMapLooks:
-    def test_a_tone_a_band(self, look: MapLook) -> None:
+    def test_a_tone_a_band(self, look: MapStyle) -> None:
         assert len(look.colours) == len(look.levels_m) - 1
 
-    def test_lines_are_at_levels_and_need_no_colour(self, look: MapLook) -> None:
+    def test_lines_are_at_levels_and_need_no_colour(self, look: MapStyle) -> None:
         assert {line.metres for line in look.lines} <= set(look.levels_m)
         assert len({line.dash for line in look.lines}) == len(look.lines)
 
     @pytest.mark.parametrize("ground", GRASS)
     @pytest.mark.parametrize("eyes", SEEN_BY)
-    def test_more_is_darker_for_every_eye(self, look: MapLook, eyes: str, ground: str) -> None:
+    def test_more_is_darker_for_every_eye(self, look: MapStyle, eyes: str, ground: str) -> None:
         found = [lightness(SEEN_BY[eyes] @ over(c, look.opacity, ground)) for c in look.colours]
         steps = [light - dark for light, dark in itertools.pairwise(found)]
         assert min(steps) > 3.0, [round(v, 1) for v in found]
@@ -59,7 +59,7 @@ class TestMapLooks:
 
 def as_seen(colour: str, eyes: str) -> str:
     """A colour as other eyes see it, #rrggbb."""
-    return hex_of(SEEN_BY[eyes] @ linear_rgb(colour))
+    return hex_colour(SEEN_BY[eyes] @ linear_rgb(colour))
 
 
 class TestSources:
@@ -70,7 +70,7 @@ class TestSources:
     ) -> None:
         """About 2 can just be seen when two tones lie side by side."""
         near = {
-            word: difference(as_seen(colour, eyes), as_seen(tone, eyes))
+            word: colour_difference(as_seen(colour, eyes), as_seen(tone, eyes))
             for word, tone in palette.STATUS_COLOURS.items()
         }
         assert min(near.values()) >= least, near
@@ -78,4 +78,4 @@ class TestSources:
     @pytest.mark.parametrize("eyes", ["all", "no red", "no green"])
     def test_they_are_told_apart(self, eyes: str) -> None:
         tones = [as_seen(c, eyes) for c in palette.SOURCE_COLOURS]
-        assert min(difference(a, b) for a, b in itertools.combinations(tones, 2)) >= 30
+        assert min(colour_difference(a, b) for a, b in itertools.combinations(tones, 2)) >= 30

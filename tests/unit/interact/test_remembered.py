@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from procc_annotator.interact.remembered import Remembered
+from procc_annotator.interact.remembered import LastCallCache
 
 
 def test_the_same_arguments_give_the_very_same_result() -> None:
-    join = Remembered(lambda *parts, end="": [*parts, end])
+    join = LastCallCache(lambda *parts, end="": [*parts, end])
     first = join("a", (1, 2), end=".")
     assert join("a", (1, 2), end=".") is first
     assert join("a", (1, 3), end=".") == ["a", (1, 3), "."]
@@ -14,6 +14,6 @@ def test_the_same_arguments_give_the_very_same_result() -> None:
 
 
 def test_other_keywords_are_other_arguments() -> None:
-    join = Remembered(lambda *parts, end="": [*parts, end])
+    join = LastCallCache(lambda *parts, end="": [*parts, end])
     assert join("a", end="!") == ["a", "!"]
     assert join("a") == ["a", ""]

@@ -13,8 +13,8 @@ from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px,
 from procc_annotator.field.load import load_field
 from procc_annotator.interact.draw_tool import DrawTool
 from procc_annotator.interact.edit_tool import EditTool
-from procc_annotator.interact.gesture import Context, Modifiers, Reaction, Selection
-from procc_annotator.interact.hints import hint
+from procc_annotator.interact.gesture import ToolContext, Modifiers, Reaction, Selection
+from procc_annotator.interact.hints import status_hint
 from procc_annotator.interact.hit import hit_test
 
 FIELD = load_field()
@@ -42,7 +42,7 @@ def px(annotation: FrameAnnotation, name: str = "Middle line") -> list[list[floa
 
 class TestDrawing:
     def test_clicks_then_enter_are_one_edit(self) -> None:
-        tool, context = DrawTool(), Context(FrameAnnotation(), SIZE, 1.0, "Circle left")
+        tool, context = DrawTool(), ToolContext(FrameAnnotation(), SIZE, 1.0, "Circle left")
         for position in ((10.25, 20.5), (30.0, 40.0)):
             assert tool.press(position, PLAIN, context).edit is None
         edit = tool.key("Enter", context).edit
@@ -52,7 +52,7 @@ class TestDrawing:
         assert not tool.busy
 
     def test_a_double_click_finishes_without_a_point_more(self) -> None:
-        tool, context = DrawTool(), Context(FrameAnnotation(), SIZE, 1.0, "Circle left")
+        tool, context = DrawTool(), ToolContext(FrameAnnotation(), SIZE, 1.0, "Circle left")
         tool.press((10, 20), PLAIN, context)
         tool.press((30, 40), PLAIN, context)
         edit = tool.double_click((30, 40), PLAIN, context).edit
@@ -60,7 +60,7 @@ class TestDrawing:
         assert px(edit.annotation, "Circle left") == [[10, 20], [30, 40]]
 
     def test_backspace_takes_back_and_escape_cancels_then_deselects(self) -> None:
-        tool, context = DrawTool(), Context(LINE, SIZE, 1.0, "Circle left")
+        tool, context = DrawTool(), ToolContext(LINE, SIZE, 1.0, "Circle left")
         tool.press((10, 20), PLAIN, context)
         tool.press((30, 40), PLAIN, context)
         tool.key("Backspace", context)
@@ -72,8 +72,8 @@ class TestDrawing:
 
     def test_an_unconfirmed_element_is_continued_and_so_confirmed(self) -> None:
         waiting = FrameAnnotation(unconfirmed=LINE.polylines)
-        tool, context = DrawTool(), Context(waiting, SIZE, 1.0, "Middle line", continues=True)
-        assert "continues it after its 3 points" in hint("draw", tool, EditTool(), context, FIELD)
+        tool, context = DrawTool(), ToolContext(waiting, SIZE, 1.0, "Middle line", continues=True)
+        assert "continues it after its 3 points" in status_hint("draw", tool, EditTool(), context, FIELD)
         tool.press((500, 500), PLAIN, context)
         edit = tool.key("Enter", context).edit
         assert edit is not None
@@ -84,12 +84,12 @@ class TestDrawing:
         more = annotated(Circle_left=[(5, 5), (9, 9)])
         waiting = FrameAnnotation(unconfirmed=(*LINE.polylines, *more.polylines))
         for tool in (DrawTool(), EditTool()):
-            context = Context(waiting, SIZE, 1.0, "Middle line")
+            context = ToolContext(waiting, SIZE, 1.0, "Middle line")
             first = tool.key("Enter", context)
             assert first.edit is not None
             assert first.edit.annotation.annotated == ("Middle line",)
             assert first.select == Selection("Circle left")
-            context = Context(first.edit.annotation, SIZE, 1.0, "Circle left")
+            context = ToolContext(first.edit.annotation, SIZE, 1.0, "Circle left")
             second = tool.key("Enter", context)
             assert second.edit is not None
             assert second.edit.annotation.unconfirmed == ()
@@ -102,7 +102,7 @@ class TestDrawing:
             return (at[0], 100.0) if direction is not None else (at[0] + 3, at[1])
 
         tool = DrawTool()
-        context = Context(FrameAnnotation(), SIZE, 1.0, "Middle line", snap=snap)
+        context = ToolContext(FrameAnnotation(), SIZE, 1.0, "Middle line", snap=snap)
         tool.press((100, 103), PLAIN, context)
         assert tool.points == [(103, 103)]
         tool.press((300, 98), PLAIN, context)
@@ -115,22 +115,22 @@ class TestDrawing:
     def test_the_hint_says_when_the_next_click_finishes(self) -> None:
         def words(annotation: FrameAnnotation, clicks: int) -> str:
             tool = DrawTool()
-            context = Context(annotation, SIZE, 1.0, "Middle line", two_clicks_finish=True)
+            context = ToolContext(annotation, SIZE, 1.0, "Middle line", is_two_point_element=True)
             for i in range(clicks):
                 tool.press((500.0 + 50 * i, 500.0), PLAIN, context)
-            return hint("draw", tool, EditTool(), context, FIELD, upcoming="Circle left")
+            return status_hint("draw", tool, EditTool(), context, FIELD, upcoming="Circle left")
 
         assert "second point and finishes" in words(FrameAnnotation(), 1)
         assert "finishes and goes on to Left penalty arc" in words(FrameAnnotation(), 1)
         assert "second point and finishes" not in words(LINE, 1)  # continued: no end in sight
 
     def test_the_hint_of_a_pinned_element_says_so(self) -> None:
-        tool, context = EditTool(), Context(LINE, SIZE, 1.0)
+        tool, context = EditTool(), ToolContext(LINE, SIZE, 1.0)
         tool.press((200, 100), PLAIN, context)
-        assert "pinned" in hint("edit", DrawTool(), tool, context, FIELD)
+        assert "pinned" in status_hint("edit", DrawTool(), tool, context, FIELD)
 
     def test_an_annotated_class_is_continued(self) -> None:
-        tool, context = DrawTool(), Context(LINE, SIZE, 1.0, "Middle line", continues=True)
+        tool, context = DrawTool(), ToolContext(LINE, SIZE, 1.0, "Middle line", continues=True)
         tool.press((500, 500), PLAIN, context)
         edit = tool.finish(context).edit
         assert edit is not None
@@ -139,11 +139,11 @@ class TestDrawing:
 
     def test_without_an_element_a_click_says_so(self) -> None:
         tool = DrawTool()
-        assert "choose an element" in tool.press((1, 1), PLAIN, Context(LINE, SIZE)).message
+        assert "choose an element" in tool.press((1, 1), PLAIN, ToolContext(LINE, SIZE)).message
         assert not tool.busy
 
     def test_the_class_is_the_one_the_polyline_began_with(self) -> None:
-        tool, context = DrawTool(), Context(FrameAnnotation(), SIZE, 1.0, "Circle left")
+        tool, context = DrawTool(), ToolContext(FrameAnnotation(), SIZE, 1.0, "Circle left")
         tool.press((10, 20), PLAIN, context)
         edit = tool.finish(replace(context, selected_class="Circle right")).edit
         assert edit is not None
@@ -151,7 +151,7 @@ class TestDrawing:
 
 
 class TestEditing:
-    context = Context(LINE, SIZE, 1.0, "Middle line")
+    context = ToolContext(LINE, SIZE, 1.0, "Middle line")
 
     def test_a_drag_is_one_edit_and_keeps_the_grip(self) -> None:
         tool = EditTool()
@@ -229,7 +229,7 @@ class TestEditing:
         edit = EditTool().press((300, 101), both, self.context).edit
         assert edit is not None
         assert px(edit.annotation) == [[100, 100], [300, 300]]
-        single = Context(annotated(Middle_line=[(5, 5)]), SIZE)
+        single = ToolContext(annotated(Middle_line=[(5, 5)]), SIZE)
         edit = EditTool().press((5, 5), both, single).edit
         assert edit is not None
         assert edit.annotation.annotated == ()
@@ -253,7 +253,7 @@ class TestEditing:
         edit = EditTool().key("Delete", self.context).edit
         assert edit is not None
         assert edit.annotation.annotated == ()
-        assert not EditTool().key("Delete", Context(LINE, SIZE)).handled
+        assert not EditTool().key("Delete", ToolContext(LINE, SIZE)).handled
 
 
 class TestDraggingBack:
@@ -263,7 +263,7 @@ class TestDraggingBack:
 
     def dragged(self, *way: tuple[float, float]) -> tuple[list[float], bool]:
         """Where the point ends that lies on the wrong line at first, and whether it is snapped."""
-        context = Context(
+        context = ToolContext(
             annotated(Middle_line=[(100.0, self.WRONG_Y), (500.0, 100.0)]),
             SIZE,
             selected_class="Middle line",
@@ -284,7 +284,7 @@ class TestDraggingBack:
         assert self.dragged((110.0, 103.0), (130.0, 102.0)) == ([130.0, self.WRONG_Y], True)
 
     def test_a_new_point_of_a_chord_goes_to_the_line(self) -> None:
-        context = Context(
+        context = ToolContext(
             annotated(Middle_line=[(100.0, 100.0), (500.0, 100.0)]),
             SIZE,
             selected_class="Middle line",
@@ -328,17 +328,17 @@ def test_the_foot_is_on_the_polyline_and_no_farther_than_said(x: float, y: float
 
 
 class TestHints:
-    def say(self, mode: str, context: Context | None, **options: object) -> str:
+    def say(self, mode: str, context: ToolContext | None, **options: object) -> str:
         draw, edit = options.pop("draw", DrawTool()), options.pop("edit", EditTool())
-        return hint(mode, draw, edit, context, FIELD, **options)  # type: ignore[arg-type]
+        return status_hint(mode, draw, edit, context, FIELD, **options)  # type: ignore[arg-type]
 
     def test_every_state_says_what_comes_next(self) -> None:
-        empty = Context(FrameAnnotation(), SIZE)
+        empty = ToolContext(FrameAnnotation(), SIZE)
         assert "Drop a folder" in self.say("draw", None)
         assert "choose an element" in self.say("draw", empty)
         chosen = replace(empty, selected_class="Circle left")
         assert "click begins it" in self.say("draw", chosen)
-        again = Context(LINE, SIZE, 1.0, "Middle line", continues=True)
+        again = ToolContext(LINE, SIZE, 1.0, "Middle line", continues=True)
         assert "click continues it" in self.say("draw", again)
         drawing = DrawTool("Circle left", [(1, 1), (2, 2)])
         text = self.say("draw", chosen, draw=drawing)
@@ -348,7 +348,7 @@ class TestHints:
         assert "Ctrl+Enter commits" in self.say("draw", empty, blind=True)
 
     def test_editing_names_what_is_under_the_cursor(self) -> None:
-        context = Context(LINE, SIZE)
+        context = ToolContext(LINE, SIZE)
         point = hit_test(LINE, SIZE, (300, 100), 1.0)
         assert "drag moves point 2 of Halfway line" in self.say("edit", context, over=point)
         segment = hit_test(LINE, SIZE, (200, 100), 1.0)
@@ -364,15 +364,15 @@ class TestSpots:
 
     MARK = "Penalty mark left"
 
-    def context(self, annotation: FrameAnnotation = FrameAnnotation()) -> Context:  # noqa: B008
-        return Context(
+    def context(self, annotation: FrameAnnotation = FrameAnnotation()) -> ToolContext:  # noqa: B008
+        return ToolContext(
             annotation, SIZE, 1.0, self.MARK, spots=frozenset({self.MARK}), title=FIELD.title_of,
             snap=lambda name, position, direction: (0.0, 0.0),
         )  # fmt: skip
 
     def test_one_click_marks_it_and_finishes(self) -> None:
         tool = DrawTool()
-        assert "click marks it" in hint("draw", tool, EditTool(), self.context(), FIELD)
+        assert "click marks it" in status_hint("draw", tool, EditTool(), self.context(), FIELD)
         reaction = tool.press((10.25, 20.5), PLAIN, self.context())
         assert reaction.edit is not None
         assert px(reaction.edit.annotation, self.MARK) == [[10.25, 20.5]]  # and no line is near
@@ -394,7 +394,7 @@ class TestSpots:
         tool, there = DrawTool(), annotated(Penalty_mark_left=[(100, 100)])
         assert tool.press((30, 40), PLAIN, self.context(there)).edit is None  # it is finished
         again = replace(self.context(there), continues=True)
-        assert "click moves it here" in hint("draw", tool, EditTool(), again, FIELD)
+        assert "click moves it here" in status_hint("draw", tool, EditTool(), again, FIELD)
         edit = tool.press((30, 40), PLAIN, again).edit
         assert edit is not None
         assert edit.label.startswith("move ")

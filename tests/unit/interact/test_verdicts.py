@@ -11,9 +11,9 @@ from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.load import load_field
 from procc_annotator.interact import palette as tones
-from procc_annotator.interact.overlay import OverlayBuilder, ToDraw
+from procc_annotator.interact.overlay import OverlayBuilder, OverlayContent
 from procc_annotator.interact.overlay_shapes import Draft, Overlay
-from procc_annotator.interact.verdicts import ProjectionVerdicts, Verdicts, verdicts
+from procc_annotator.interact.verdicts import ScoredProjection, ScoredFrame, scored_frame
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import score
 from procc_annotator.metric.setup import EvaluationSetup
@@ -52,7 +52,7 @@ def judged(
 ) -> Overlay:
     measurement = measure(annotation, RIGHT, setup(protocol))
     return OverlayBuilder().build(
-        ToDraw(
+        OverlayContent(
             annotation=annotation,
             size=(960, 540),
             field=FIELD,
@@ -74,7 +74,7 @@ def layer(found: Overlay, name: str, colour: str) -> np.ndarray:
 @pytest.mark.parametrize("camera", CAMERAS)
 def test_every_visible_piece_is_drawn_and_no_gap_is_bridged(camera: str, protocol: str) -> None:
     measurement = measure(FrameAnnotation(), CAMERAS[camera], setup(protocol))
-    found = verdicts(measurement, score(measurement, 5.0), SIZE)
+    found = scored_frame(measurement, score(measurement, 5.0), SIZE)
     pieces = measurement.projected.pieces
     assert set(found.projection.by_element) == set(pieces)
     factor = np.array([1279 / 959, 719 / 539])
@@ -87,7 +87,7 @@ def test_every_visible_piece_is_drawn_and_no_gap_is_bridged(camera: str, protoco
 
 def test_spots_are_crosses_and_optional_elements_without_clicks_are_unjudged() -> None:
     measurement = measure(FrameAnnotation(), CAMERAS["main"], setup("procc"))
-    found = verdicts(measurement, score(measurement, 5.0), SIZE)
+    found = scored_frame(measurement, score(measurement, 5.0), SIZE)
     across, down = found.projection.by_element["Centre mark"]
     (place,), factor = measurement.projected.pieces["Centre mark"], (1279 / 959, 719 / 539)
     for stroke in (across, down):
@@ -151,7 +151,7 @@ def test_the_threshold_decides_and_nothing_else_moves() -> None:
 
 def test_a_projected_element_that_is_not_annotated_can_be_selected() -> None:
     found = judged(FrameAnnotation(), selection="Side line right")
-    halo, rim = (layer(found, "selection", c) for c in (tones.HALO, tones.RIM))
+    halo, rim = (layer(found, "selection", c) for c in (tones.HALO, tones.OUTLINE))
     assert len(halo) > 0
     np.testing.assert_array_equal(halo, rim)
     blind = judged(FrameAnnotation(), selection="Side line right", with_projection=False)
@@ -167,12 +167,12 @@ def test_the_halo_lies_under_every_line() -> None:
 
 def test_a_point_without_a_distance_fails_without_a_whisker() -> None:
     nowhere = np.full((1, 2), np.nan)
-    found = Verdicts(
-        {"Middle line": "too_far"}, {}, ProjectionVerdicts({}, {}), np.ones((1, 2)), nowhere,
+    found = ScoredFrame(
+        {"Middle line": "too_far"}, {}, ScoredProjection({}, {}), np.ones((1, 2)), nowhere,
         np.array([np.nan]), np.array([False]), ("Middle line",),
     )  # fmt: skip
     assert len(found.failing) == 1
-    assert len(found.failing_whiskers) == 0
+    assert len(found.failing_error_vectors) == 0
     assert found.labelled(None)[1] == ("no distance",)
 
 
@@ -214,9 +214,9 @@ def test_a_distance_line_to_a_foot_outside_the_picture_is_drawn_as_it_is() -> No
         (Polyline("Side line bottom", (point_from_px(x, 539, (960, 540)),)),)
     )
     measurement = measure(annotation, camera, setup("procc"))
-    found = verdicts(measurement, score(measurement, 10.0), (960, 540))
+    found = scored_frame(measurement, score(measurement, 10.0), (960, 540))
     assert found.status == {"Side line bottom": "tp"}
-    (whisker,) = found.passing_whiskers
+    (whisker,) = found.passing_error_vectors
     assert whisker[3] > 539.5
     assert np.hypot(*(whisker[2:] - whisker[:2])) == pytest.approx(found.distances[0], abs=1e-6)
     assert found.distances[0] <= y - 539 + 1e-6

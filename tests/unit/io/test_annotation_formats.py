@@ -18,7 +18,7 @@ from procc_annotator.io.annotation_files.annotation_formats import (
     find_annotations,
     format_named,
 )
-from procc_annotator.io.annotation_files.exchange import ExchangedFrame, Reading, Writing
+from procc_annotator.io.annotation_files.exchange import ExchangedFrame, ReadContext, WriteContext
 from procc_annotator.io.annotation_files.px_numbers import (
     WrittenNumber,
     json_text,
@@ -42,7 +42,7 @@ TWO_WAY = pytest.mark.parametrize(
 )
 
 
-def write(name: str, frames: list[ExchangedFrame], folder: Path) -> Writing:
+def write(name: str, frames: list[ExchangedFrame], folder: Path) -> WriteContext:
     """Write frames to a new folder."""
     folder.mkdir()
 
@@ -51,16 +51,16 @@ def write(name: str, frames: list[ExchangedFrame], folder: Path) -> Writing:
         (folder / file).write_bytes(data)
         return True
 
-    writing = Writing(SOCCER, put)
+    writing = WriteContext(SOCCER, put)
     format_named(name).write(iter(frames), writing)
     return writing
 
 
-def read(folder: Path, fmt: str = "auto") -> tuple[dict[str, ExchangedFrame], Reading]:
+def read(folder: Path, fmt: str = "auto") -> tuple[dict[str, ExchangedFrame], ReadContext]:
     """Read a folder."""
     with open_source(folder) as source:
         known, files = find_annotations(source, fmt)
-        reading = Reading(SOCCER)
+        reading = ReadContext(SOCCER)
         assert known.read is not None
         return {f.name: f for f in known.read(source, files, reading)}, reading
 
@@ -397,12 +397,12 @@ def test_pictures_of_a_task_are_counted_in_the_order_of_their_names(tmp_path: Pa
     with open_source(tmp_path / "set") as source:
         known, files = find_annotations(source)
         assert known.read is not None
-        reading = Reading(SOCCER, pictures=["10.jpg", "2.jpg", "b.jpg"])
+        reading = ReadContext(SOCCER, pictures=["10.jpg", "2.jpg", "b.jpg"])
         back = {f.name: f.annotation for f in known.read(source, files, reading)}
         assert back == annotations
-        nameless = [f.name for f in known.read(source, files, Reading(SOCCER))]
+        nameless = [f.name for f in known.read(source, files, ReadContext(SOCCER))]
         assert nameless == ["frame_000000", "frame_000001", "frame_000002"]
-        few = Reading(SOCCER, pictures=["10.jpg"])
+        few = ReadContext(SOCCER, pictures=["10.jpg"])
         assert len(list(known.read(source, files, few))) == 1
         assert "there are 1 pictures" in few.problems[0]
 
@@ -415,7 +415,7 @@ def test_tracks_over_pictures_in_several_folders_keep_these(tmp_path: Path) -> N
     with open_source(tmp_path / "set") as source:
         known, files = find_annotations(source)
         assert known.read is not None
-        reading = Reading(SOCCER, pictures=pictures)
+        reading = ReadContext(SOCCER, pictures=pictures)
         assert [f.name for f in known.read(source, files, reading)] == list(annotations)
 
 

@@ -11,8 +11,8 @@ from typing import Any
 import pytest
 
 from procc_annotator.errors import SaveError
-from procc_annotator.io.atomic import name_beside, replacing, write_atomic
-from procc_annotator.io.exclusive import exclusive
+from procc_annotator.io.atomic import sibling_path, open_replacing, write_atomic
+from procc_annotator.io.exclusive import exclusive_lock
 from procc_annotator.io.file_lock import try_lock
 
 
@@ -153,7 +153,7 @@ def test_a_stream_that_is_broken_off_leaves_the_old_file(tmp_path: Path) -> None
     path.write_text("old")
 
     def write() -> None:
-        with replacing(path) as stream:
+        with open_replacing(path) as stream:
             stream.write(b"half")
             raise KeyboardInterrupt
 
@@ -179,7 +179,7 @@ def test_what_killed_processes_left_is_removed(tmp_path: Path) -> None:
 
 def test_a_name_as_long_as_it_may_be_is_locked_and_written(tmp_path: Path) -> None:
     for name in ("d" * 250, "\u00e4" * 125):
-        with exclusive(tmp_path / name):
+        with exclusive_lock(tmp_path / name):
             write_atomic(tmp_path / name, b"new")
         assert (tmp_path / name).read_bytes() == b"new"
-    assert name_beside(tmp_path / "a", ".", ".lock") == tmp_path / ".a.lock"
+    assert sibling_path(tmp_path / "a", ".", ".lock") == tmp_path / ".a.lock"

@@ -12,7 +12,7 @@ from procc_annotator.camera.base import FloatArray
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.geometry import middle_of, outline_of
 from procc_annotator.field.load import load_field
-from procc_annotator.field.sample import FieldSamples, sample_every
+from procc_annotator.field.sample import FieldSamples, sample_evenly
 from procc_annotator.io.camera_files.camera_collection import CameraCollection
 
 FIELD = load_field("basketball_fiba")
@@ -110,7 +110,7 @@ def test_each_view_shows_left_on_the_left_far_above_near_and_the_baskets_in_the_
 def test_every_class_of_the_baseline_is_seen_and_every_view_shows_some(
     cameras: list[tuple[PinholeCamera, FloatArray]],
 ) -> None:
-    samples = sample_every(FIELD, 0.05)
+    samples = sample_evenly(FIELD, 0.05)
     views = [seen(camera, samples) for camera, _ in cameras]
     counts = np.array([len(view) for view in views])
     assert counts.min() >= 2

@@ -14,7 +14,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from procc_annotator.camera.matrices import intrinsics_of
+from procc_annotator.camera.matrices import intrinsics_from_matrix
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.errors import CameraError, UsageError
 from procc_annotator.io.camera_files.cameras import CAMERA_FORMATS, fit_to_size, read_camera_file
@@ -322,4 +322,4 @@ def test_negative_focal_lengths_are_taken_and_told(x: float, y: float, shown: st
     assert shown in notice
     assert not read_camera_file(changed(), path="camera_1.json").notices
     k = np.diag([x * focal, y * focal, 1.0])
-    assert intrinsics_of(k).notices == loaded.notices
+    assert intrinsics_from_matrix(k).notices == loaded.notices

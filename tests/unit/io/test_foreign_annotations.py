@@ -12,7 +12,7 @@ import pytest
 from procc_annotator.annotation import Point, points_px
 from procc_annotator.field.load import load_field
 from procc_annotator.io.annotation_files.annotation_formats import find_annotations, format_named
-from procc_annotator.io.annotation_files.exchange import ExchangedFrame, Reading, Writing
+from procc_annotator.io.annotation_files.exchange import ExchangedFrame, ReadContext, WriteContext
 from procc_annotator.io.source import open_source
 
 SOCCER = load_field("soccer")
@@ -203,10 +203,10 @@ FILES: dict[str, tuple[str, Any]] = {
 
 def read(
     path: Path, fmt: str = "auto", size: tuple[int, int] | None = None
-) -> tuple[dict[str, ExchangedFrame], Reading]:
+) -> tuple[dict[str, ExchangedFrame], ReadContext]:
     with open_source(path) as source:
         known, files = find_annotations(source, fmt)
-        reading = Reading(SOCCER, lambda _: size)
+        reading = ReadContext(SOCCER, lambda _: size)
         assert known.read is not None
         return {f.name: f for f in known.read(source, files, reading)}, reading
 
@@ -301,7 +301,7 @@ def test_writing_into_a_file_keeps_its_other_content(name: str, tmp_path: Path) 
         written[file] = data
         return True
 
-    writing = Writing(SOCCER, keep, into=known.decode_existing(path.read_bytes(), str(path)))
+    writing = WriteContext(SOCCER, keep, into=known.decode_existing(path.read_bytes(), str(path)))
     first, *rest = frames.values()
     moved = first.annotation.without("Side line top").without("Line unknown")
     new = ExchangedFrame("new", moved, (640, 360), "new.png")
@@ -430,7 +430,7 @@ def test_frames_keep_their_names_whatever_their_pictures_are_called(
         (out / name).write_bytes(data)
         return True
 
-    writing = Writing(SOCCER, keep)
+    writing = WriteContext(SOCCER, keep)
     format_named(to).write(list(frames.values()), writing)
     again, reading = read(out)
     assert again.keys() == {"g", "a", "a2"}

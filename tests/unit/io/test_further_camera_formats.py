@@ -22,7 +22,7 @@ from procc_annotator.io.camera_files.camera_collection import CameraCollection
 from procc_annotator.io.camera_files.cameras import read_camera_file
 from procc_annotator.io.camera_files.homography_file import CONVENTIONS
 from procc_annotator.io.camera_files.json_cameras import json_records
-from procc_annotator.io.camera_files.krt_camera import KEYS, krt_content
+from procc_annotator.io.camera_files.krt_camera import KRT_KEYS, krt_content
 from procc_annotator.io.camera_files.loaded_camera import LoadedCamera
 from procc_annotator.io.camera_files.nested_cameras import BY_ORDER
 from procc_annotator.io.camera_files.soccernet_camera import write_camera
@@ -288,7 +288,7 @@ def test_no_lens_of_easymocap_is_dropped(tmp_path: Path) -> None:
         assert cameras.notices == ("not used: D_01, lens of 02",)
 
 
-@pytest.mark.parametrize("key", KEYS.distortion)
+@pytest.mark.parametrize("key", KRT_KEYS.distortion)
 def test_every_spelling_of_a_distortion_is_read_and_two_must_agree(key: str) -> None:
     content = krt_content(BENT, (1280, 720))
     dist = content.pop("dist")

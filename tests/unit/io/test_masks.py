@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline, point_from_px
 from procc_annotator.field.load import load_field
 from procc_annotator.io.annotation_files import masks
-from procc_annotator.io.annotation_files.exchange import ExchangedFrame, Writing
+from procc_annotator.io.annotation_files.exchange import ExchangedFrame, WriteContext
 
 SOCCER = load_field("soccer")
 SIZE = (80, 60)
@@ -79,7 +79,7 @@ def test_files_and_legend() -> None:
     annotation = FrameAnnotation(
         (polyline(A, (0, 10), (79, 10)), polyline("advert", (0, 40), (90, 40)), Polyline(B, ()))
     )
-    writing = Writing(SOCCER, put, line_width=2)
+    writing = WriteContext(SOCCER, put, line_width=2)
     masks.write_many([ExchangedFrame("7", annotation, SIZE)], writing)
     assert list(written) == ["7.png", "classes.json"]
     mask = cv2.imdecode(np.frombuffer(written["7.png"], np.uint8), cv2.IMREAD_UNCHANGED)
@@ -99,7 +99,7 @@ def test_files_and_legend() -> None:
 
 def test_more_classes_than_grey_values_are_told() -> None:
     many = tuple(polyline(f"class {i}", (0, 0), (9, 9)) for i in range(300))
-    writing = Writing(SOCCER, lambda name, data: True)
+    writing = WriteContext(SOCCER, lambda name, data: True)
     masks.write_many([ExchangedFrame("7", FrameAnnotation(many), SIZE)], writing)
     assert any("255 values" in line for line in writing.remarks.lines())
     assert writing.elements == 255 - len(SOCCER.elements) - 2
@@ -110,4 +110,4 @@ def test_widths_that_cannot_be_drawn(width: float) -> None:
     from procc_annotator.errors import UsageError
 
     with pytest.raises(UsageError, match="line width"):
-        masks.write_many([], Writing(SOCCER, lambda name, data: True, line_width=width))
+        masks.write_many([], WriteContext(SOCCER, lambda name, data: True, line_width=width))

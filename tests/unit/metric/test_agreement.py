@@ -7,7 +7,7 @@ import pytest
 
 from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px, points_px
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
-from procc_annotator.metric.agreement import AgreementSums, compare_annotations, quantile
+from procc_annotator.metric.agreement import AgreementAccumulator, compare_annotations, sorted_quantile
 
 SIZE = (960, 540)
 
@@ -282,7 +282,7 @@ def test_clicks_in_one_direction_from_the_middle_are_all_met(soccer) -> None:
 
 def test_noise_comes_out_as_it_went_in(soccer) -> None:
     rng = np.random.default_rng(7)
-    sums = AgreementSums([5.0])
+    sums = AgreementAccumulator([5.0])
     for frame in range(150):
         pair = [
             annotation(
@@ -369,7 +369,7 @@ def test_no_hint_where_labels_agree_or_nothing_does(soccer) -> None:
 
 def test_sums_of_a_set(small_field) -> None:
     line, moved = [(100, 100), (500, 100)], [(100, 104), (500, 104)]
-    sums = AgreementSums([5, 2], only_a=["7"], only_b=["8", "9"])
+    sums = AgreementAccumulator([5, 2], only_a=["7"], only_b=["8", "9"])
     pairs = {
         "1": ({"middle": line}, {"middle": line}),
         "2": ({"middle": line}, {"middle": moved, "left": line}),
@@ -394,7 +394,7 @@ def test_sums_of_a_set(small_field) -> None:
 
 
 def test_an_empty_set_has_no_figures() -> None:
-    found = AgreementSums([5.0]).summary()
+    found = AgreementAccumulator([5.0]).summary()
     assert found.mean_jac == {5.0: None}
     assert (found.frames, found.overall.points, found.overall.median) == (0, 0, None)
 
@@ -402,5 +402,5 @@ def test_an_empty_set_has_no_figures() -> None:
 def test_quantile_is_the_usual_one() -> None:
     values = np.sort(np.random.default_rng(1).normal(size=37))
     for share in (0.0, 0.5, 0.95, 1.0):
-        assert quantile(values, share) == pytest.approx(np.quantile(values, share))
-    assert quantile(np.empty(0), 0.5) is None
+        assert sorted_quantile(values, share) == pytest.approx(np.quantile(values, share))
+    assert sorted_quantile(np.empty(0), 0.5) is None

@@ -8,7 +8,7 @@ import pytest
 from procc_annotator.annotation import FrameAnnotation, points_px
 from procc_annotator.field.load import load_field
 from procc_annotator.metric.agreement import compare_annotations
-from procc_annotator.metric.consensus import against, consensus_of
+from procc_annotator.metric.consensus import compare_to_consensus, build_consensus
 
 FIELD = load_field("soccer")
 SIZE = (960, 540)
@@ -25,7 +25,7 @@ def of(name: str, points) -> FrameAnnotation:
 
 
 def middle(annotations, name: str):
-    found = consensus_of(annotations, FIELD, SIZE)[0].annotation.get(name)
+    found = build_consensus(annotations, FIELD, SIZE)[0].annotation.get(name)
     return None if found is None else points_px(found, SIZE)
 
 
@@ -58,21 +58,21 @@ def test_it_runs_where_more_than_half_run() -> None:
 def test_elements_of_exactly_half_are_undecided_and_of_fewer_are_none() -> None:
     both, one = {TOP: LINE, MIDDLE: moved(200)}, {TOP: LINE}
     frames = [FrameAnnotation.from_dict(own, size=SIZE) for own in (both, both, one, one)]
-    of_all, of_others = consensus_of(frames, FIELD, SIZE)
+    of_all, of_others = build_consensus(frames, FIELD, SIZE)
     assert of_all.annotation.annotated == (TOP,)
     assert of_all.undecided == (MIDDLE,)
     # Of three others two have the middle line: the third and fourth annotator miss it.
     assert [others.undecided for others in of_others] == [(), (), (), ()]
     assert [
-        against(own, others, FIELD, SIZE).only_b
+        compare_to_consensus(own, others, FIELD, SIZE).only_b
         for own, others in zip(frames, of_others, strict=True)
     ] == [(), (), (MIDDLE,), (MIDDLE,)]
-    added = against(frames[0], of_others[0], FIELD, SIZE)
+    added = compare_to_consensus(frames[0], of_others[0], FIELD, SIZE)
     assert added.only_a == (MIDDLE,)
 
 
 def test_two_lines_far_apart_along_have_no_middle() -> None:
-    of_all, _ = consensus_of(
+    of_all, _ = build_consensus(
         [of(TOP, LINE[:2]), of(TOP, LINE[2:] + np.array((60, 3)))], FIELD, SIZE
     )
     assert of_all.annotation.annotated == ()
@@ -114,7 +114,7 @@ def test_the_consensus_of_five_is_nearer_the_truth_than_any_of_them() -> None:
             for _ in range(5)
         ]
         alone.append(compare_annotations(several[0], exact, FIELD, SIZE).distances)
-        of_all = consensus_of(several, FIELD, SIZE)[0].annotation
+        of_all = build_consensus(several, FIELD, SIZE)[0].annotation
         agreed.append(compare_annotations(of_all, exact, FIELD, SIZE).distances)
     # A median of five normal errors has 0.54 of the deviation of one.
     ratio = np.median(np.concatenate(agreed)) / np.median(np.concatenate(alone))
@@ -147,11 +147,11 @@ def test_whatever_was_clicked_distances_are_numbers(sport) -> None:
             )
             for _ in range(int(rng.integers(2, 6)))
         ]
-        of_all, of_others = consensus_of(several, field, SIZE)
+        of_all, of_others = build_consensus(several, field, SIZE)
         for line in of_all.annotation:
             assert line.points
             assert np.isfinite(points_px(line, SIZE)).all()
         for own, others in zip(several, of_others, strict=True):
-            found = against(own, others, field, SIZE)
+            found = compare_to_consensus(own, others, field, SIZE)
             assert np.isfinite(found.distances).all()
             assert 0.0 <= found.jac(5.0) <= 1.0

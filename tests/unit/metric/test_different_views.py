@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from procc_annotator.camera.pinhole import PinholeCamera
-from procc_annotator.metric.different_views import most_different
+from procc_annotator.metric.different_views import most_distinct_views
 
 
 def camera(pan_degrees: float, focal_px: float = 1000.0) -> PinholeCamera:
@@ -15,7 +15,7 @@ def camera(pan_degrees: float, focal_px: float = 1000.0) -> PinholeCamera:
 
 
 def chosen(cameras: list[PinholeCamera], count: int) -> list[int]:
-    return most_different(cameras, [1280] * len(cameras), count)
+    return most_distinct_views(cameras, [1280] * len(cameras), count)
 
 
 def test_the_usual_view_comes_first_then_the_ends_of_a_pan() -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from procc_annotator.metric.even_grid import value_at
+from procc_annotator.metric.even_grid import bilinear_value
 
 XS, YS = np.array([0.0, 2.0, 4.0]), np.array([-1.0, 0.0])
 VALUES = np.array([[0.0, 1.0, np.nan], [4.0, 5.0, 6.0]])
@@ -26,4 +26,4 @@ VALUES = np.array([[0.0, 1.0, np.nan], [4.0, 5.0, 6.0]])
     ],
 )
 def test_in_proportion_to_the_distances(x: float, y: float, expected: float | None) -> None:
-    assert value_at(VALUES, XS, YS, x, y) == (expected and pytest.approx(expected))
+    assert bilinear_value(VALUES, XS, YS, x, y) == (expected and pytest.approx(expected))

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.geometry import Circle, Line
 from procc_annotator.field.model import Field
-from procc_annotator.metric.fine import ElementCurves, fine_courses
+from procc_annotator.metric.fine import ElementCurves, project_curves
 from procc_annotator.metric.polylines import FloatArray, Polylines
 
 SIZE = (101, 51)
@@ -21,7 +21,7 @@ HD = (960, 540)
 
 def projected(field: Field, camera: object, size: tuple[int, int], halvings: int = 0) -> Polylines:
     curves = ElementCurves.of(field)
-    return fine_courses(camera, field, curves, size, halvings=halvings).in_sight  # type: ignore[arg-type]
+    return project_curves(camera, field, curves, size, halvings=halvings).in_sight  # type: ignore[arg-type]
 
 
 def test_the_centre_circle_is_closed(one_line, map_camera):
@@ -181,8 +181,8 @@ cameras = st.builds(
 def test_halving_the_spacing_moves_no_distance_by_a_hundredth_of_a_pixel(soccer, camera):
     """Every element, straight ones under distortion too, against a grid over the picture."""
     curves = ElementCurves.of(soccer)
-    here = fine_courses(camera, soccer, curves, HD).in_sight
-    finer = fine_courses(camera, soccer, curves, HD, halvings=1).in_sight
+    here = project_curves(camera, soccer, curves, HD).in_sight
+    finer = project_curves(camera, soccer, curves, HD, halvings=1).in_sight
     assert here.detected.tolist() == finer.detected.tolist()
     grid = np.stack(np.meshgrid(np.linspace(0, 959, 9), np.linspace(0, 539, 7)), -1).reshape(-1, 2)
     rows = np.flatnonzero(here.detected)
@@ -196,7 +196,7 @@ def test_halving_the_spacing_moves_no_distance_by_a_hundredth_of_a_pixel(soccer,
 @settings(derandomize=True, deadline=None, max_examples=30)
 @given(cameras)
 def test_pieces_stay_in_the_picture_and_follow_the_projection(soccer, camera):
-    found = fine_courses(camera, soccer, ElementCurves.of(soccer), HD).in_sight
+    found = project_curves(camera, soccer, ElementCurves.of(soccer), HD).in_sight
     assert (found.vertices >= 0).all()
     assert (found.vertices <= (959, 539)).all()
     for row in np.flatnonzero(found.detected).tolist():
@@ -216,7 +216,7 @@ GRAZING = Line((-50.0, 20.0, 0.0), (50.0, 30.0, 0.0))  # leaves a picture 50 px 
 
 
 def test_an_element_in_sight_goes_on_beyond_the_picture(one_line, map_camera):
-    found = fine_courses(
+    found = project_curves(
         map_camera((50.0, 25.0)), one_line(GRAZING), ElementCurves.of(one_line(GRAZING)), SIZE
     )
     np.testing.assert_allclose(found.in_sight.pieces_of(0)[0][[0, -1]], [[0, 45], [50, 50]])
@@ -225,7 +225,7 @@ def test_an_element_in_sight_goes_on_beyond_the_picture(one_line, map_camera):
 
 def test_an_element_out_of_sight_has_no_course_even_next_to_the_picture(one_line, map_camera):
     field = one_line(Line((-50.0, 25.5, 0.0), (50.0, 25.5, 0.0)))
-    found = fine_courses(map_camera((50.0, 25.0)), field, ElementCurves.of(field), SIZE)
+    found = project_curves(map_camera((50.0, 25.0)), field, ElementCurves.of(field), SIZE)
     assert not found.in_sight.detected[0]
     assert not len(found.unclipped.vertices)
 
@@ -233,14 +233,14 @@ def test_an_element_out_of_sight_has_no_course_even_next_to_the_picture(one_line
 def test_an_element_ends_where_the_camera_has_no_projection(one_line, map_camera):
     """Beyond the picture, too: z rises, and the ground is crossed at x = 60 of the camera's 110."""
     field = one_line(Line((-50.0, 0.0, -11.0), (100.0, 0.0, 4.0)))
-    found = fine_courses(map_camera((50.0, 25.0)), field, ElementCurves.of(field), SIZE)
+    found = project_curves(map_camera((50.0, 25.0)), field, ElementCurves.of(field), SIZE)
     np.testing.assert_allclose(found.unclipped.pieces_of(0)[0][[0, -1]], [[0, 25], [110, 25]])
 
 
 def test_an_element_goes_on_as_far_as_the_lens_does_not_fold(one_line):
     camera = level_camera(radial=(-0.2, 0.0, 0.0, 0.0, 0.0, 0.0))
     field = one_line(Line((-40.0, -10.0, -2.2), (40.0, -10.0, -2.2)))
-    lines = fine_courses(camera, field, ElementCurves.of(field), HD).unclipped
+    lines = project_curves(camera, field, ElementCurves.of(field), HD).unclipped
     (piece,) = lines.pieces_of(0)
     assert (np.diff(piece[:, 0]) > 0).all()
     # The radius of the fold, sqrt(5 / 3), appears at two thirds of itself.
@@ -251,7 +251,7 @@ def test_an_element_goes_on_as_far_as_the_lens_does_not_fold(one_line):
 def test_nothing_behind_the_camera_comes_back_over_the_picture(one_line):
     """A line on the ground from far ahead to behind: below the picture it goes down for ever."""
     field = one_line(Line((0.5, 100.0, 0.0), (0.5, -100.0, 0.0)))
-    lines = fine_courses(level_camera(), field, ElementCurves.of(field), HD).unclipped
+    lines = project_curves(level_camera(), field, ElementCurves.of(field), HD).unclipped
     assert lines.vertices[:, 1].max() > 1e5
     assert (lines.vertices[:, 1] > 270).all()
 
@@ -261,8 +261,8 @@ def test_nothing_behind_the_camera_comes_back_over_the_picture(one_line):
 def test_halving_the_spacing_moves_no_distance_to_what_goes_on_beyond(soccer, camera):
     """By more than a hundredth of a pixel, or a thousandth of the distance where that is more."""
     curves = ElementCurves.of(soccer)
-    here = fine_courses(camera, soccer, curves, HD).unclipped
-    finer = fine_courses(camera, soccer, curves, HD, halvings=1).unclipped
+    here = project_curves(camera, soccer, curves, HD).unclipped
+    finer = project_curves(camera, soccer, curves, HD, halvings=1).unclipped
     grid = np.stack(np.meshgrid(np.linspace(0, 959, 9), np.linspace(0, 539, 7)), -1).reshape(-1, 2)
     rows = np.flatnonzero(here.detected)
     points, owner = np.tile(grid, (len(rows), 1)), np.repeat(rows, len(grid))
@@ -275,7 +275,7 @@ def test_halving_the_spacing_moves_no_distance_to_what_goes_on_beyond(soccer, ca
 @given(cameras)
 def test_distances_are_those_to_the_projection_in_the_picture_and_beyond(soccer, camera):
     """Against brute force: no sample of an element in sight is nearer than what is measured."""
-    lines = fine_courses(camera, soccer, ElementCurves.of(soccer), HD).unclipped
+    lines = project_curves(camera, soccer, ElementCurves.of(soccer), HD).unclipped
     grid = np.stack(np.meshgrid(np.linspace(0, 959, 5), np.linspace(0, 539, 4)), -1).reshape(-1, 2)
     for row in np.flatnonzero(lines.detected).tolist():
         px, seen = camera.project(_dense(soccer, row))

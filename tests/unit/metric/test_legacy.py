@@ -14,10 +14,10 @@ from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.camera.projections import ElementProjections
 from procc_annotator.errors import UsageError
-from procc_annotator.metric.ground import Rectangle, field_rectangle
-from procc_annotator.metric.ground_homography import ground_homography
-from procc_annotator.metric.legacy import Average, legacy_averages, legacy_metrics
-from procc_annotator.metric.polygons import area, clipped, clipped_by
+from procc_annotator.metric.ground import GroundRectangle, field_rectangle
+from procc_annotator.metric.ground_homography import ground_homography_of
+from procc_annotator.metric.legacy import MetricAverage, legacy_averages, legacy_metrics
+from procc_annotator.metric.polygons import polygon_area, clip_by_half_planes, convex_intersection
 from procc_annotator.session.dataset.camera_set import CameraSet
 
 SIZE = (960, 540)
@@ -139,7 +139,7 @@ def test_any_model_is_reduced_to_what_it_shows(soccer):
 
     nearly = replace(MAIN, pan_rad=MAIN.pan_rad + 0.01, radial=(1e-9, 0, 0, 0, 0, 0))
     exact = replace(nearly, radial=(0.0,) * 6)
-    assert not ground_homography(nearly, field_rectangle(soccer), SIZE).is_exact
+    assert not ground_homography_of(nearly, field_rectangle(soccer), SIZE).is_exact
     one, two = (legacy_metrics(c, MAIN, soccer, SIZE) for c in (nearly, exact))
     assert one.iou_whole == pytest.approx(two.iou_whole, abs=1e-5)
     assert one.iou_part == pytest.approx(two.iou_part, abs=2e-3)
@@ -151,8 +151,8 @@ def test_a_fitted_homography_is_the_nearest_one(soccer):
     """Of a distorted camera; moving it a little in any direction makes it worse in the picture."""
     bent = replace(MAIN, radial=(-0.1, 0.02, 0, 0, 0, 0))
     rectangle = field_rectangle(soccer)
-    fitted = ground_homography(bent, rectangle, SIZE).image_from_ground
-    straight = ground_homography(replace(bent, radial=(0.0,) * 6), rectangle, SIZE)
+    fitted = ground_homography_of(bent, rectangle, SIZE).image_from_ground
+    straight = ground_homography_of(replace(bent, radial=(0.0,) * 6), rectangle, SIZE)
     x, y = np.meshgrid(np.linspace(0, 959, 48), np.linspace(0, 539, 27))
     px = np.column_stack((x.ravel(), y.ravel()))
     from procc_annotator.camera.backproject import ground_from_px
@@ -205,11 +205,11 @@ def test_a_camera_in_the_ground_has_no_overlap_as_a_whole(soccer):
 
 def test_mean_and_median_over_the_frames_that_have_a_figure(soccer):
     frames = [legacy_metrics(moved(MAIN, dx, 0.0), MAIN, soccer, SIZE) for dx in (1.0, 2.0, 6.0)]
-    assert legacy_averages(frames)["projection_m"] == Average(
+    assert legacy_averages(frames)["projection_m"] == MetricAverage(
         pytest.approx(3.0), pytest.approx(2.0), 3
     )
-    assert Average.of([None, 1.0, None]) == Average(1.0, 1.0, 1)
-    assert Average.of([None]) == Average(None, None, 0)
+    assert MetricAverage.of([None, 1.0, None]) == MetricAverage(1.0, 1.0, 1)
+    assert MetricAverage.of([None]) == MetricAverage(None, None, 0)
 
 
 def test_a_source_without_camera_model_is_refused(soccer):
@@ -218,15 +218,15 @@ def test_a_source_without_camera_model_is_refused(soccer):
 
 
 def test_convex_polygons():
-    square = Rectangle(0, 0, 2, 2).corners
-    shifted = Rectangle(1, 1, 3, 3).corners
-    assert area(square) == area(square[::-1]) == 4.0
+    square = GroundRectangle(0, 0, 2, 2).corners
+    shifted = GroundRectangle(1, 1, 3, 3).corners
+    assert polygon_area(square) == polygon_area(square[::-1]) == 4.0
     for a in (square, square[::-1]):
         for b in (shifted, shifted[::-1]):
-            assert area(clipped_by(a, b)) == pytest.approx(1.0)
-    assert area(clipped_by(square, Rectangle(5, 5, 6, 6).corners)) == 0.0
-    assert len(clipped(square, np.array([(1.0, 0.0, -5.0), (1.0, 0.0, 0.0)]))) == 0
-    assert area(clipped(square, np.array([(-1.0, -1.0, 2.0)]))) == pytest.approx(2.0)
+            assert polygon_area(convex_intersection(a, b)) == pytest.approx(1.0)
+    assert polygon_area(convex_intersection(square, GroundRectangle(5, 5, 6, 6).corners)) == 0.0
+    assert len(clip_by_half_planes(square, np.array([(1.0, 0.0, -5.0), (1.0, 0.0, 0.0)]))) == 0
+    assert polygon_area(clip_by_half_planes(square, np.array([(-1.0, -1.0, 2.0)]))) == pytest.approx(2.0)
 
 
 def world_cup(shared_data: Path, method: str):

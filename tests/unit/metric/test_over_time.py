@@ -9,24 +9,24 @@ import numpy as np
 import pytest
 
 from procc_annotator.camera.homography import HomographyCamera
-from procc_annotator.camera.implied import implied_pinhole
+from procc_annotator.camera.implied import pinhole_from_homography
 from procc_annotator.camera.matrices import calibration_matrix, translation
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.load import load_field
-from procc_annotator.metric.over_time.frame_offset import frame_offset, shifts
-from procc_annotator.metric.over_time.interruptions import Interruptions, Jump, interruptions
+from procc_annotator.metric.over_time.frame_offset import frame_offset, shift_range
+from procc_annotator.metric.over_time.interruptions import Discontinuities, Jump, find_discontinuities
 from procc_annotator.metric.over_time.positions import (
     pose_jitter,
-    poses_of,
-    vertigo,
-    wander,
+    shot_poses,
+    focal_distance_ambiguity,
+    position_drift,
 )
 from procc_annotator.metric.over_time.steadiness import (
-    Steadiness,
-    ground_points,
-    neighbours,
-    of_shot,
-    steadiness,
+    ShotJitter,
+    field_ground_points,
+    consecutive_neighbours,
+    shot_rms,
+    projection_jitter,
 )
 from tests.drawn_shots import Aim, course, looking_at
 
@@ -48,15 +48,15 @@ def shaken(pan_rad: float, *, seed: int = 1) -> list[PinholeCamera]:
     return [replace(c, pan_rad=c.pan_rad + o) for c, o in zip(steady_shot(), off, strict=True)]
 
 
-def measured(cameras: list, numbers: range | None = None) -> tuple[Steadiness, Interruptions]:
-    order, points = numbers or range(len(cameras)), ground_points(FIELD)
-    found = steadiness(cameras, order, points, SIZE)
-    return found, interruptions(cameras, order, points, SIZE, found)
+def measured(cameras: list, numbers: range | None = None) -> tuple[ShotJitter, Discontinuities]:
+    order, points = numbers or range(len(cameras)), field_ground_points(FIELD)
+    found = projection_jitter(cameras, order, points, SIZE)
+    return found, find_discontinuities(cameras, order, points, SIZE, found)
 
 
 def test_a_camera_that_turns_smoothly_hardly_trembles() -> None:
     steady, broken = measured(list(steady_shot()))
-    assert (of_shot(steady.px) or 1) < 0.02
+    assert (shot_rms(steady.px) or 1) < 0.02
     assert not broken.jumps
     assert not broken.outages
 
@@ -68,8 +68,8 @@ def test_jitter_is_what_each_frame_was_shaken_by(pan_px: float) -> None:
     steady, broken = measured(cameras)
     # A degree of pan moves what is below the axis by less than focal length times the angle.
     low = np.mean([np.sin(c.tilt_rad) for c in cameras])
-    assert of_shot(steady.px) == pytest.approx(pan_px * low, rel=0.1)
-    jitter = pose_jitter(poses_of(cameras, SIZE), range(400), broken.unsteady)
+    assert shot_rms(steady.px) == pytest.approx(pan_px * low, rel=0.1)
+    jitter = pose_jitter(shot_poses(cameras, SIZE), range(400), broken.unsteady)
     assert jitter.pan_deg == pytest.approx(np.degrees(pan_px / focal), rel=0.1)
     assert jitter.tilt_deg == pytest.approx(0, abs=1e-3)
     assert jitter.position_m == pytest.approx(0, abs=1e-6)
@@ -80,13 +80,13 @@ def test_metres_are_those_that_a_turn_takes_on_the_ground() -> None:
     """Shaken about the vertical, what a pixel means turns about the camera's foot."""
     cameras = shaken(1e-3)
     steady, _ = measured(cameras)
-    points = ground_points(FIELD)
+    points = field_ground_points(FIELD)
     expected = []
     for camera in cameras[::20]:
         px, valid = camera.project(points)
         seen = points[valid & ((px >= 0) & (px <= np.array(SIZE) - 1)).all(axis=1)]
         expected.append(np.mean(((seen[:, :2] - STAND[:2]) ** 2).sum(axis=1)))
-    assert of_shot(steady.ground_m) == pytest.approx(1e-3 * np.sqrt(np.mean(expected)), rel=0.1)
+    assert shot_rms(steady.ground_m) == pytest.approx(1e-3 * np.sqrt(np.mean(expected)), rel=0.1)
 
 
 def test_a_leap_there_and_back_and_one_that_stays() -> None:
@@ -99,7 +99,7 @@ def test_a_leap_there_and_back_and_one_that_stays() -> None:
     assert [(j.frame, j.back_after) for j in broken.jumps] == [(100, 1), (200, 4), (300, None)]
     assert broken.jumps[0].size_px == pytest.approx(broken.jumps[1].size_px, rel=0.05)
     assert broken.jumps[2].size_px == pytest.approx(0.02 * 1150, rel=0.15)
-    assert (of_shot(steady.px, broken.unsteady) or 1) < 0.02
+    assert (shot_rms(steady.px, broken.unsteady) or 1) < 0.02
 
 
 def test_a_leap_among_trembling_is_told_from_it() -> None:
@@ -125,11 +125,11 @@ def test_outages_and_the_time_to_come_back() -> None:
 
 
 def test_only_frames_that_follow_each_other_count() -> None:
-    assert neighbours([1, 2, 3, 5, 6, 7]).tolist() == [False, True, False, False, True, False]
-    assert neighbours([0, 25, 50]).tolist() == [False, True, False]
-    assert neighbours([4, 5]).tolist() == [False, False]
+    assert consecutive_neighbours([1, 2, 3, 5, 6, 7]).tolist() == [False, True, False, False, True, False]
+    assert consecutive_neighbours([0, 25, 50]).tolist() == [False, True, False]
+    assert consecutive_neighbours([4, 5]).tolist() == [False, False]
     cameras = list(steady_shot(40))
-    steady = steadiness(cameras, [*range(20), *range(100, 120)], ground_points(FIELD), SIZE)
+    steady = projection_jitter(cameras, [*range(20), *range(100, 120)], field_ground_points(FIELD), SIZE)
     assert np.flatnonzero(np.isnan(steady.px)).tolist() == [0, 19, 20, 39]
 
 
@@ -141,28 +141,28 @@ def test_position_and_focal_length_that_make_up_for_each_other() -> None:
         target = np.array([x, 0.0, 0.0])
         stand = target + (np.array(STAND) - target) * (1 + share)
         cameras.append(looking_at(stand, target, 1000 * (1 + share), SIZE))
-    poses = poses_of(cameras, SIZE)
-    found = vertigo(poses)
+    poses = shot_poses(cameras, SIZE)
+    found = focal_distance_ambiguity(poses)
     assert found is not None
     assert found.correlation > 0.95
-    assert found.metres_a_percent == pytest.approx(0.72, abs=0.1)  # of some 72 m
-    moved = wander(poses)
+    assert found.metres_per_percent == pytest.approx(0.72, abs=0.1)  # of some 72 m
+    moved = position_drift(poses)
     assert moved is not None
     assert moved.rms_m == pytest.approx(0.02 * 74, rel=0.2)
     assert moved.largest_m > 2 * moved.rms_m
-    assert vertigo(poses_of(list(steady_shot()), SIZE)) is None  # on a tripod
+    assert focal_distance_ambiguity(shot_poses(list(steady_shot()), SIZE)) is None  # on a tripod
 
 
 def test_a_homography_implies_where_its_camera_stands() -> None:
     for camera in steady_shot()[::40]:
         turned = np.column_stack((camera.rotation_cam_from_world, translation(camera)))
         matrix = calibration_matrix(camera) @ turned[:, [0, 1, 3]]
-        found = implied_pinhole(HomographyCamera(matrix), SIZE)
+        found = pinhole_from_homography(HomographyCamera(matrix), SIZE)
         assert found is not None
         assert found.position_world == pytest.approx(camera.position_world, abs=1e-6)
         assert found.focal_px[0] == pytest.approx(camera.focal_px[0])
         assert found.pan_rad == pytest.approx(camera.pan_rad)
-    poses = poses_of([HomographyCamera(matrix), None], SIZE)
+    poses = shot_poses([HomographyCamera(matrix), None], SIZE)
     assert poses.implied
     assert poses.position_world[0] == pytest.approx(STAND)
     assert np.isnan(poses.position_world[1]).all()
@@ -170,7 +170,7 @@ def test_a_homography_implies_where_its_camera_stands() -> None:
 
 def test_the_shift_that_fits_best_is_found_with_its_margin() -> None:
     random = np.random.default_rng(2)
-    costs = np.abs(shifts() - 1) * 2.0 + random.uniform(1, 2, (40, 1)) * np.ones(11)
+    costs = np.abs(shift_range() - 1) * 2.0 + random.uniform(1, 2, (40, 1)) * np.ones(11)
     costs += random.normal(0, 0.2, costs.shape)
     found = frame_offset(costs)
     assert found is not None
@@ -189,9 +189,9 @@ def test_a_camera_that_rests_has_no_offset_that_could_be_told() -> None:
 
 
 def test_a_short_shot_is_tried_at_few_shifts() -> None:
-    costs = np.abs(shifts() + 1) * np.ones((8, 1))
+    costs = np.abs(shift_range() + 1) * np.ones((8, 1))
     for row in range(8):
-        costs[row, np.abs(shifts()) > min(row, 7 - row)] = np.nan
+        costs[row, np.abs(shift_range()) > min(row, 7 - row)] = np.nan
     found = frame_offset(costs)
     assert found is not None
     assert found.shift == -1

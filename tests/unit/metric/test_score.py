@@ -15,7 +15,7 @@ from procc_annotator.field.geometry import Line
 from procc_annotator.field.model import Element, Field
 from procc_annotator.metric.measure import measure, measure_projected, nearest_points
 from procc_annotator.metric.project import project_field
-from procc_annotator.metric.score import FrameScore, jac_curve, score, score_to_read
+from procc_annotator.metric.score import FrameScore, jac_curve, score, display_score
 from procc_annotator.metric.setup import EvaluationSetup
 
 SIZE = (101, 51)
@@ -133,7 +133,7 @@ def test_to_be_read_a_tie_keeps_the_labels_as_they_are(small_field, map_camera, 
     # Both labellings fail: mirrored labels would tell distances of half a field.
     measurement = measure(annotate({"left": [(20, 20)]}), map_camera(CENTRE), official)
     assert score(measurement, 5).mirrored
-    read = score_to_read(measurement, 5)
+    read = display_score(measurement, 5)
     assert not read.mirrored
     assert read.jac == score(measurement, 5).jac == 0.0
     assert read.max_error == pytest.approx(measurement.plain.all_distances.max())
@@ -166,7 +166,7 @@ def test_errors_are_told_of_the_labels_as_they_are_on_a_tie(small_field, map_cam
 def test_to_be_read_mirrored_labels_count_where_they_are_better(small_field, map_camera, annotate):
     official = EvaluationSetup(small_field, SIZE)
     annotation = annotate({"left": [(70, 20)], "right": [(30, 20)]})
-    read = score_to_read(measure(annotation, map_camera(CENTRE), official), 5)
+    read = display_score(measure(annotation, map_camera(CENTRE), official), 5)
     assert read.mirrored
     assert read.tp == 2
 

@@ -2,22 +2,22 @@
 
 from __future__ import annotations
 
-from procc_annotator.metric.agreement import AgreementFigures, AgreementSummary
+from procc_annotator.metric.agreement import AgreementMetrics, AgreementSummary
 from procc_annotator.metric.chance.intervals import Interval
-from procc_annotator.metric.chance.sampling import Draws
-from procc_annotator.report.agreement_figures import intervals_described, needed_sheet
+from procc_annotator.metric.chance.sampling import BootstrapSettings
+from procc_annotator.report.agreement_figures import intervals_described, sample_size_table
 from procc_annotator.report.sheet.sheet import records
 from procc_annotator.session.runs.clusters import NONE, clusters_of
-from procc_annotator.session.runs.sure_agreement import AgreementIntervals, SureAgreement
+from procc_annotator.session.runs.sure_agreement import AgreementIntervals, AgreementInference
 
 
 def test_an_interval_that_ends_with_the_distances_tells_no_number_of_frames() -> None:
-    overall = AgreementFigures(9, 0, 0, 0, 99, 0, 2.0, 8.0, 9.0)
+    overall = AgreementMetrics(9, 0, 0, 0, 99, 0, 2.0, 8.0, 9.0)
     summary = AgreementSummary(9, (), (), (), overall, {}, {})
     known = AgreementIntervals(
         {}, Interval(1.5, 2.5, 0.95, "t"), Interval(3.0, 9.0, 0.95, "t"), 9.0
     )
-    rows = list(records(needed_sheet(SureAgreement(summary, known, 9), "", "")))
+    rows = list(records(sample_size_table(AgreementInference(summary, known, 9), "", "")))
     needed = {title: [r["needed"] for r in rows if r["figure"] == title] for title in
               ("median, px", "95 %, px")}  # fmt: skip
     assert all(count is not None for count in needed["median, px"])
@@ -26,5 +26,5 @@ def test_an_interval_that_ends_with_the_distances_tells_no_number_of_frames() ->
 
 def test_intervals_of_few_frames_are_told_to_be_unreliable() -> None:
     few, enough = (clusters_of([str(n) for n in range(count)], NONE, {}) for count in (4, 5))
-    assert "fewer than 5 frames no interval is to be relied on" in intervals_described(Draws(), few)
-    assert "relied on" not in intervals_described(Draws(), enough)
+    assert "fewer than 5 frames no interval is to be relied on" in intervals_described(BootstrapSettings(), few)
+    assert "relied on" not in intervals_described(BootstrapSettings(), enough)

@@ -6,7 +6,7 @@ import pytest
 
 from procc_annotator.field.colours import linear_rgb
 from procc_annotator.interact.palette import SOURCE_COLOURS
-from procc_annotator.report.page.chart_parts import on_either_page
+from procc_annotator.report.page.chart_parts import readable_on_both_themes
 
 PAGES = ("#ffffff", "#16181b")  # --paper of report.css, light and dark
 
@@ -18,9 +18,9 @@ def luminance(colour: str) -> float:
 @pytest.mark.parametrize("page", PAGES)
 @pytest.mark.parametrize("colour", [*SOURCE_COLOURS, "#000000", "#ffffff", "#16181b"])
 def test_every_line_stands_out_from_the_page(colour: str, page: str) -> None:
-    dark, light = sorted((luminance(on_either_page(colour)), luminance(page)))
+    dark, light = sorted((luminance(readable_on_both_themes(colour)), luminance(page)))
     assert (light + 0.05) / (dark + 0.05) >= 3.0
 
 
 def test_a_colour_that_is_seen_already_stays() -> None:
-    assert on_either_page("#4a8dff") == "#4a8dff"
+    assert readable_on_both_themes("#4a8dff") == "#4a8dff"

@@ -14,7 +14,7 @@ from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.report.page import chart_frames, charts
 from procc_annotator.report.page.audit_report import (
     AuditReport,
-    FrameFigures,
+    FrameMetrics,
     ReportedFrame,
     ReportedSource,
 )
@@ -59,7 +59,7 @@ def reported(frame: str, jac: float | None, pan: float = 0.0) -> ReportedFrame:
     pose = Pose(pan, 80.0, 0.0, 2000.0, (0.0, 70.0, -15.0))
     audit = FrameAudit(frame, "pinhole", curve, np.empty(0, np.int16), nothing, nothing, pose)
     sums = FrameSums(frame, np.array([[jac, jac, jac, 0.0, 0.0]]), curve, 8, pose, "pinhole")
-    figures = FrameFigures(jac, 0, 0, 0, False, None, None, None, None)
+    figures = FrameMetrics(jac, 0, 0, 0, False, None, None, None, None)
     return ReportedFrame(frame, {TAU: figures}, audit, None, True, (), sums)
 
 

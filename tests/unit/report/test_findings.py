@@ -6,7 +6,7 @@ import csv
 import io
 
 from procc_annotator.fit.labels.finding import Finding, Remedy, RemedyKind, Rule, Severity
-from procc_annotator.report.findings import CheckReport, ToldFinding, findings_csv
+from procc_annotator.report.findings import CheckReport, ReportedFinding, findings_csv
 
 LOOK = Remedy(RemedyKind.LOOK, "look at it")
 
@@ -21,7 +21,7 @@ def test_every_error_says_which_pixels_and_whose_camera() -> None:
     )
     bent = Finding(Rule.BENT, Severity.WARNING, ("Middle line",), "bent", (LOOK,))
     first, second = rows(
-        CheckReport(found=[ToldFinding("a", off, (960, 540)), ToldFinding("b", bent, (1920, 1080))])
+        CheckReport(found=[ReportedFinding("a", off, (960, 540)), ReportedFinding("b", bent, (1920, 1080))])
     )
     assert (first["error_px"], first["model"]) == ("20.00", "R+")
     assert (first["width"], first["height"]) == ("960", "540")
@@ -32,7 +32,7 @@ def test_every_error_says_which_pixels_and_whose_camera() -> None:
 def test_no_cell_is_run_as_a_formula() -> None:
     found = Finding(Rule.BENT, Severity.ERROR, ("=1+1",), "-bent", (LOOK,))
     report = CheckReport(
-        found=[ToldFinding("+a", found, (960, 540))], unreadable=[("@b", "=c.json: damaged")]
+        found=[ReportedFinding("+a", found, (960, 540))], unreadable=[("@b", "=c.json: damaged")]
     )
     first, second = rows(report)
     assert (first["frame"], first["elements"], first["reason"]) == ("'+a", "'=1+1", "'-bent")

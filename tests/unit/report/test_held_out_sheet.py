@@ -5,29 +5,29 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from procc_annotator.field.load import load_field
-from procc_annotator.io.camera_files.fitted_on import Fitted
+from procc_annotator.io.camera_files.fitted_on import FitCounts
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.report.scores.held_out_sheet import held_out_sheet
-from procc_annotator.session.runs.held_out import HeldOutFigures
+from procc_annotator.report.scores.held_out_sheet import left_out_table
+from procc_annotator.session.runs.held_out import LeftOutMetrics
 
-ONE = Fitted(1)
+ONE = FitCounts(1)
 
 
 @dataclass
 class Fits:
     ground_only: bool
-    fitted: Fitted = ONE
-    held_out: HeldOutFigures = field(default_factory=HeldOutFigures)
+    fitted: FitCounts = ONE
+    held_out: LeftOutMetrics = field(default_factory=LeftOutMetrics)
 
 
 def test_elements_off_the_ground_that_are_left_out_are_told() -> None:
     setup = EvaluationSetup(load_field("soccer"), (960, 540), off_plane="left_out")
     words = "off-plane elements left out"
     ground, pinholes = ("H", Fits(ground_only=True)), ("R", Fits(ground_only=False))
-    method = ("theirs", Fits(ground_only=True, fitted=Fitted()))
-    alone = held_out_sheet([ground, method], [5.0], setup)
+    method = ("theirs", Fits(ground_only=True, fitted=FitCounts()))
+    alone = left_out_table([ground, method], [5.0], setup)
     assert words in alone.described
-    both = held_out_sheet([ground, pinholes], [5.0], setup)
+    both = left_out_table([ground, pinholes], [5.0], setup)
     assert words not in both.described
     assert [note for note in both.notes if words in note] == [f"H: soccernet, 960x540, {words}"]
-    assert words not in " ".join(held_out_sheet([pinholes, method], [5.0], setup).notes)
+    assert words not in " ".join(left_out_table([pinholes, method], [5.0], setup).notes)

@@ -7,17 +7,17 @@ import io
 
 import numpy as np
 
-from procc_annotator.report.plotted import plotted_sheet
+from procc_annotator.report.plotted import plot_table
 from procc_annotator.report.sheet.as_csv import CRLF, csv_bytes
-from procc_annotator.session.runs.audit_figures import Table
+from procc_annotator.session.runs.audit_figures import PlotData
 
 
 def test_a_table_leaves_out_what_is_undefined_and_runs_no_formula() -> None:
-    table = Table(
+    table = PlotData(
         ("number", "name", "=jac"),
         (np.arange(1, 4), ["=cmd()", "b, c", "d"], np.array([0.5, np.nan, 1 / 3])),
     )
-    written = csv_bytes(plotted_sheet(table), line_end=CRLF).decode()
+    written = csv_bytes(plot_table(table), line_end=CRLF).decode()
     assert written.count(CRLF) == 4
     assert list(csv.reader(io.StringIO(written))) == [
         ["number", "name", "'=jac"],
@@ -25,5 +25,5 @@ def test_a_table_leaves_out_what_is_undefined_and_runs_no_formula() -> None:
         ["2", "b, c", ""],
         ["3", "d", "0.333333"],
     ]
-    empty = Table(("number", "jac"), (np.arange(0), np.zeros(0)))
-    assert csv_bytes(plotted_sheet(empty)) == b"number,jac\n"
+    empty = PlotData(("number", "jac"), (np.arange(0), np.zeros(0)))
+    assert csv_bytes(plot_table(empty)) == b"number,jac\n"

@@ -23,7 +23,7 @@ from procc_annotator.report.scores.score_files import (
     json_fragment,
     score_format,
 )
-from procc_annotator.report.sheet.figure import shortest
+from procc_annotator.report.sheet.figure import shortest_number
 from procc_annotator.session.runs.evaluation_run import FrameResult
 
 CAMERA = PinholeCamera(
@@ -108,7 +108,7 @@ def test_csv_rows_survive_any_name(setup: EvaluationSetup) -> None:
 
 @pytest.mark.parametrize(("threshold", "key"), [(5.0, "5"), (2.5, "2.5"), (20, "20"), (0.1, "0.1")])
 def test_shortests(threshold: float, key: str) -> None:
-    assert shortest(threshold) == key
+    assert shortest_number(threshold) == key
 
 
 def test_only_known_endings() -> None:
@@ -122,7 +122,7 @@ def test_elements_in_the_file_are_those_of_the_score(setup: EvaluationSetup) -> 
     frame = result(setup, 0.5, 3.0, 30.0)
     entry = json.loads(json_fragment(frame))
     for threshold, judged in frame.scores.items():
-        written = entry["results"][shortest(threshold)]["elements"]
+        written = entry["results"][shortest_number(threshold)]["elements"]
         assert written == {
             element.name: {
                 "status": element.status,

@@ -12,10 +12,10 @@ import pytest
 
 from procc_annotator.errors import InputError, ProccError, SaveError, UsageError
 from procc_annotator.field.load import load_field
-from procc_annotator.io.exclusive import exclusive
+from procc_annotator.io.exclusive import exclusive_lock
 from procc_annotator.metric.clicked import AnnotatedExtent
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.report.scores.score_columns import KEYS, NAMES, Row
+from procc_annotator.report.scores.score_columns import KEYS, NAMES, ScoreRow
 from procc_annotator.report.scores.score_table import (
     append_rows,
     check_table,
@@ -29,7 +29,7 @@ from procc_annotator.session.runs.evaluation_run import FrameResult
 SETUP = EvaluationSetup(load_field("soccer"))
 
 
-def row(frame: str = "1", threshold: float = 5.0, jac: float | None = 0.1, **changes: Any) -> Row:
+def row(frame: str = "1", threshold: float = 5.0, jac: float | None = 0.1, **changes: Any) -> ScoreRow:
     values = {
         "set": "wc14", "method": "pnl", "frame": frame, "threshold": threshold,
         "field": "soccer", "protocol": "soccernet", "width": 960, "height": 540,
@@ -44,7 +44,7 @@ def row(frame: str = "1", threshold: float = 5.0, jac: float | None = 0.1, **cha
     return tuple(values.values())
 
 
-def read(path: Path) -> list[Row]:
+def read(path: Path) -> list[ScoreRow]:
     return (read_csv_rows if path.suffix == ".csv" else read_parquet_rows)(path)
 
 
@@ -164,14 +164,14 @@ def test_processes_lose_none_of_each_others_rows(path: Path) -> None:
 def test_waiting_for_another_writer_has_an_end(tmp_path: Path) -> None:
     path = tmp_path / "board.csv"
     with (
-        exclusive(path),
+        exclusive_lock(path),
         pytest.raises(SaveError, match="another process has been writing"),
-        exclusive(path, timeout_s=0.1),
+        exclusive_lock(path, timeout_s=0.1),
     ):
         pass
-    with exclusive(path, timeout_s=0.1):
+    with exclusive_lock(path, timeout_s=0.1):
         pass
-    with pytest.raises(SaveError, match="choose another folder"), exclusive(tmp_path / "no/x.csv"):
+    with pytest.raises(SaveError, match="choose another folder"), exclusive_lock(tmp_path / "no/x.csv"):
         pass
 
 

@@ -19,14 +19,14 @@ from procc_annotator.report.scores.tables import (
     summary_table,
 )
 from procc_annotator.report.sheet.as_terminal import terminal_table
-from procc_annotator.report.sheet.sheet import Sheet
+from procc_annotator.report.sheet.sheet import MetricTable
 
 
 def row(name: str, jac: float, error: float | None = 1.0) -> FrameRow:
     return FrameRow(name, jac, 1, 2, 3, False, error, "Middle line", 4.0)
 
 
-def shown(sheet: Sheet) -> str:
+def shown(sheet: MetricTable) -> str:
     stream = io.StringIO()
     Console(file=stream, width=140).print(terminal_table(sheet))
     return stream.getvalue()

@@ -10,10 +10,10 @@ import pytest
 from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.load import load_field
-from procc_annotator.fit.predict.given_camera import given_camera
+from procc_annotator.fit.predict.given_camera import external_camera_fit
 from procc_annotator.fit.result import FitResult
-from procc_annotator.session.clicks.foreseen import contradicts, foresee
-from procc_annotator.session.clicks.insight import gain_insight
+from procc_annotator.session.clicks.foreseen import contradicts, ghosts_without_clicks
+from procc_annotator.session.clicks.insight import analyse_frame
 from procc_annotator.session.dataset.camera_set import CameraSet
 
 SIZE = (960, 540)
@@ -26,12 +26,12 @@ def fit(sample_data: Path) -> FitResult:
     found = CameraSet.open(sample_data / "cameras" / "true").camera("00002", SIZE)
     assert found is not None
     assert isinstance(found.camera, PinholeCamera)
-    return given_camera(found.camera, SIZE)
+    return external_camera_fit(found.camera, SIZE)
 
 
 def clicked(fit: FitResult, name: str, off_px: float) -> FrameAnnotation:
     """Two points of the first piece of an element, moved aside."""
-    ghost = next(g for g in foresee(NOTHING, FIELD, fit).ghosts if g.name == name)
+    ghost = next(g for g in ghosts_without_clicks(NOTHING, FIELD, fit).ghosts if g.name == name)
     course = ghost.pieces[0].points_px
     ends = course[[len(course) // 3, 2 * len(course) // 3]]
     along = (ends[1] - ends[0]) / np.hypot(*(ends[1] - ends[0]))
@@ -41,12 +41,12 @@ def clicked(fit: FitResult, name: str, off_px: float) -> FrameAnnotation:
 
 
 def test_ghosts_without_a_click(fit: FitResult) -> None:
-    insight = foresee(NOTHING, FIELD, fit)
+    insight = ghosts_without_clicks(NOTHING, FIELD, fit)
     names = [ghost.name for ghost in insight.ghosts]
 
     assert not insight.from_clicks
     assert "Big rect. left main" in names
-    hidden = foresee(NOTHING, FIELD, fit, frozenset(names[:1]))
+    hidden = ghosts_without_clicks(NOTHING, FIELD, fit, frozenset(names[:1]))
     assert [ghost.name for ghost in hidden.ghosts] == names[1:]
 
 
@@ -55,7 +55,7 @@ def test_clicks_elsewhere_end_it(fit: FitResult, off_px: float, contradicted: bo
     annotation = clicked(fit, "Big rect. left main", off_px)
 
     assert contradicts(annotation, FIELD, fit) is contradicted
-    insight = foresee(annotation, FIELD, fit)
+    insight = ghosts_without_clicks(annotation, FIELD, fit)
     assert (insight.fit.camera is None) is contradicted
     assert bool(insight.ghosts) is not contradicted
 
@@ -74,8 +74,8 @@ def test_three_lines_are_judged_with_the_camera_that_they_agree_with(
     names = "Big rect. left main", "Big rect. left bottom", "Small rect. left main"
     polylines = [clicked(fit, name, off_px).polylines[0] for name in names]
     annotation = FrameAnnotation(tuple(polylines))
-    fitted = gain_insight(annotation, FIELD, size=SIZE)
-    insight = foresee(annotation, FIELD, fit, fitted=fitted)
+    fitted = analyse_frame(annotation, FIELD, size=SIZE)
+    insight = ghosts_without_clicks(annotation, FIELD, fit, fitted=fitted)
 
     assert fitted.fit.camera is not None
     assert (insight is fitted) is by_clicks

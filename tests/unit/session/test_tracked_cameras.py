@@ -7,7 +7,7 @@ import pytest
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.through_shot.track import FrameState, TrackedFrame
-from procc_annotator.session.dataset.tracked_cameras import TrackedCameras, doubt_about
+from procc_annotator.session.dataset.tracked_cameras import TrackedCameras, review_reason
 
 SIZE = (1280, 720)
 CAMERA = PinholeCamera(0.1, 1.4, 0.0, (0.0, 60.0, -15.0), (1500.0, 1500.0), (639.5, 359.5))
@@ -34,7 +34,7 @@ def frame(
     ],
 )
 def test_what_should_be_looked_at(found: TrackedFrame, doubt: str) -> None:
-    assert doubt_about(found) == doubt
+    assert review_reason(found) == doubt
 
 
 def test_a_camera_is_scaled_to_the_evaluation_and_bears_its_doubt() -> None:

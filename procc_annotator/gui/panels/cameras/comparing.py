@@ -19,7 +19,7 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import fixed_width
 from procc_annotator.language import tr
 from procc_annotator.metric.contours import OFFSIDE_ACCURACY_M
-from procc_annotator.metric.spread import Spread
+from procc_annotator.metric.spread import MapSummary
 
 _FIGURES = ("minimum", "median", "maximum")
 
@@ -136,7 +136,7 @@ class _Figures(QWidget):
             )
         )
 
-    def _show_spread(self, unit: str, spread: Spread, decimals: int) -> None:
+    def _show_spread(self, unit: str, spread: MapSummary, decimals: int) -> None:
         for figure in _FIGURES:
             value = getattr(spread, figure)
             self._values[unit, figure].setText("–" if value is None else f"{value:.{decimals}f}")

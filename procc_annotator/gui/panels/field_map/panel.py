@@ -21,7 +21,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from procc_annotator.field.model import Field
-from procc_annotator.fit.predict.suggestion import Suggestion
+from procc_annotator.fit.predict.suggestion import AnnotationSuggestion
 from procc_annotator.gui.element_keys import key_text
 from procc_annotator.gui.panels.field_map.ground import (
     paint_ground,
@@ -46,7 +46,7 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import muted
 from procc_annotator.interact import palette as tones
 from procc_annotator.language import tr
-from procc_annotator.session.facts.frame_check import FoundInFrame
+from procc_annotator.session.facts.frame_check import StoredFinding
 
 _PICK_POINTS = 9.0
 _MARGIN = 10.0
@@ -85,8 +85,8 @@ class FieldMapPanel(QWidget):
         self._document = document
         self._shape = FieldShape.of(document.field)
         self._states: dict[str, ElementState] = {}
-        self._next: Suggestion | None = None
-        self._findings: Mapping[str, tuple[FoundInFrame, ...]] = {}
+        self._next: AnnotationSuggestion | None = None
+        self._findings: Mapping[str, tuple[StoredFinding, ...]] = {}
         self._view = MapView()
         self._drawn: tuple[tuple[object, ...], Placement] | None = None
         self._refresher = Refresher(self, self._refresh, interval_ms=30)
@@ -228,7 +228,7 @@ class FieldMapPanel(QWidget):
         if (centre := self.place_of_next()) is None:
             return
         painter.setBrush(Qt.BrushStyle.NoBrush)
-        for colour, width in ((tones.RIM, 4.5), (tones.GHOST, 2.5)):
+        for colour, width in ((tones.OUTLINE, 4.5), (tones.GHOST, 2.5)):
             painter.setPen(QPen(QColor(colour), width))
             painter.drawEllipse(centre, _RING, _RING)
 
@@ -316,7 +316,7 @@ class FieldMapPanel(QWidget):
             return
         width = _WIDTHS[state] + (1.0 if hovered else 0.0)
         if name == self._document.selected_class:
-            painter.setPen(_round_pen(QColor(tones.RIM), width + 6))
+            painter.setPen(_round_pen(QColor(tones.OUTLINE), width + 6))
             painter.drawPolyline(polygon)
             painter.setPen(_round_pen(QColor(tones.HALO), width + 4))
             painter.drawPolyline(polygon)
@@ -375,7 +375,7 @@ class FieldMapPanel(QWidget):
         painter.drawText(line, Qt.AlignmentFlag.AlignCenter, text)
 
 
-def _words(suggestion: Suggestion) -> str:
+def _words(suggestion: AnnotationSuggestion) -> str:
     return tr(
         "Annotating it next tells most: the projection is then known to {after:.1f} px instead of"
         " {before:.1f} px",

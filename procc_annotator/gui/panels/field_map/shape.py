@@ -17,7 +17,7 @@ from procc_annotator.field.geometry import (
     Spot,
     Vector,
     angles_of,
-    at_angles,
+    points_at_angles,
     outline_of,
     parts_of,
 )
@@ -200,7 +200,7 @@ def _course(geometry: Geometry, spacing_m: float) -> FloatArray:
             first, last = angles_of(part)
             turn = last - first
             count = max(math.ceil(turn / _ROUND_RAD), math.ceil(turn * part.radius / spacing_m))
-            found.append(at_angles(part, np.linspace(first, last, count + 1)))
+            found.append(points_at_angles(part, np.linspace(first, last, count + 1)))
         else:
             found.append(outline_of(part))
     return np.concatenate([found[0], *(points[1:] for points in found[1:])])

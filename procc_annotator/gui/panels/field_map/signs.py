@@ -24,7 +24,7 @@ def paint_spot(
     """A single place: a dot until there is something to say of it, then the state's sign."""
     painter.setPen(Qt.PenStyle.NoPen)
     if chosen:
-        for colour, radius in ((tones.RIM, _SPOT + 5), (tones.HALO, _SPOT + 4)):
+        for colour, radius in ((tones.OUTLINE, _SPOT + 5), (tones.HALO, _SPOT + 4)):
             painter.setBrush(QColor(colour))
             painter.drawEllipse(at, radius, radius)
     elif hovered:

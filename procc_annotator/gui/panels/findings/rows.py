@@ -28,9 +28,9 @@ from procc_annotator.gui.picture.finding_sign import paint_finding_sign
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import blend, paint_row
 from procc_annotator.language import tr, word
-from procc_annotator.session.facts.frame_check import FoundInFrame
+from procc_annotator.session.facts.frame_check import StoredFinding
 
-Entry = tuple[str, FoundInFrame]  # a frame's name and what was found in it
+Entry = tuple[str, StoredFinding]  # a frame's name and what was found in it
 
 WORDS = {
     Severity.ERROR: word("Error"),
@@ -63,7 +63,7 @@ class FindingsModel(QAbstractListModel):
         self.endResetModel()
         return True
 
-    def row_of(self, frame: str, found: FoundInFrame | None) -> int:
+    def row_of(self, frame: str, found: StoredFinding | None) -> int:
         """The row of a finding, -1 if it is not listed."""
         if found is None:
             return -1

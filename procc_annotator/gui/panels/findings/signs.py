@@ -12,12 +12,12 @@ from procc_annotator.gui.panels.findings.rows import WORDS
 from procc_annotator.gui.picture.finding_sign import finding_icon
 from procc_annotator.gui.state.document import Document
 from procc_annotator.language import tr
-from procc_annotator.session.facts.frame_check import FoundInFrame
+from procc_annotator.session.facts.frame_check import StoredFinding
 
 
-def findings_by_element(document: Document) -> dict[str, tuple[FoundInFrame, ...]]:
+def findings_by_element(document: Document) -> dict[str, tuple[StoredFinding, ...]]:
     """Findings of the frame on screen by the class they are marked at, the surest first."""
-    by_class: dict[str, list[FoundInFrame]] = {}
+    by_class: dict[str, list[StoredFinding]] = {}
     for found in document.label_check.shown:
         for name, _ in found.places:
             by_class.setdefault(name, []).append(found)
@@ -27,7 +27,7 @@ def findings_by_element(document: Document) -> dict[str, tuple[FoundInFrame, ...
     }
 
 
-def reasons_of(found: Iterable[FoundInFrame]) -> str:
+def reasons_of(found: Iterable[StoredFinding]) -> str:
     """What is wrong, a line each."""
     return "\n".join(f"{tr(WORDS[f.finding.severity])}: {tr(f.finding.reason)}" for f in found)
 
@@ -37,7 +37,7 @@ class FindingSigns:
 
     def __init__(self, document: Document) -> None:
         self._document = document
-        self._shown: dict[str, tuple[FoundInFrame, ...]] = {}
+        self._shown: dict[str, tuple[StoredFinding, ...]] = {}
         self._icons: dict[Severity, QIcon] = {}
 
     def forget(self) -> None:

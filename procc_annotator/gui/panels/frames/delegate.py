@@ -14,7 +14,7 @@ from procc_annotator.gui.picture.finding_sign import paint_finding_sign
 from procc_annotator.gui.theme import alarm_colours, blend
 from procc_annotator.language import tr, tr_count
 from procc_annotator.session.facts.origins import Status
-from procc_annotator.session.facts.verdict import FAULT_WORDS, Fault
+from procc_annotator.session.facts.verdict import FAULT_WORDS, FaultParty
 
 _THUMB = QSize(72, 41)
 _PAD = 5
@@ -141,7 +141,7 @@ def _paint_words(
         painter.drawText(lower, align, metrics.elidedText(words, elide, lower.width()))
 
 
-def _paint_verdict(painter: QPainter, box: QRect, fault: Fault, text: QColor) -> int:
+def _paint_verdict(painter: QPainter, box: QRect, fault: FaultParty, text: QColor) -> int:
     """The verdict in a frame of its own; returns the room it takes."""
     metrics = painter.fontMetrics()
     words = tr(FAULT_WORDS[fault], "a verdict")

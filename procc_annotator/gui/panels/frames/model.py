@@ -28,7 +28,7 @@ from procc_annotator.language import tr, tr_count
 from procc_annotator.session.dataset.frame_folders import Folder, folders_of, rows_of
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.facts.origins import Status
-from procc_annotator.session.facts.verdict import Fault
+from procc_annotator.session.facts.verdict import FaultParty
 
 _BUDGET_S = 0.004
 _MAX_WAITING = 60  # rows on a large screen; others were only scrolled past
@@ -46,7 +46,7 @@ class RowInfo:
     jac: float | None
     status: Status = Status.UNTOUCHED
     comments: int = 0
-    verdict: Fault | None = None  # under the active source
+    verdict: FaultParty | None = None  # under the active source
     has_errors: bool = False  # the label check is sure that something is wrong
     camera_problem: str = ""  # why the active source's camera cannot be used
     depth: int = 0  # how many folders it is shown in
@@ -317,7 +317,7 @@ class FramesModel(QAbstractListModel):
         workspace = self._document.workspace
         if workspace is None or not 0 <= frame_index < len(workspace.frames):
             return
-        if workspace.at_hand(frame_index) is not None:
+        if workspace.loaded_annotation(frame_index) is not None:
             self._counts[frame_index] = _count(workspace, frame_index)
         else:
             self._counts.pop(frame_index, None)

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.annotation import points_px
 from procc_annotator.camera.base import projects_only_ground
-from procc_annotator.fit.determined import LIMITS, hardly_determined
+from procc_annotator.fit.determined import ILL_CONDITIONED_LIMITS, ill_conditioned_reason
 from procc_annotator.fit.result import FitResult
 from procc_annotator.gui.panels.judged.fit_table import (
     LARGEST,
@@ -47,7 +47,7 @@ from procc_annotator.gui.state.live_fit import MODELS
 from procc_annotator.gui.theme import fixed_width
 from procc_annotator.language import tr, tr_count, word
 from procc_annotator.metric.score import FrameScore
-from procc_annotator.session.clicks.insight import Insight
+from procc_annotator.session.clicks.insight import FrameAnalysis
 
 MODEL_WORDS = {
     "auto": word("chosen automatically"),
@@ -68,7 +68,7 @@ class FitPanel(QWidget):
         super().__init__(parent)
         self.setObjectName("fit_panel")
         self._document = document
-        self._shown: Insight | None = None
+        self._shown: FrameAnalysis | None = None
         self._frame: str | None = None
         self._opinion = SecondOpinion()
         self._build()
@@ -101,7 +101,7 @@ class FitPanel(QWidget):
         self.chosen = note_label("fit_chosen")
         self.weak = note_label("fit_weak")
         self.weak.setTextFormat(Qt.TextFormat.RichText)
-        self.weak.setToolTip(tr("Hardly determined: {limits}", limits=LIMITS))
+        self.weak.setToolTip(tr("Hardly determined: {limits}", limits=ILL_CONDITIONED_LIMITS))
         self.terms = note_label("fit_terms")
         inner.addWidget(self.weak)
         inner.addWidget(self.chosen)
@@ -228,7 +228,7 @@ class FitPanel(QWidget):
             self.save.setEnabled(False)
             show_note(self.chosen, tr("Fitting the clicks…"))
 
-    def _why_empty(self, insight: Insight | None) -> str:
+    def _why_empty(self, insight: FrameAnalysis | None) -> str:
         document, live = self._document, self._document.live_fit
         if document.frame is None:
             return tr("Open a folder of pictures to see the camera its clicks give.")
@@ -242,7 +242,7 @@ class FitPanel(QWidget):
             return tr("No camera yet: {why}.", why=insight.fit.failure)
         return tr("Fitting the clicks…") if live.working else tr("No fit.")
 
-    def _show_fit(self, insight: Insight) -> None:
+    def _show_fit(self, insight: FrameAnalysis) -> None:
         document, fit = self._document, insight.fit
         known = document.source_frames.of(document.fit_source.source)
         _, score = self._opinion.of(known, insight.annotation, document.judge)
@@ -250,7 +250,7 @@ class FitPanel(QWidget):
         self.at_tau.setText(tr("JaC at {tau:.1f} px", tau=document.tau))
         show_note(self.counted, "" if score is None else _counted_words(score))
         self.mean.setText("–" if fit.mean_px is None else f"{fit.mean_px:.2f} px")
-        left_open = hardly_determined(fit)
+        left_open = ill_conditioned_reason(fit)
         weak = tr("<b>Hardly determined</b>: {what}", what=left_open) if left_open else ""
         show_note(self.weak, weak)
         show_note(self.chosen, _chosen_words(fit))

@@ -7,19 +7,19 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QVB
 from procc_annotator.gui.panels.parts import note_label, show_note
 from procc_annotator.gui.state.document import Document
 from procc_annotator.language import tr, word
-from procc_annotator.session.facts.verdict import Fault
+from procc_annotator.session.facts.verdict import FaultParty
 
 _WORDS = {
-    Fault.CAMERA: word("Camera", "a verdict"),
-    Fault.ANNOTATION: word("Annotation", "a verdict"),
-    Fault.FINE: word("Fine", "a verdict"),
+    FaultParty.CAMERA: word("Camera", "a verdict"),
+    FaultParty.ANNOTATION: word("Annotation", "a verdict"),
+    FaultParty.FINE: word("Fine", "a verdict"),
 }
 _TIPS = {
-    Fault.CAMERA: word("The active camera is wrong in this frame"),
-    Fault.ANNOTATION: word("The clicks are wrong in this frame"),
-    Fault.FINE: word("Camera and clicks are right in this frame"),
+    FaultParty.CAMERA: word("The active camera is wrong in this frame"),
+    FaultParty.ANNOTATION: word("The clicks are wrong in this frame"),
+    FaultParty.FINE: word("Camera and clicks are right in this frame"),
 }
-_KEYS = {Fault.CAMERA: "F7", Fault.ANNOTATION: "F8", Fault.FINE: "F9"}
+_KEYS = {FaultParty.CAMERA: "F7", FaultParty.ANNOTATION: "F8", FaultParty.FINE: "F9"}
 
 
 class VerdictRow(QWidget):
@@ -28,14 +28,14 @@ class VerdictRow(QWidget):
     def __init__(self, document: Document, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._document = document
-        self.buttons: dict[Fault, QToolButton] = {}
+        self.buttons: dict[FaultParty, QToolButton] = {}
         row = QHBoxLayout()
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(3)
         caption = QLabel(tr("Fault"))
         caption.setToolTip(tr("Whose fault the score of this frame is; kept with the dataset"))
         row.addWidget(caption)
-        for fault in Fault:
+        for fault in FaultParty:
             button = QToolButton()
             button.setCheckable(True)
             button.setObjectName(f"scores_verdict_{fault}")

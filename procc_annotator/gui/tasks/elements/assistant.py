@@ -14,8 +14,8 @@ from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl
 from procc_annotator.image.decode import PixelArray, decode_bgra
-from procc_annotator.image.paint import snap_all
-from procc_annotator.language import said, said_count, tr, tr_count, word
+from procc_annotator.image.paint import snap_points_to_lines
+from procc_annotator.language import translatable, translatable_count, tr, tr_count, word
 from procc_annotator.session.dataset import edits
 from procc_annotator.session.dataset.frames import Frame
 from procc_annotator.session.facts.origins import OriginKind, PointKey
@@ -25,7 +25,7 @@ from procc_annotator.session.strokes.copying import (
     copy_along_track,
     copy_moved,
 )
-from procc_annotator.session.strokes.expected_paint import ExpectedPaint
+from procc_annotator.session.strokes.expected_paint import ExpectedLines
 from procc_annotator.session.strokes.regularise import Regularised, regularise
 
 _NOTHING_REGULARISED = word("nothing changed: regular already, or no painted line was found there")
@@ -124,7 +124,7 @@ class Assistant(QObject):
         if not polylines or not document.begin_edit() or picture is None or size is None:
             return
         curved = {e.name for e in field.elements if e.is_curved}
-        paint = ExpectedPaint(field, size[0])
+        paint = ExpectedLines(field, size[0])
 
         def work(control: JobControl) -> _Outcome:
             def regular(p: Polyline) -> Regularised:
@@ -133,7 +133,7 @@ class Assistant(QObject):
                     p,
                     curved=p.class_name in curved,
                     size=size,
-                    snap=partial(snap_all, picture, sought=sought),
+                    snap=partial(snap_points_to_lines, picture, sought=sought),
                     bar=sought.looks.kind == BAR,
                 )
 
@@ -166,10 +166,10 @@ class Assistant(QObject):
             return
 
         if len(done) == 1:
-            what = said(document.field.title_of(done[0].class_name))
+            what = translatable(document.field.title_of(done[0].class_name))
         else:
-            what = said_count(len(done), "{n} element", "{n} elements")
-        label = said("regularise {what}", what=what)
+            what = translatable_count(len(done), "{n} element", "{n} elements")
+        label = translatable("regularise {what}", what=what)
         if document.commit_edit(
             label, annotation, OriginKind.REGULARISED, unseen=frozenset(unseen)
         ):
@@ -226,7 +226,7 @@ class Assistant(QObject):
             return copy_moved(polylines, previous, picture, curved, paint, spots)
 
         elements = document.field.elements
-        paint = ExpectedPaint(document.field, width)
+        paint = ExpectedLines(document.field, width)
         curved = frozenset(e.name for e in elements if e.is_curved)
         spots = frozenset(e.name for e in elements if e.is_spot)
         self._work.start(work, partial(self._apply_copied, frame.name))
@@ -236,7 +236,7 @@ class Assistant(QObject):
         if not document.begin_edit():
             return
         proposed = edits.add_unconfirmed(document.annotation, outcome.polylines)
-        label = said("copy from {frame}", frame=source)
+        label = translatable("copy from {frame}", frame=source)
         if document.commit_edit(label, proposed, OriginKind.COPIED, unseen=outcome.unseen):
             if (
                 outcome.polylines

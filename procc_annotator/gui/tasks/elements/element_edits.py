@@ -9,7 +9,7 @@ from procc_annotator.errors import UsageError
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interact.next_element import next_element
 from procc_annotator.interact.step_names import confirming
-from procc_annotator.language import said, said_count, tr, tr_count, word
+from procc_annotator.language import translatable, translatable_count, tr, tr_count, word
 from procc_annotator.session.dataset import edits
 from procc_annotator.session.facts.origins import OriginKind
 from procc_annotator.session.strokes.gaps import close_gaps
@@ -137,7 +137,7 @@ class ElementEdits:
                 raise UsageError(tr("no end is that near to a corner or the picture's edge"))
             return changed
 
-        document.edit(said("close gaps"), close, OriginKind.MOVED)
+        document.edit(translatable("close gaps"), close, OriginKind.MOVED)
 
     # --- unconfirmed elements -------------------------------------------------------------
 
@@ -157,7 +157,7 @@ class ElementEdits:
             document = self._document
             name = document.selected_class or ""
             waited = document.annotation.get_unconfirmed(name) is not None
-            label = said_count(waiting, "confirm {n} element", "confirm {n} elements")
+            label = translatable_count(waiting, "confirm {n} element", "confirm {n} elements")
             if not document.edit(label, edits.confirm_all, OriginKind.COPIED):
                 return
             if waited and document.mode == "draw":
@@ -175,7 +175,7 @@ class ElementEdits:
     def drop_unconfirmed(self) -> None:
         """Throw all unconfirmed elements away."""
         if waiting := self._unconfirmed():
-            label = said_count(
+            label = translatable_count(
                 waiting, "drop {n} unconfirmed element", "drop {n} unconfirmed elements"
             )
             if self._document.edit(label, edits.drop_unconfirmed):
@@ -217,7 +217,7 @@ class ElementEdits:
     def _step(self, words: str, **elements: str) -> str:
         """The name of a step of undo: what ``word`` marked, with elements by their classes."""
         title_of = self._document.field.title_of
-        return said(words, **{place: said(title_of(name)) for place, name in elements.items()})
+        return translatable(words, **{place: translatable(title_of(name)) for place, name in elements.items()})
 
     def _edit(
         self,

@@ -15,8 +15,8 @@ from procc_annotator.gui.settings import GHOST_SUPPORT, Settings
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.notices import Level
 from procc_annotator.gui.worker import JobControl
-from procc_annotator.language import Said, said, said_count, tr, tr_count
-from procc_annotator.session.clicks.insight import Insight
+from procc_annotator.language import TranslatableText, translatable, translatable_count, tr, tr_count
+from procc_annotator.session.clicks.insight import FrameAnalysis
 from procc_annotator.session.facts.origins import OriginKind
 from procc_annotator.session.strokes.ghost_points import (
     GhostPoints,
@@ -40,7 +40,7 @@ class _Accepting:
     """Ghosts to be accepted once their points are found, and what comes after that."""
 
     ghosts: tuple[Ghost, ...]
-    made_for: Insight
+    made_for: FrameAnalysis
     frame: str
     all: bool
     then: Callable[[], None]
@@ -79,7 +79,7 @@ class GhostAccepting(QObject):
         """Whether points are being looked for."""
         return self._asked is not None
 
-    def accept_one(self, made_for: Insight, found: GhostPoints) -> bool:
+    def accept_one(self, made_for: FrameAnalysis, found: GhostPoints) -> bool:
         """Make a ghost an element if the insight is still the one it was found for."""
         title = self._title(found.name)
         if outdated := self.why_outdated(made_for):
@@ -138,7 +138,7 @@ class GhostAccepting(QObject):
             return
         self._find(document.ghosts.known, everything=True, then=then)
 
-    def _accept_good(self, made_for: Insight, found: AllPoints) -> bool:
+    def _accept_good(self, made_for: FrameAnalysis, found: AllPoints) -> bool:
         """Make those elements whose lines are seen well enough; whether there are some."""
         least = self.least_support
         done = accept_all(made_for.annotation, found, least)
@@ -158,7 +158,7 @@ class GhostAccepting(QObject):
         if len(good) == 1:
             what = self._said_title(good[0].name)
         else:
-            what = said_count(len(good), "{n} ghost", "{n} ghosts")
+            what = translatable_count(len(good), "{n} ghost", "{n} ghosts")
         if not self._commit(made_for, done.annotation, what):
             return False
         share = tr(what)
@@ -207,7 +207,7 @@ class GhostAccepting(QObject):
             elements=", ".join(self._title(f.name) for f in found if f.unsure_ends),
         )
 
-    def why_outdated(self, made_for: Insight) -> str:
+    def why_outdated(self, made_for: FrameAnalysis) -> str:
         """Why an insight is not the one on screen any more; empty while it is."""
         document = self._document
         if document.ghosts.insight is made_for:
@@ -216,12 +216,12 @@ class GhostAccepting(QObject):
             return tr("the frame was edited meanwhile")
         return tr("the camera is another one meanwhile")
 
-    def _commit(self, made_for: Insight, annotation: FrameAnnotation, what: Said) -> bool:
+    def _commit(self, made_for: FrameAnalysis, annotation: FrameAnnotation, what: TranslatableText) -> bool:
         document = self._document
         if not document.begin_edit() or document.annotation is not made_for.annotation:
             return False  # somebody else has the frame, or had it meanwhile: that is said
         kind = OriginKind.SUGGESTED if made_for.from_clicks else OriginKind.ACCEPTED
-        label = said("accept {what}", what=what)
+        label = translatable("accept {what}", what=what)
         return document.commit_edit(label, annotation, kind)
 
     # --- looking for points ---------------------------------------------------------------
@@ -328,8 +328,8 @@ class GhostAccepting(QObject):
     def _title(self, name: str) -> str:
         return tr(self._said_title(name))
 
-    def _said_title(self, name: str) -> Said:
-        return said(self._document.field.title_of(name))
+    def _said_title(self, name: str) -> TranslatableText:
+        return translatable(self._document.field.title_of(name))
 
     def _say(self, text: str) -> None:
         self._document.say(text)

@@ -14,7 +14,7 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.tasks.elements.ghost_accepting import GhostAccepting
 from procc_annotator.interact import palette as tones
 from procc_annotator.interact.overlay_ghosts import ghost_extent, nearest_ghost
-from procc_annotator.interact.overlay_shapes import NOTHING
+from procc_annotator.interact.overlay_shapes import EMPTY_OVERLAY
 from procc_annotator.language import tr, tr_count, word
 from procc_annotator.session.dataset.frames import Frame
 
@@ -121,7 +121,7 @@ class GhostTasks(QObject):
     def at_cursor(self) -> str | None:
         """The class of the ghost under the cursor."""
         at, canvas = self._canvas.cursor_px, self._canvas
-        if at is None or canvas.overlay_item.ghosts is NOTHING:
+        if at is None or canvas.overlay_item.ghosts is EMPTY_OVERLAY:
             return None
         reach = tones.PICK_RADIUS_PX / canvas.view_scale
         return nearest_ghost(self._ghosts.known, at, reach)
@@ -313,7 +313,7 @@ class GhostTasks(QObject):
         frame, database = self._document.frame, self._document.review.database
         if frame is None or database is None:
             return ()
-        marks = database.marks_not_visible(frame.name)
+        marks = database.is_marked_not_visible(frame.name)
         return tuple(sorted(marks, key=lambda name: marks[name].time))
 
     # --- inside ---------------------------------------------------------------------------

@@ -12,8 +12,8 @@ from PySide6.QtWidgets import QMenu, QWidget
 
 from procc_annotator.annotation import points_px
 from procc_annotator.camera.base import FloatArray
-from procc_annotator.fit.predict.likely_names import likely_names
-from procc_annotator.fit.predict.sight import stretches_in_sight
+from procc_annotator.fit.predict.likely_names import likely_classes
+from procc_annotator.fit.predict.sight import visible_stretches
 from procc_annotator.fit.result import FitResult
 from procc_annotator.gui.digit_row import keys_by_place
 from procc_annotator.gui.element_keys import element_keys
@@ -23,7 +23,7 @@ from procc_annotator.gui.panels.states import class_swatch
 from procc_annotator.gui.picture.canvas import Canvas
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.tasks.elements.element_edits import ElementEdits
-from procc_annotator.interact.naming import likeliest
+from procc_annotator.interact.naming import rank_classes
 from procc_annotator.interact.next_element import next_element
 from procc_annotator.language import tr
 from procc_annotator.session.strokes.copying import annotated_before
@@ -94,7 +94,7 @@ class Naming(QObject):
             return
         field, known = document.field, self._named(size)
         self._looking.start(
-            lambda _: likely_names(field, drawn, size, known),
+            lambda _: likely_classes(field, drawn, size, known),
             lambda names: self._ask(class_name, drawn, self._likely(drawn, names)),
         )
 
@@ -169,12 +169,12 @@ class Naming(QObject):
             # All that it has in sight, also what it knows too little of for a ghost: which of them
             # a line is can be told from much farther off.
             courses: dict[str, list[FloatArray]] = {}
-            for stretch in stretches_in_sight(field, fit.camera, fit.size, there):
+            for stretch in visible_stretches(field, fit.camera, fit.size, there):
                 courses.setdefault(stretch.name, []).append(stretch.points_px)
-            return likeliest(drawn, courses, usual, farthest=_FARTHEST * size[0])
+            return rank_classes(drawn, courses, usual, farthest=_FARTHEST * size[0])
         expected = self._before(size, there)
         usual = [*(name for name in by_views if name not in there), *usual]
-        return likeliest(drawn, expected, usual, farthest=_FARTHEST * size[0])
+        return rank_classes(drawn, expected, usual, farthest=_FARTHEST * size[0])
 
     def _before(self, size: tuple[int, int], there: set[str]) -> dict[str, list[FloatArray]]:
         """What the frame before had and this one has not yet, px of this picture."""

@@ -21,10 +21,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.field.dimensions import Dimension, broken_relation
-from procc_annotator.field.model import MEASURED, MIDDLE, Field
-from procc_annotator.field.painted_middle import can_be_at_middle
-from procc_annotator.fit.together.stadium import DEFAULT_NAMES
+from procc_annotator.field.dimensions import Dimension, violated_relation
+from procc_annotator.field.model import MEASURED_LINE, MIDDLE_LINE, Field
+from procc_annotator.field.painted_middle import has_off_centre_markings
+from procc_annotator.fit.together.stadium import DEFAULT_DIMENSIONS
 from procc_annotator.gui.decimal_box import RangeBox
 from procc_annotator.gui.panels.parts import note_label, show_note
 from procc_annotator.language import tr, tr_count, word
@@ -42,7 +42,7 @@ _AT_MIDDLE = word(
     "Scores then differ from those of official evaluations, which take lines where the rules"
     " measure them; they say so."
 )
-_LINES = ((MEASURED, word("where the rules measure")), (MIDDLE, word("the middle of the paint")))
+_LINES = ((MEASURED_LINE, word("where the rules measure")), (MIDDLE_LINE, word("the middle of the paint")))
 _LINES_TIP = word(
     "Rules measure many lines at an edge of their paint. Clicks are put on its middle, half the"
     " paint's width away: choose it where that matters, as in halls and near the camera."
@@ -116,7 +116,7 @@ class FieldDimensionsDialog(QDialog):
             self.lines_box.addItem(tr(words), lines)
         self.lines_box.setCurrentIndex(self.lines_box.findData(self._field.lines))
         self.lines_box.currentIndexChanged.connect(self._changed)
-        if can_be_at_middle(self._field):
+        if has_off_centre_markings(self._field):
             form.addRow(tr("Clicks lie on:"), self.lines_box)
         else:
             self.lines_box.setParent(self)
@@ -127,7 +127,7 @@ class FieldDimensionsDialog(QDialog):
         self.estimate_button = QPushButton(tr("Estimate from this set"))
         self.estimate_button.setAutoDefault(False)
         self.estimate_button.clicked.connect(self._estimate)
-        if not any(d.name in DEFAULT_NAMES for d in self._dimensions):
+        if not any(d.name in DEFAULT_DIMENSIONS for d in self._dimensions):
             self.estimate_button.setEnabled(False)
             self.estimate_button.setToolTip(tr(_FIXED_SIDES))
         self.bar = QProgressBar()
@@ -207,7 +207,7 @@ class FieldDimensionsDialog(QDialog):
 
     def _set_nominal(self) -> None:
         blocked = self.lines_box.blockSignals(True)
-        self.lines_box.setCurrentIndex(self.lines_box.findData(MEASURED))
+        self.lines_box.setCurrentIndex(self.lines_box.findData(MEASURED_LINE))
         self.lines_box.blockSignals(blocked)
         self.set_values({d.name: d.nominal for d in self._dimensions})
 
@@ -244,7 +244,7 @@ class FieldDimensionsDialog(QDialog):
 
     def _tell_broken(self) -> None:
         values = {d.name: d.value for d in self._field.dimensions} | self.values
-        self._broken = broken_relation(self._field.relations, values)
+        self._broken = violated_relation(self._field.relations, values)
         told = self._broken[:1].upper() + self._broken[1:]
         show_note(self.broken, f"<b>{escape(told)}</b>" if told else "")
 
@@ -252,7 +252,7 @@ class FieldDimensionsDialog(QDialog):
         own = any(self.values[d.name] != d.nominal for d in self._dimensions)
         nominal = ", ".join(f"{_within(d)} {d.nominal:g} m" for d in self._dimensions)
         notes = [tr(_OWN, nominal=nominal)] if own else []
-        if self.lines == MIDDLE:
+        if self.lines == MIDDLE_LINE:
             notes.append(tr(_AT_MIDDLE))
         if (stadiums := self._field.stadiums) is not None:
             frames = tr_count(len(stadiums.frames), "{n} frame", "{n} frames")

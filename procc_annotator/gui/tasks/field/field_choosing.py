@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QAction, QActionGroup
 from PySide6.QtWidgets import QFileDialog, QMenu, QPushButton, QToolButton, QWidget
 
-from procc_annotator.field.load import field_titles, is_shipped
+from procc_annotator.field.load import field_titles, is_builtin_field
 from procc_annotator.gui.messages import Bar, as_sentence
 from procc_annotator.gui.settings import FIELD_FOLDER, OWN_FIELDS, Settings
 from procc_annotator.gui.state.document import Document
@@ -100,7 +100,7 @@ class FieldChoosing(QObject):
             menu.removeAction(action)
             action.deleteLater()
         field = self._document.field
-        shipped = field.source is None or is_shipped(field.source)
+        shipped = field.source is None or is_builtin_field(field.source)
         shown = field.name if shipped or field.source is None else field.source.absolute()
         paths = self._settings.get(OWN_FIELDS)
         if isinstance(shown, Path) and shown not in paths:
@@ -145,7 +145,7 @@ class FieldChoosing(QObject):
     def _note_own(self) -> None:
         """A file of the user's own is offered from now on, also to datasets whose classes fit."""
         source = self._document.field.source
-        if source is not None and not is_shipped(source):
+        if source is not None and not is_builtin_field(source):
             self._settings.put_first(OWN_FIELDS, source.absolute())
             self._choice.own_files = self._settings.get(OWN_FIELDS)
 

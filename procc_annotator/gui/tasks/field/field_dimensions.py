@@ -10,8 +10,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.field.model import MEASURED
-from procc_annotator.field.painted_middle import can_be_at_middle
+from procc_annotator.field.model import MEASURED_LINE
+from procc_annotator.field.painted_middle import has_off_centre_markings
 from procc_annotator.field.stadiums import stadium_of
 from procc_annotator.fit.together.stadium import FittedDimension
 from procc_annotator.gui.messages import as_sentence
@@ -34,7 +34,7 @@ class FieldDimensionsTask(DialogTask):
     def __init__(self, document: Document, parent: QWidget) -> None:
         super().__init__(document, parent)
         self._before: dict[str, float] = {}
-        self._lines_before = MEASURED
+        self._lines_before = MEASURED_LINE
         self._field_name = ""
         self._settled = QTimer(self, singleShot=True, interval=_SETTLED_MS)
         self._settled.timeout.connect(lambda: self._use(keep=False))
@@ -46,7 +46,7 @@ class FieldDimensionsTask(DialogTask):
         if opened_frame(document) is None:
             return
         is_open = any(d.is_open for d in document.field.dimensions)
-        if not is_open and not can_be_at_middle(document.field):
+        if not is_open and not has_off_centre_markings(document.field):
             title = tr(document.field.title)
             document.say(tr("the rules fix every dimension of the field {field}", field=title))
             return

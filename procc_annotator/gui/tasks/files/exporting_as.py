@@ -39,7 +39,7 @@ class ExportAs(DialogTask):
     def start(self, out: Path) -> None:
         """Write to a folder or archive, as the dialog says."""
         from procc_annotator.report.conversion import export_as
-        from procc_annotator.report.conversion_output import Wanted
+        from procc_annotator.report.conversion_output import ConversionRequest
 
         document, dialog = self._document, self.dialog
         if dialog is None:
@@ -48,7 +48,7 @@ class ExportAs(DialogTask):
         said = "" if document.save_now() else unsaved
         review, reopen = document.review, document.reopener()
         drafts = set(review.database.drafts()) if review.database is not None else set()
-        wanted = Wanted(
+        wanted = ConversionRequest(
             dialog.format.name,
             dialog.line_width.value(),
             overwrite=dialog.overwrite.isChecked(),

@@ -9,7 +9,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject
 
 from procc_annotator.errors import ProccError
-from procc_annotator.fit.determined import hardly_determined
+from procc_annotator.fit.determined import ill_conditioned_reason
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl, run_in_background
@@ -68,7 +68,7 @@ class FitSaving(QObject):
             for source in document.sources
             if source.files is not None and _same(source.files.path, folder)
         ]
-        left_open = hardly_determined(insight.fit)
+        left_open = ill_conditioned_reason(insight.fit)
         annotation, fit, field = insight.annotation, insight.fit, document.frame_field.described
 
         def work(control: JobControl) -> _Saved:

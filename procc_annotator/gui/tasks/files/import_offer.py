@@ -15,8 +15,8 @@ from procc_annotator.gui.tasks.files.importing import AnnotationImporter
 from procc_annotator.gui.worker import JobControl
 from procc_annotator.language import tr
 from procc_annotator.session.dataset.annotated_elsewhere import (
-    AnnotatedElsewhere,
-    annotated_elsewhere,
+    ForeignAnnotations,
+    find_foreign_annotations,
 )
 
 
@@ -53,7 +53,7 @@ class ImportOffer(QObject):
         super().__init__(bar)
         self._document, self._importer, self._bar = document, importer, bar
         self._work = Latest(self, document.say)
-        self._found: AnnotatedElsewhere | None = None
+        self._found: ForeignAnnotations | None = None
         bar.import_chosen.connect(self._ask)
         importer.imported.connect(bar.hide)
         document.datasetChanged.connect(self._look)
@@ -71,7 +71,7 @@ class ImportOffer(QObject):
             return
         self._work.start(partial(_look_in, workspace.folder), self._offer)
 
-    def _offer(self, found: AnnotatedElsewhere | None) -> None:
+    def _offer(self, found: ForeignAnnotations | None) -> None:
         self._found = found
         if found is not None:
             self._bar.tell(found.title)
@@ -81,5 +81,5 @@ class ImportOffer(QObject):
             self._importer.ask(self._found.place)
 
 
-def _look_in(folder: Path, control: JobControl) -> AnnotatedElsewhere | None:
-    return annotated_elsewhere(folder)
+def _look_in(folder: Path, control: JobControl) -> ForeignAnnotations | None:
+    return find_foreign_annotations(folder)

@@ -21,7 +21,7 @@ from procc_annotator.gui.state.set_edits import (
 from procc_annotator.gui.tasks.dialog_task import DialogTask
 from procc_annotator.gui.tasks.files.label_look import LabelLook, LookedAt
 from procc_annotator.gui.writing import opened_frame
-from procc_annotator.language import said, tr, tr_count
+from procc_annotator.language import translatable, tr, tr_count
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.facts.origins import OriginKind
 
@@ -142,7 +142,7 @@ class AnnotationImporter(DialogTask):
                 return why
         change = imported(incoming, replacing=self._replace)
         store, editing = self._document.store, self._document.editing
-        return edit_frame(store, editing, index, change, said("import", "a step"), OriginKind.FILE)
+        return edit_frame(store, editing, index, change, translatable("import", "a step"), OriginKind.FILE)
 
     def _advance(self, done: int, total: int) -> None:
         if self.dialog is not None:

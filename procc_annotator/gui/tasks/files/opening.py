@@ -17,7 +17,7 @@ from procc_annotator.gui.tasks.files.video_opening import VideoOpening, keep_vid
 from procc_annotator.image.suffixes import PICTURE_SUFFIXES, VIDEO_SUFFIXES
 from procc_annotator.language import tr
 from procc_annotator.session.dataset.picture_tree import has_pictures
-from procc_annotator.session.dataset.sample_copy import own_sample
+from procc_annotator.session.dataset.sample_copy import copy_sample
 
 _CAMERA_SUFFIXES = (".json", ".homographyMatrix", ".txt", ".npy", ".zip")
 
@@ -99,7 +99,7 @@ class OpeningTask(QObject):
         if folder is None:
             self._document.say(tr("the sample comes with the source, not here"), "warning")
         else:
-            self._copying.start(lambda _: own_sample(folder), self._open_copy)
+            self._copying.start(lambda _: copy_sample(folder), self._open_copy)
 
     def _open_copy(self, folder: Path) -> None:
         if self.open_path(folder):

@@ -21,8 +21,8 @@ from procc_annotator.language import tr, tr_count
 from procc_annotator.report.overview import OverviewRow, overview_csv, summarise
 from procc_annotator.session.database.database import WorkspaceDatabase
 from procc_annotator.session.dataset.workspace import Workspace
-from procc_annotator.session.facts.blind_work import BlindWork, setting_of, work_of
-from procc_annotator.session.facts.origins import Origin, PointKey, count_origins
+from procc_annotator.session.facts.blind_work import BlindStatus, setting_of, blind_status
+from procc_annotator.session.facts.origins import Origin, PointKey, count_points_by_origin
 
 T = TypeVar("T")
 
@@ -131,14 +131,14 @@ def gather_rows(
     for index, frame in enumerate(workspace.frames):
         if control is not None:
             control.progress_or_stop(index, len(workspace.frames))
-        work = BlindWork.UNKNOWN
+        work = BlindStatus.UNKNOWN
         try:
             annotation = workspace.read(index)
         except InputError:  # told when that frame is opened
             annotation = FrameAnnotation()
         else:
             if database is not None:
-                work = work_of(database.setting(setting_of(frame.name)), annotation)
+                work = blind_status(database.setting(setting_of(frame.name)), annotation)
         classes = {p.class_name: len(p.points) for p in annotation.polylines if p.points}
         origins: Mapping[PointKey, Origin] = {}
         if database is not None and classes:
@@ -153,7 +153,7 @@ def gather_rows(
                 comments=record.comments if record is not None else 0,
                 open_comments=record.open_comments if record is not None else 0,
                 jac=scores.get(frame.name),
-                origins={k.value: n for k, n in count_origins(annotation, origins).items()},
+                origins={k.value: n for k, n in count_points_by_origin(annotation, origins).items()},
                 blind=work.value,
             )
         )

@@ -28,7 +28,7 @@ from procc_annotator.gui.panels.parts import choice
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl
 from procc_annotator.gui.writing import write
-from procc_annotator.image.video import Video, frames_at_interval, open_shared, scene_cuts
+from procc_annotator.image.video import Video, frames_at_interval, open_shared_video, scene_cuts
 from procc_annotator.language import tr, tr_count
 from procc_annotator.session.dataset.dataset_field import field_of_dataset, own_field_file
 from procc_annotator.session.dataset.dataset_folder import frames_folder
@@ -108,7 +108,7 @@ class VideoOpening:
         that was said already."""
 
         def read(_: JobControl) -> tuple[Video, Field]:
-            video = open_shared(path)  # its first picture is shown by the same one
+            video = open_shared_video(path)  # its first picture is shown by the same one
             video.read_index()  # reads through the file: here, not when the dialog asks
             if field is not None:
                 return video, field

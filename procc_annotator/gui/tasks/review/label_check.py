@@ -17,10 +17,10 @@ from procc_annotator.gui.panels.findings.words import so_many
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.writing import ask_where, opened_frame
 from procc_annotator.io.atomic import write_atomic
-from procc_annotator.language import Said, said, said_count, tr, tr_count, word
-from procc_annotator.report.findings import CheckReport, ToldFinding, findings_csv
+from procc_annotator.language import TranslatableText, translatable, translatable_count, tr, tr_count, word
+from procc_annotator.report.findings import CheckReport, ReportedFinding, findings_csv
 from procc_annotator.session.clicks.remedies import apply_remedy
-from procc_annotator.session.facts.frame_check import FoundInFrame, by_severity
+from procc_annotator.session.facts.frame_check import StoredFinding, by_severity
 
 _MOST_NAMED = 2  # elements that fit the status bar by name
 
@@ -73,7 +73,7 @@ class LabelCheckCommands(QObject):
         self.go(*entries[at])
         self._tell_place(at, entries)
 
-    def go(self, frame: str, found: FoundInFrame) -> None:
+    def go(self, frame: str, found: StoredFinding) -> None:
         """Show a finding: its frame, its element, its place."""
         document, workspace = self._document, self._document.workspace
         if workspace is None:
@@ -151,12 +151,12 @@ class LabelCheckCommands(QObject):
 
     # --- showing --------------------------------------------------------------------------
 
-    def look(self, found: FoundInFrame) -> None:
+    def look(self, found: StoredFinding) -> None:
         """Bring a finding of the frame on screen into sight."""
         self._check.set_current(self._frame_name(), found)
         self._show(found)
 
-    def _show(self, found: FoundInFrame) -> None:
+    def _show(self, found: StoredFinding) -> None:
         document, size = self._document, self._document.picture_size
         annotated = set(document.annotation.annotated)
         if size is None or not found.places or not annotated.issuperset(p[0] for p in found.places):
@@ -196,7 +196,7 @@ class LabelCheckCommands(QObject):
         else:
             self.apply(found, found.finding.remedies[0])
 
-    def apply(self, found: FoundInFrame, remedy: Remedy) -> None:
+    def apply(self, found: StoredFinding, remedy: Remedy) -> None:
         """Do a remedy of a finding of the frame on screen, as one step of undo."""
         document, finding = self._document, found.finding
         if remedy.kind is RemedyKind.LOOK:
@@ -226,25 +226,25 @@ class LabelCheckCommands(QObject):
         document.select_class(shown)
         document.say(tr("{done}; Ctrl+Z takes it back", done=done))
 
-    def _done(self, finding: Finding, remedy: Remedy) -> Said:
+    def _done(self, finding: Finding, remedy: Remedy) -> TranslatableText:
         """What a remedy has done, in words."""
 
-        def title(name: str) -> Said:
-            return said(self._document.field.title_of(name))
+        def title(name: str) -> TranslatableText:
+            return translatable(self._document.field.title_of(name))
 
         renamed = remedy.renamed
         if remedy.kind is RemedyKind.REMOVE_POINT:
             element = title(finding.elements[0])
             if finding.point is None:
-                return said("removed point of {element}", element=element)
-            return said("removed point {n} of {element}", n=finding.point + 1, element=element)
+                return translatable("removed point of {element}", element=element)
+            return translatable("removed point {n} of {element}", n=finding.point + 1, element=element)
         if remedy.kind is RemedyKind.SWAP and len(renamed) == 2:
             first, second = title(renamed[0][0]), title(renamed[1][0])
-            return said("swapped {element} and {other}", element=first, other=second)
+            return translatable("swapped {element} and {other}", element=first, other=second)
         if len(renamed) == 1:
             before, after = map(title, renamed[0])
-            return said("relabelled {element} to {other}", element=before, other=after)
-        return said_count(len(renamed), "relabelled {n} element", "relabelled {n} elements")
+            return translatable("relabelled {element} to {other}", element=before, other=after)
+        return translatable_count(len(renamed), "relabelled {n} element", "relabelled {n} elements")
 
     # --- ignoring -------------------------------------------------------------------------
 
@@ -256,7 +256,7 @@ class LabelCheckCommands(QObject):
             return
         self.ignore(self._frame_name(), found)
 
-    def ignore(self, frame: str, found: FoundInFrame) -> None:
+    def ignore(self, frame: str, found: StoredFinding) -> None:
         """Show a finding no more, as long as the points of its elements stay as they are."""
         self._passed.add(found.key)
         self._check.ignored.add(frame, found.key)
@@ -314,7 +314,7 @@ class LabelCheckCommands(QObject):
         """Write the findings of all checked frames as CSV, without those that are ignored."""
         document, known = self._document, self._check.known.count
         found = [
-            ToldFinding(frame, one.finding, checked.size)
+            ReportedFinding(frame, one.finding, checked.size)
             for frame, one in self._check.known.in_set()
             if (checked := self._check.known.check_of(frame)) is not None
         ]

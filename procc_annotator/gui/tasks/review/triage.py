@@ -17,7 +17,7 @@ from procc_annotator.io.atomic import write_atomic
 from procc_annotator.language import tr, tr_count
 from procc_annotator.report.verdicts import verdicts_csv
 from procc_annotator.session.dataset.camera_set import CameraSet
-from procc_annotator.session.facts.verdict import FAULT_WORDS, Fault, Verdict, place_by_name
+from procc_annotator.session.facts.verdict import FAULT_WORDS, FaultParty, Verdict, place_by_name
 from procc_annotator.session.runs.triage import JudgedVerdict, judge_verdict
 
 
@@ -65,14 +65,14 @@ class Triage(QObject):
                 tr("blind: the camera is hidden until this frame is committed (Ctrl+Enter)")
             )
             return
-        chosen = Fault(fault)
+        chosen = FaultParty(fault)
         before = document.verdicts.verdict(frame.name, source)
         if before is not None and before.fault is chosen:
             document.verdicts.set_verdict(frame.name, source, None)
-            taken_back = tr(
+            is_undone = tr(
                 "{frame}: no verdict on {source} any more", frame=frame.name, source=source.name
             )
-            document.say(taken_back)
+            document.say(is_undone)
             return
         comment = before.comment if before is not None else ""
         document.verdicts.set_verdict(frame.name, source, chosen, comment)
@@ -162,7 +162,7 @@ class Triage(QObject):
 
             def read(name: str) -> FrameAnnotation | None:
                 index = fresh.index.get(name)
-                return None if index is None else fresh.to_judge(index)
+                return None if index is None else fresh.annotation_to_score(index)
 
             rows: list[JudgedVerdict] = []
             for done, verdict in enumerate(verdicts, start=1):

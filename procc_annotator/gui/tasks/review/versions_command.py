@@ -8,9 +8,9 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError, SaveError, UsageError
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.tasks.review.versions_dialog import VersionRow, VersionsDialog
-from procc_annotator.language import said, tr
+from procc_annotator.language import translatable, tr
 from procc_annotator.session.dataset import edits
-from procc_annotator.session.dataset.putting_back import put_back
+from procc_annotator.session.dataset.putting_back import restore_version
 from procc_annotator.session.facts.origins import OriginKind
 
 
@@ -64,7 +64,7 @@ def apply_version(document: Document, version: str) -> None:
         data = database.version_data(version)
         restored = workspace.parse(index, data)
         if document.state.damage:
-            put_back(workspace, index, data)
+            restore_version(workspace, index, data)
             document.editing.reload_frame()
             document.say(tr("the earlier version is back; what could not be read stays a version"))
             return
@@ -77,5 +77,5 @@ def apply_version(document: Document, version: str) -> None:
             raise UsageError(tr("the frame was changed elsewhere: look at it, then restore again"))
         return edits.add_unconfirmed(restored, annotation.unconfirmed)
 
-    if document.edit(said("restore an earlier version"), restore, OriginKind.FILE):
+    if document.edit(translatable("restore an earlier version"), restore, OriginKind.FILE):
         document.say(tr("the earlier version is back; undo takes it away again"))

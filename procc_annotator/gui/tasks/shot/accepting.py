@@ -12,7 +12,7 @@ from PySide6.QtCore import QObject, Signal
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import ImageError
 from procc_annotator.field.model import Field
-from procc_annotator.field.stadiums import field_of_frame
+from procc_annotator.field.stadiums import field_for_frame
 from procc_annotator.fit.predict.ghosts import find_ghosts
 from procc_annotator.fit.through_shot.track import TrackedFrame
 from procc_annotator.gui.latest import Latest
@@ -21,10 +21,10 @@ from procc_annotator.gui.state.many_edits import EditedFrames, ManyEdits
 from procc_annotator.gui.state.set_edits import edit_frame
 from procc_annotator.gui.worker import JobControl
 from procc_annotator.image.pixels import PixelArray
-from procc_annotator.language import said, tr, tr_count, word
+from procc_annotator.language import translatable, tr, tr_count, word
 from procc_annotator.session.dataset.frame_sequence import FrameSequence
 from procc_annotator.session.dataset.frames import Frame
-from procc_annotator.session.dataset.tracked_cameras import doubt_about
+from procc_annotator.session.dataset.tracked_cameras import review_reason
 from procc_annotator.session.facts.origins import OriginKind
 from procc_annotator.session.strokes.ghost_points import accept_all, find_points
 
@@ -71,7 +71,7 @@ class _Stretch:
             if index in self.annotated or frame is None or frame.fit is None:
                 continue
             shown = self.revealed is None or self.frames[index].name in self.revealed
-            if shown and not doubt_about(frame):
+            if shown and not review_reason(frame):
                 yield index, frame
 
 
@@ -230,7 +230,7 @@ class StretchAccepting(QObject):
             self._put[index] = before
             return before
 
-        return self._edit(index, change, said("accept the track"))
+        return self._edit(index, change, translatable("accept the track"))
 
     def _empty_frame(self, index: int) -> str:
         def change(before: FrameAnnotation) -> FrameAnnotation | str:
@@ -240,7 +240,7 @@ class StretchAccepting(QObject):
                 before = before.without(polyline.class_name)
             return before
 
-        return self._edit(index, change, said("take back the track"))
+        return self._edit(index, change, translatable("take back the track"))
 
     def _edit(
         self, index: int, change: Callable[[FrameAnnotation], FrameAnnotation | str], label: str
@@ -321,7 +321,7 @@ def _annotated(
 ) -> FrameAnnotation:
     """The elements whose paint is seen where the track shows them."""
     assert frame.fit is not None
-    size, field = (picture.shape[1], picture.shape[0]), field_of_frame(stretch.field, name)
+    size, field = (picture.shape[1], picture.shape[0]), field_for_frame(stretch.field, name)
     ghosts = find_ghosts(_NOTHING, field, frame.fit, without=stretch.not_visible(name))
     found = [find_points(ghost, picture, field, size) for ghost in ghosts]
     return accept_all(_NOTHING, found, stretch.least).annotation

@@ -12,19 +12,19 @@ from procc_annotator.camera.homography import HomographyCamera
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.errors import CameraError
 from procc_annotator.field.model import Field
-from procc_annotator.field.stadiums import field_of_frame, field_of_stadium, stadium_of
-from procc_annotator.fit.through_shot.bounds import shot_around
-from procc_annotator.fit.through_shot.following_shot import track
+from procc_annotator.field.stadiums import field_for_frame, field_for_stadium, stadium_of
+from procc_annotator.fit.through_shot.bounds import shot_range_around
+from procc_annotator.fit.through_shot.following_shot import track_shot
 from procc_annotator.fit.through_shot.track import Track, TrackedFrame
 from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl, Stopped
 from procc_annotator.language import tr, tr_count
 from procc_annotator.session.clicks.anchors import anchors_of
-from procc_annotator.session.clicks.correction import Correction, as_anchor, on_paint
+from procc_annotator.session.clicks.correction import CameraCorrection, as_anchor, align_to_lines
 from procc_annotator.session.dataset.frame_sequence import FrameSequence
-from procc_annotator.session.dataset.tracked_cameras import doubt_about
-from procc_annotator.session.dataset.usable_pictures import UsablePictures, unseen
+from procc_annotator.session.dataset.tracked_cameras import review_reason
+from procc_annotator.session.dataset.usable_pictures import UsablePictures, lost_frame
 from procc_annotator.session.dataset.workspace import Workspace
 from procc_annotator.session.facts.origins import OriginKind
 
@@ -49,7 +49,7 @@ class _Asked:
     number: int
     camera: Camera | None
     within: range | None
-    corrected: Mapping[str, Correction]
+    corrected: Mapping[str, CameraCorrection]
 
 
 class ShotFollowing(QObject):
@@ -70,7 +70,7 @@ class ShotFollowing(QObject):
         self._work = Latest(self, self._fail)
         self._far = (0, 0)
         self._corrected: dict[int, None] = {}  # numbers of anchors, in the order of their edits
-        self._left = -1  # the index of the frame on screen, to be looked at once it is left
+        self._skipped_frames = -1  # the index of the frame on screen, to be looked at once it is left
         document.shot_track.forgotten.connect(self.forget)
         document.blindChanged.connect(self._hide)
         document.annotationChanged.connect(self._note_edit)
@@ -185,7 +185,7 @@ class ShotFollowing(QObject):
                 tr("no frame of the shot has a camera that is sure: annotate one, then follow it")
             )
             return
-        doubtful = sum(bool(doubt_about(frame)) for frame in found.frames)
+        doubtful = sum(bool(review_reason(frame)) for frame in found.frames)
         self._document.say(_followed(len(found.frames), doubtful))
         self._follow_corrected()
 
@@ -293,7 +293,7 @@ def _follow(asked: _Asked, control: JobControl) -> Track:
     with sequence.open_pictures() as read:
         pictures = UsablePictures(read, numbers, lambda n: f"frame {n}")  # not shown
         if within is None:
-            within = shot_around(pictures.or_last, asked.number, numbers, go_on)
+            within = shot_range_around(pictures.or_last, asked.number, numbers, go_on)
         else:
             within = range(max(within[0], numbers[0]), min(within[-1], numbers[-1]) + 1)
         total = len(within)
@@ -302,12 +302,12 @@ def _follow(asked: _Asked, control: JobControl) -> Track:
         anchors = dict(given)
         if asked.camera is not None:
             anchors.setdefault(asked.number, asked.camera)
-        shown = field_of_stadium(asked.field, asked.stadium)
-        found = track(pictures, within, shown, anchors=anchors, on_frame=on_frame, go_on=go_on)
+        shown = field_for_stadium(asked.field, asked.stadium)
+        found = track_shot(pictures, within, shown, anchors=anchors, on_frame=on_frame, go_on=go_on)
     frames = []
     for frame in found.frames:
         if (why := pictures.damaged.get(frame.number)) is not None:
-            frames.append(unseen(frame, why))
+            frames.append(lost_frame(frame, why))
         else:
             own = replace(frame, clicks=clicks.get(frame.number, ""))
             frames.append(own if frame.number in given else _not_an_anchor(own))
@@ -352,8 +352,8 @@ def _dragged(
         if number in clicked and asked.workspace.read(index) != dragged.annotation:
             continue
         if not dragged.looked:  # the frame was left at once
-            field = field_of_frame(asked.field, name)
-            dragged = on_paint(dragged, pictures(number), field, go_on=go_on)
+            field = field_for_frame(asked.field, name)
+            dragged = align_to_lines(dragged, pictures(number), field, go_on=go_on)
         if dragged.fit.camera is not None:
             found[number] = dragged.fit.camera
     return found

@@ -11,7 +11,7 @@ from procc_annotator.fit.through_shot.track import TrackedFrame
 from procc_annotator.gui.picture.canvas import Canvas
 from procc_annotator.gui.state.document import Document
 from procc_annotator.language import tr, word
-from procc_annotator.session.dataset.tracked_cameras import doubt_about
+from procc_annotator.session.dataset.tracked_cameras import review_reason
 
 _SLOWEST_MS = 1000  # between frames that lie seconds apart, nobody wants to wait as long
 
@@ -144,4 +144,4 @@ class ShotWalk(QObject):
 
 def _doubtful(tracked: Mapping[int, TrackedFrame], number: int) -> bool:
     frame = tracked.get(number)
-    return frame is not None and bool(doubt_about(frame))
+    return frame is not None and bool(review_reason(frame))

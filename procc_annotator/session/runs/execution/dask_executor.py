@@ -19,7 +19,7 @@ from itertools import islice
 from typing import Any, Self, TypeVar
 
 from procc_annotator.errors import ProccError, UsageError
-from procc_annotator.extras import how_to_have
+from procc_annotator.extras import install_hint
 from procc_annotator.session.runs.execution.worker_tasks import run_chunk
 from procc_annotator.version import __version__
 
@@ -200,7 +200,7 @@ def _require_distributed() -> None:
     except ModuleNotFoundError as error:
         raise ProccError(
             "a Dask cluster needs the library distributed, which is not installed"
-            f" ({how_to_have('dask')})"
+            f" ({install_hint('dask')})"
         ) from error
 
 

@@ -35,7 +35,7 @@ R = TypeVar("R")
 _SUSPECT_AFTER = 2
 # ... and given up when it breaks the pool alone so often.
 _ALONE_TRIES = 2
-_HEARS_AFTER_S = 0.5
+_INTERRUPT_POLL_S = 0.5
 
 
 @dataclass(eq=False)
@@ -98,7 +98,7 @@ class ProcessPool:
             yield result
 
     def _submit(self, key: str, task: Callable[[C], R], chunk: C) -> Future[R]:
-        with _deaf_to_interrupts():
+        with _interrupts_deferred():
             if self._pool is None:
                 # Made apart: what it starts for its locks has this thread hear interrupts again.
                 self._pool = ProcessPoolExecutor(self.workers, self._context, _begin_worker)
@@ -188,21 +188,21 @@ def _lost(name: str, one: _Sent[Any, Any]) -> ProccError:
 def _result(future: Future[R]) -> R:
     """Wait for a result; of all that is done with a future, this alone hears Ctrl+C."""
     arrived: SimpleQueue[object] = SimpleQueue()
-    with _deaf_to_interrupts():
+    with _interrupts_deferred():
         future.add_done_callback(arrived.put)
     while True:
         try:
             # Python sees a Ctrl+C that came just before a wait when that ends, not before.
-            arrived.get(timeout=_HEARS_AFTER_S)
+            arrived.get(timeout=_INTERRUPT_POLL_S)
             break
         except Empty:
             continue
-    with _deaf_to_interrupts():
+    with _interrupts_deferred():
         return future.result()
 
 
 @contextmanager
-def _deaf_to_interrupts() -> Iterator[None]:
+def _interrupts_deferred() -> Iterator[None]:
     """A Ctrl+C meanwhile is heard at the end.
 
     At once, it could come between the taking of a lock, of a future or of the pool, and what

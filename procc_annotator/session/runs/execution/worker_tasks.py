@@ -11,17 +11,17 @@ C = TypeVar("C")
 R = TypeVar("R")
 
 # Tasks a worker keeps open between their chunks. More than one, for two sets may be mapped in turn.
-KEPT_TASKS = 2
+MAX_CACHED_TASKS = 2
 
 
-class _Kept(threading.local):
+class _TaskCache(threading.local):
     """The tasks of one thread: sources are not shared between threads."""
 
     def __init__(self) -> None:
         self.tasks: OrderedDict[str, Callable[[Any], Any]] = OrderedDict()
 
 
-_kept = _Kept()
+_kept = _TaskCache()
 
 
 def run_chunk(key: str, task: Callable[[C], R], chunk: C) -> R:
@@ -33,7 +33,7 @@ def run_chunk(key: str, task: Callable[[C], R], chunk: C) -> R:
     """
     tasks = _kept.tasks
     if key not in tasks:
-        while len(tasks) >= KEPT_TASKS:
+        while len(tasks) >= MAX_CACHED_TASKS:
             _close_task(tasks.popitem(last=False)[1])
         tasks[key] = task
     tasks.move_to_end(key)

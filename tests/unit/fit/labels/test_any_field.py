@@ -12,9 +12,9 @@ from procc_annotator.field.model import Field
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.labels.check import check_labels
 from procc_annotator.fit.labels.finding import Finding, Rule, Severity
-from procc_annotator.fit.labels.orientation import ACROSS, ALONG, reflected_names, renamed
+from procc_annotator.fit.labels.orientation import MIRROR_Y, MIRROR_X, mirrored_names, relabelled
 from procc_annotator.fit.predict.ghosts import find_ghosts
-from procc_annotator.fit.predict.suggestion import suggest_next
+from procc_annotator.fit.predict.suggestion import suggest_annotations
 from procc_annotator.metric.project import project_field
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.dataset.edits import change_class, swap_classes
@@ -94,21 +94,21 @@ def test_two_exchanged_labels_are_found(sport, place) -> None:
     assert dict(found.remedies[0].renamed) == {one: other, other: one}
 
 
-@pytest.mark.parametrize("signs", [ACROSS, ALONG])
+@pytest.mark.parametrize("signs", [MIRROR_Y, MIRROR_X])
 def test_a_frame_seen_the_wrong_way_round_is_found(sport, signs) -> None:
     annotation = clicks(sport, camera_of(sport, PLACES[0]))
-    becomes = reflected_names(sport, signs, annotation.annotated)
+    becomes = mirrored_names(sport, signs, annotation.annotated)
     assert becomes is not None
-    (found,) = check(renamed(annotation, becomes), sport)
+    (found,) = check(relabelled(annotation, becomes), sport)
     assert found.rule is Rule.REFLECTED
     assert len(found.remedies) == 2
 
 
 def test_what_has_no_reflection_is_never_called_reflected() -> None:
     track = load_field("athletics")
-    assert reflected_names(track, ACROSS, ["Finish line"]) is None
+    assert mirrored_names(track, MIRROR_Y, ["Finish line"]) is None
     hockey = load_field("ice_hockey_iihf")
-    assert reflected_names(hockey, ACROSS) is not None
+    assert mirrored_names(hockey, MIRROR_Y) is not None
 
 
 # ------------------------------------------------------------------------------ spots and chains
@@ -226,7 +226,7 @@ def test_a_landmark_is_suggested_where_it_helps() -> None:
     seat = Landmark("Seat 12", position=(3.0, -6.0, -1.5))
     field = with_landmarks(court, [seat])
     fit = fit_camera(some, field, size=SIZE)
-    suggested = {s.name: s for s in suggest_next(some, field, fit)}
+    suggested = {s.name: s for s in suggest_annotations(some, field, fit)}
     optional = {e.name for e in court.elements if e.optional}
     assert "Seat 12" in suggested
     assert optional.isdisjoint(suggested)

@@ -9,30 +9,30 @@ import pytest
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.fit.labels.check import check_labels
-from procc_annotator.fit.labels.clicked import clicked_elements
+from procc_annotator.fit.labels.clicked import annotated_elements
 from procc_annotator.fit.labels.finding import RemedyKind, Rule, Severity
 from procc_annotator.fit.labels.orientation import (
-    ACROSS,
-    ALONG,
-    field_sides,
-    reflected_names,
-    renamed,
+    MIRROR_Y,
+    MIRROR_X,
+    orientation_relations,
+    mirrored_names,
+    relabelled,
 )
-from procc_annotator.fit.labels.sides import contradictions, wrong_sides
+from procc_annotator.fit.labels.sides import contradictions, wrong_side_findings
 from procc_annotator.fit.result import FitResult
-from procc_annotator.fit.solving.observations import PictureFrame
+from procc_annotator.fit.solving.observations import ImageFrame
 from procc_annotator.session.dataset.edits import swap_classes
 
 SIZE = (960, 540)
-FRAME = PictureFrame(SIZE)
+FRAME = ImageFrame(SIZE)
 
 
 def look(annotation, field):
-    return contradictions(clicked_elements(annotation, field, FRAME), field, FRAME)
+    return contradictions(annotated_elements(annotation, field, FRAME), field, FRAME)
 
 
 def findings(annotation, field):
-    return wrong_sides(clicked_elements(annotation, field, FRAME), field, FRAME)
+    return wrong_side_findings(annotated_elements(annotation, field, FRAME), field, FRAME)
 
 
 def test_no_camera_above_the_ground_contradicts_the_field(views, field) -> None:
@@ -43,7 +43,7 @@ def test_no_camera_above_the_ground_contradicts_the_field(views, field) -> None:
         found = look(view.annotation, field)
         assert found.all == ()
         oriented += found.kept > 0
-        turned = renamed(
+        turned = relabelled(
             view.annotation, dict(field.symmetries[0].partner)
         )  # half a turn is no contradiction
         assert look(turned, field).all == ()
@@ -52,7 +52,7 @@ def test_no_camera_above_the_ground_contradicts_the_field(views, field) -> None:
 
 def test_orientations_of_the_field_are_those_of_its_points(field) -> None:
     """The table of triples, against points chosen at random on the elements."""
-    known = field_sides(field.elements)
+    known = orientation_relations(field.elements)
     place = {name: row for row, name in enumerate(known.rows)}
     rng = np.random.default_rng(42)
     checked = 0
@@ -77,12 +77,12 @@ def _some_point(shape, rng) -> np.ndarray:
     return np.array(shape.centre[:2]) + shape.radius * np.array([np.cos(angle), np.sin(angle)])
 
 
-@pytest.mark.parametrize("signs", [ALONG, ACROSS])
+@pytest.mark.parametrize("signs", [MIRROR_X, MIRROR_Y])
 def test_a_reflected_frame_is_all_turned(views, field, signs) -> None:
     view = views.main(np.random.default_rng(43))
-    (found,) = findings(renamed(view.annotation, reflected_names(field, signs)), field)
+    (found,) = findings(relabelled(view.annotation, mirrored_names(field, signs)), field)
     assert (found.rule, found.severity) == (Rule.REFLECTED, Severity.ERROR)
-    names = reflected_names(field, signs)
+    names = mirrored_names(field, signs)
     assert any(all(names[old] == new for old, new in remedy.renamed) for remedy in found.remedies)
 
 
@@ -92,7 +92,7 @@ def test_an_element_on_the_wrong_side_is_named(views, field) -> None:
     kept = ("Big rect. left main", "Big rect. left top", "Small rect. left top", "Side line top")
     few = FrameAnnotation(tuple(p for p in view.annotation if p.class_name in kept))
     assert findings(few, field) == ()
-    wrong = renamed(few, {"Side line top": "Side line bottom"})
+    wrong = relabelled(few, {"Side line top": "Side line bottom"})
     (found,) = findings(wrong, field)
     assert found.rule is Rule.SIDE
     assert "Side line bottom" in found.elements

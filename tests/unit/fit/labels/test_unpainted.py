@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px
-from procc_annotator.fit.labels.check import check_by_eye, with_paint
+from procc_annotator.fit.labels.check import check_without_camera, add_line_evidence
 from procc_annotator.fit.labels.finding import Finding, Rule, Severity
-from procc_annotator.fit.labels.seen_paint import ElementPaint, Paint
+from procc_annotator.fit.labels.seen_paint import LineEvidence, LinePresence
 from procc_annotator.fit.result import FitResult
 
 SIZE = (960, 540)
@@ -24,25 +24,25 @@ def line(name: str, *places: tuple[float, float]) -> Polyline:
     return Polyline(name, tuple(point_from_px(x, y, SIZE) for x, y in places))
 
 
-def seen(*offsets: float, length: float = 200.0) -> ElementPaint:
+def seen(*offsets: float, length: float = 200.0) -> LineEvidence:
     count = len(offsets)
     places = np.column_stack([np.linspace(100, 100 + length, count), np.full(count, 200.0)])
     each = np.full(count, length / count)
     zeros = np.zeros(count, dtype=np.intp)
-    return ElementPaint(SIZE, places, np.array(offsets), zeros, each, (NOTHING, NOTHING))
+    return LineEvidence(SIZE, places, np.array(offsets), zeros, each, (NOTHING, NOTHING))
 
 
 GOOD = seen(*[0.1] * 12)
 
 
-def findings(field, paint: dict[str, ElementPaint]) -> list[Finding]:
+def findings(field, paint: dict[str, LineEvidence]) -> list[Finding]:
     polylines = [line(n, (100, 100 + 80 * k), (300, 100 + 80 * k)) for k, n in enumerate(NAMES)]
     annotation = FrameAnnotation(tuple(polylines))
-    told = with_paint((), annotation, field, size=SIZE, fit=NO_FIT, paint=paint)
+    told = add_line_evidence((), annotation, field, size=SIZE, fit=NO_FIT, paint=paint)
     return [f for f in told if f.elements[0] == NAMES[0]]
 
 
-def found(field, paint: dict[str, ElementPaint]) -> list[tuple[Rule, Severity, str]]:
+def found(field, paint: dict[str, LineEvidence]) -> list[tuple[Rule, Severity, str]]:
     return [(f.rule, f.severity, f.reason) for f in findings(field, paint)]
 
 
@@ -77,7 +77,7 @@ def test_bent_paint_beside_a_straight_element_is_told_with_what_mends_it(field) 
     assert told[:2] == (Rule.BESIDE_PAINT, Severity.WARNING)
     assert "up to 4 px" in told[2]
     assert "(R)" in told[2]
-    assert set(bent.paint) == {Paint.UNDER, Paint.RIGHT}
+    assert set(bent.paint) == {LinePresence.UNDER, LinePresence.RIGHT}
     missing = seen(*np.where(np.abs(t) > 0.4, NAN, 4.0))
     assert Rule.BESIDE_PAINT not in [
         f[0] for f in found(field, {NAMES[0]: missing, NAMES[1]: GOOD, NAMES[2]: GOOD})
@@ -113,10 +113,10 @@ def test_a_short_post_without_paint_is_told(field) -> None:
 
 def test_an_end_is_short_only_where_paint_goes_on(field) -> None:
     annotation = FrameAnnotation((line("Side line top", (20, 100), (700, 120)),))
-    told = check_by_eye(annotation, field, size=SIZE)
+    told = check_without_camera(annotation, field, size=SIZE)
     assert [f.rule for f in told] == [Rule.SHORT]
     ahead = np.arange(3.0, 24.0, 6.0)
     for offsets, rules in ((np.full(4, NAN), []), (np.full(4, 0.3), [Rule.SHORT])):
         paint = {"Side line top": replace(GOOD, ahead=((ahead, offsets), NOTHING))}
-        again = with_paint(told, annotation, field, size=SIZE, fit=NO_FIT, paint=paint)
+        again = add_line_evidence(told, annotation, field, size=SIZE, fit=NO_FIT, paint=paint)
         assert [f.rule for f in again] == rules

@@ -12,7 +12,7 @@ from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px,
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.labels.check import check_labels
 from procc_annotator.fit.labels.finding import RemedyKind, Rule, Severity
-from procc_annotator.fit.labels.orientation import ACROSS, ALONG, reflected_names, renamed
+from procc_annotator.fit.labels.orientation import MIRROR_Y, MIRROR_X, mirrored_names, relabelled
 from procc_annotator.session.dataset.edits import change_class, move_point, swap_classes
 
 SIZE = (960, 540)
@@ -97,7 +97,7 @@ def test_two_labels_that_are_swapped_are_one_finding(clean, field, pair) -> None
 def test_three_labels_in_a_circle_are_one_finding(clean, field) -> None:
     names = (FRONT, SMALL_FRONT, "Side line left")
     becomes = dict(zip(names, (*names[1:], names[0]), strict=True))
-    (first, *_) = check(renamed(clean, becomes), field)
+    (first, *_) = check(relabelled(clean, becomes), field)
     assert (first.rule, set(first.elements)) == (Rule.SWAPPED, set(names))
     back = {new: old for old, new in becomes.items()}
     assert first.remedies[0].kind is RemedyKind.RELABEL
@@ -142,13 +142,13 @@ def test_of_two_points_the_bad_one_is_shown_but_not_removed(clean, field) -> Non
     assert first.severity is Severity.ERROR
 
 
-@pytest.mark.parametrize("signs", [ALONG, ACROSS])
+@pytest.mark.parametrize("signs", [MIRROR_X, MIRROR_Y])
 def test_a_reflected_frame_is_one_finding(clean, field, signs) -> None:
-    wrong = renamed(clean, reflected_names(field, signs))
+    wrong = relabelled(clean, mirrored_names(field, signs))
     (first, *rest) = check(wrong, field)
     assert (first.rule, first.severity) == (Rule.REFLECTED, Severity.ERROR)
     # The first remedy puts the camera on the near side, where the main camera stands.
-    mended = renamed(wrong, dict(first.remedies[0].renamed))
+    mended = relabelled(wrong, dict(first.remedies[0].renamed))
     fit = fit_camera(mended, field)
     assert fit.camera.position_world[1] > 0
     assert max(e.max_px for e in fit.elements) < 9
@@ -161,7 +161,7 @@ def test_a_reflected_frame_is_one_finding(clean, field, signs) -> None:
 
 def test_the_other_end_of_the_field_is_no_mistake(clean, field) -> None:
     """Half a turn is a symmetry of everything: it cannot be seen."""
-    turned = renamed(clean, dict(field.symmetries[0].partner))
+    turned = relabelled(clean, dict(field.symmetries[0].partner))
     assert all(f.severity is Severity.HINT for f in check(turned, field))
 
 

@@ -12,9 +12,9 @@ from procc_annotator.annotation import FrameAnnotation, Point, Polyline, point_f
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.load import load_field
 from procc_annotator.fit.fitting import fit_camera
-from procc_annotator.fit.predict.ghosts import MOST_SD_PX, find_ghosts
-from procc_annotator.fit.predict.sight import stretches_in_sight
-from procc_annotator.fit.predict.suggestion import suggest_next
+from procc_annotator.fit.predict.ghosts import MAX_SD_PX, find_ghosts
+from procc_annotator.fit.predict.sight import visible_stretches
+from procc_annotator.fit.predict.suggestion import suggest_annotations
 from procc_annotator.fit.result import FitResult
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.metric.polylines import Polylines
@@ -57,7 +57,7 @@ def test_in_sight_is_what_the_camera_projects_and_nothing_else(pan: float, k1: f
     camera = looking(pan, 78.0, 1300.0, k1)
     expected = project_field(camera, EvaluationSetup(FIELD, SIZE, "procc")).pieces
     found: dict[str, list[np.ndarray]] = {}
-    for stretch in stretches_in_sight(FIELD, camera, SIZE):
+    for stretch in visible_stretches(FIELD, camera, SIZE):
         found.setdefault(stretch.name, []).append(stretch.points_px)
     assert found.keys() >= {n for n, p in expected.items() if sum(map(len, p)) > 2}
     for name, courses in found.items():
@@ -71,7 +71,7 @@ def test_in_sight_is_what_the_camera_projects_and_nothing_else(pan: float, k1: f
 
 def test_an_element_cut_off_ends_at_the_edge_and_keeps_its_direction() -> None:
     camera = looking(-20.0, 78.0, 1300.0)
-    (top,) = [s for s in stretches_in_sight(FIELD, camera, SIZE) if s.name == "Side line top"]
+    (top,) = [s for s in visible_stretches(FIELD, camera, SIZE) if s.name == "Side line top"]
     element = FIELD.element("Side line top")
     assert element is not None
     way = np.array(element.geometry.end) - np.array(element.geometry.start)
@@ -84,17 +84,17 @@ def test_an_element_cut_off_ends_at_the_edge_and_keeps_its_direction() -> None:
 
 def test_a_circle_in_sight_is_one_stretch_wherever_it_is_cut() -> None:
     whole = looking(0.0, 76.0, 1000.0)
-    (circle,) = [s for s in stretches_in_sight(FIELD, whole, SIZE) if s.name == "Circle central"]
+    (circle,) = [s for s in visible_stretches(FIELD, whole, SIZE) if s.name == "Circle central"]
     assert np.hypot(*(circle.points_px[0] - circle.points_px[-1])) < 1e-6
     for pan in (-12.0, 12.0):  # its left or its right part is outside
         cut = looking(pan, 76.0, 2400.0)
-        (circle,) = [s for s in stretches_in_sight(FIELD, cut, SIZE) if s.name == "Circle central"]
+        (circle,) = [s for s in visible_stretches(FIELD, cut, SIZE) if s.name == "Circle central"]
         assert np.hypot(*np.diff(circle.points_px, axis=0).T).max() < 40.0
 
 
 def test_nothing_behind_the_camera_is_in_sight() -> None:
     camera = replace(looking(-40.0, 80.0, 900.0), position_world=(30.0, 10.0, -6.0))
-    names = {s.name for s in stretches_in_sight(FIELD, camera, SIZE)}
+    names = {s.name for s in visible_stretches(FIELD, camera, SIZE)}
     assert "Side line top" in names
     assert not names & {"Side line bottom", "Side line right", "Big rect. right main"}
 
@@ -114,7 +114,7 @@ def test_ghosts_are_what_is_missing_and_the_line_lies_in_their_band(clicked, vie
     assert len(ghosts) >= 3
     for ghost in ghosts:
         assert ghost.name not in names
-        assert ghost.sd_px <= MOST_SD_PX
+        assert ghost.sd_px <= MAX_SD_PX
         for piece in ghost.pieces:
             away = distances(piece.points_px, list(exact[ghost.name]))
             assert (away <= 2 * piece.sd_px + 0.5).mean() > 0.9
@@ -157,7 +157,7 @@ def test_a_line_annotated_under_a_wrong_class_is_offered_no_second_label(
     fit = _fitted(mistaken)
     assert fit.left_out == (wrong,)
     assert right not in [g.name for g in find_ghosts(mistaken, FIELD, fit)]
-    assert right not in [s.name for s in suggest_next(mistaken, FIELD, fit)]
+    assert right not in [s.name for s in suggest_annotations(mistaken, FIELD, fit)]
 
 
 def test_an_element_that_is_merely_off_takes_no_ghost_away(clicked) -> None:
@@ -206,7 +206,7 @@ def test_a_homography_offers_nothing_off_the_ground(clicked) -> None:
 
 def test_pieces_too_short_to_click_are_left_out() -> None:
     far = replace(looking(0.0, 85.0, 300.0), position_world=(0.0, 130.0, -15.0))
-    pieces = stretches_in_sight(FIELD, far, SIZE)
+    pieces = visible_stretches(FIELD, far, SIZE)
     short = {s.name for s in pieces if s.length_px < 10}
     assert short  # posts of goals far away
     clicks = FrameAnnotation()
@@ -216,7 +216,7 @@ def test_pieces_too_short_to_click_are_left_out() -> None:
 
 def _exact(camera: PinholeCamera) -> FrameAnnotation:
     polylines = []
-    for stretch in stretches_in_sight(FIELD, camera, SIZE):
+    for stretch in visible_stretches(FIELD, camera, SIZE):
         rows = np.linspace(0, len(stretch.points_px) - 1, 5).round().astype(int)
         points = tuple(point_from_px(x, y, SIZE) for x, y in stretch.points_px[rows])
         polylines.append(Polyline(stretch.name, points))

@@ -12,15 +12,15 @@ from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.errors import UsageError
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.predict.ground_uncertainty import (
-    GOOD_TO_M,
+    ACCURACY_LEVELS_M,
     GroundUncertainty,
     ground_covariance,
     ground_sd,
-    ground_uncertainty,
+    map_ground_uncertainty,
 )
 from procc_annotator.fit.result import FitResult
 from procc_annotator.fit.solving.models import (
-    FREE,
+    FREE_PARAMETERS,
     LOG_FOCAL,
     PAN,
     PARAMETERS,
@@ -29,8 +29,8 @@ from procc_annotator.fit.solving.models import (
     camera_from_vector,
     homography_camera,
 )
-from procc_annotator.fit.solving.observations import PictureFrame
-from procc_annotator.fit.solving.residual import homography_of
+from procc_annotator.fit.solving.observations import ImageFrame
+from procc_annotator.fit.solving.residual import homographies_from_corrections
 from procc_annotator.metric.ground import field_rectangle
 
 SIZE = (961, 541)
@@ -40,10 +40,10 @@ FOCAL_PX = 900.0
 
 def straight_down(**sds: float) -> FitResult:
     """A camera above the field's centre, its parameters known to these standard deviations."""
-    frame = PictureFrame(SIZE)
+    frame = ImageFrame(SIZE)
     vector = np.zeros(11)
     vector[Z], vector[LOG_FOCAL] = -HEIGHT_M, math.log(FOCAL_PX * frame.scale)
-    names = PARAMETERS[: FREE["P"]]
+    names = PARAMETERS[: FREE_PARAMETERS["P"]]
     variances = [sds.get(name, 0.0) ** 2 for name in names]
     return FitResult(
         "P",
@@ -91,13 +91,13 @@ def test_as_cameras_drawn_from_the_covariance_scatter(
     pixels = np.array([(120.0, 300.0), (500.0, 180.0), (700.0, 450.0), (300.0, 440.0)])
     meant = ground_from_px(fit.camera, pixels)
     assert field_rectangle(field).holds(meant).all()
-    rng, frame, n = np.random.default_rng(6), PictureFrame(fit.size), len(fit.parameters)
+    rng, frame, n = np.random.default_rng(6), ImageFrame(fit.size), len(fit.parameters)
     drawn = np.tile(fit.vector, (3000, 1))
     drawn[:, :n] += part * rng.multivariate_normal(np.zeros(n), fit.covariance, len(drawn))
 
     def seen(vector: np.ndarray) -> np.ndarray:
         if fit.basis is not None:
-            matrix = homography_of(vector[None], fit.basis)[0]
+            matrix = homographies_from_corrections(vector[None], fit.basis)[0]
             return ground_from_px(homography_camera(matrix, frame), pixels)
         return ground_from_px(camera_from_vector(vector, frame), pixels)
 
@@ -115,7 +115,7 @@ def test_the_truth_lies_within_what_is_said(views, field) -> None:
         fit = fit_camera(view.annotation, field)
         if fit.camera is None:
             continue
-        found = ground_uncertainty(fit, field)
+        found = map_ground_uncertainty(fit, field)
         some = np.argwhere(found.in_sight)[::37]
         pixels = found.points_px[tuple(some.T)]
         said = found.sd_m[tuple(some.T)]
@@ -131,7 +131,7 @@ def test_the_truth_lies_within_what_is_said(views, field) -> None:
 @pytest.fixture(scope="module")
 def found(views, field) -> GroundUncertainty:
     fit = fit_camera(views.main(np.random.default_rng(8)).annotation, field, size=(1280, 720))
-    return ground_uncertainty(fit, field)
+    return map_ground_uncertainty(fit, field)
 
 
 class TestMap:
@@ -152,14 +152,14 @@ class TestMap:
         assert (shown >= -0.5).all()
         assert (shown <= (1279.5, 719.5)).all()
         assert np.isfinite(found.sd_m[found.in_sight]).all()
-        assert ((found.inside_px >= 0) == found.in_sight).all()
+        assert ((found.distance_to_border_px >= 0) == found.in_sight).all()
 
     def test_figures(self, found: GroundUncertainty) -> None:
         values = found.sd_m[found.in_sight]
         spread = found.statistics
         assert (spread.minimum, spread.maximum) == (values.min(), values.max())
         assert spread.median == pytest.approx(np.median(values), rel=0.02)
-        shares = [found.share_good_to(metres) for metres in (0.0, *GOOD_TO_M, np.inf)]
+        shares = [found.share_within_m(metres) for metres in (0.0, *ACCURACY_LEVELS_M, np.inf)]
         assert shares == sorted(shares)
         assert (shares[0], shares[-1]) == (0.0, 1.0)
         assert shares[2] == pytest.approx(np.mean(values <= 0.5), abs=0.02)
@@ -170,12 +170,12 @@ def test_closer_samples_where_little_is_in_sight(field) -> None:
     vector = narrow.vector.copy()
     vector[LOG_FOCAL] += math.log(20)  # the picture is 2.7 m wide
     fit = FitResult(
-        "P", SIZE, camera_from_vector(vector, PictureFrame(SIZE)),
+        "P", SIZE, camera_from_vector(vector, ImageFrame(SIZE)),
         parameters=narrow.parameters, covariance=narrow.covariance, vector=vector,
     )  # fmt: skip
-    found = ground_uncertainty(fit, field)
+    found = map_ground_uncertainty(fit, field)
     assert found.in_sight.sum() > 500
-    assert found.share_good_to(0.11) == 1.0
+    assert found.share_within_m(0.11) == 1.0
 
 
 def test_nothing_in_sight_has_no_figures(field) -> None:
@@ -183,19 +183,19 @@ def test_nothing_in_sight_has_no_figures(field) -> None:
     vector = fit.vector.copy()
     vector[X] = 300.0
     away = FitResult(
-        "P", SIZE, camera_from_vector(vector, PictureFrame(SIZE)),
+        "P", SIZE, camera_from_vector(vector, ImageFrame(SIZE)),
         parameters=fit.parameters, covariance=fit.covariance, vector=vector,
     )  # fmt: skip
-    found = ground_uncertainty(away, field)
+    found = map_ground_uncertainty(away, field)
     assert not found.in_sight.any()
     assert found.statistics.median is None
-    assert found.share_good_to(1.0) is None
+    assert found.share_within_m(1.0) is None
 
 
 def test_points_out_of_sight_have_none(field) -> None:
     vector = np.zeros(11)
     vector[PAN], vector[1], vector[Z], vector[LOG_FOCAL] = 0.0, math.radians(80), -15.0, 7.0
-    camera = camera_from_vector(vector, PictureFrame(SIZE))
+    camera = camera_from_vector(vector, ImageFrame(SIZE))
     assert isinstance(camera, PinholeCamera)
     fit = FitResult(
         "P", SIZE, camera, parameters=PARAMETERS[:7], covariance=np.eye(7) * 1e-6, vector=vector
@@ -205,4 +205,4 @@ def test_points_out_of_sight_have_none(field) -> None:
     failed = FitResult("R", SIZE, None, "2 elements, 3 needed")
     assert np.isnan(ground_sd(failed, GROUND)).all()
     with pytest.raises(UsageError, match="2 elements, 3 needed"):
-        ground_uncertainty(failed, field)
+        map_ground_uncertainty(failed, field)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from procc_annotator.field.load import field_names, load_field
-from procc_annotator.fit.predict.likely_names import likely_names
+from procc_annotator.fit.predict.likely_names import likely_classes
 
 SIZE = (1280, 720)
 
@@ -40,7 +40,7 @@ def test_with_two_neighbours_most_lines_are_among_the_first_three(
         for name, line in lines.items():
             others = [other for other in lines if other != name]
             known = {other: lines[other] for other in rng.permutation(others)[:2]}
-            found = likely_names(field, line, SIZE, known)
+            found = likely_classes(field, line, SIZE, known)
             assert not set(found) & set(known)
             asked += 1
             right += name in found[:3]
@@ -51,6 +51,6 @@ def test_with_two_neighbours_most_lines_are_among_the_first_three(
 def test_every_field_has_an_answer(name: str) -> None:
     field = load_field(name)
     for line in (np.array([(100.0, 300), (1000, 330)]), np.array([(640.0, 360.0)])):
-        found = likely_names(field, line, SIZE, {})
+        found = likely_classes(field, line, SIZE, {})
         assert len(found) == len(set(found))
         assert all(field.element(one) is not None for one in found)

@@ -10,7 +10,7 @@ import pytest
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.load import load_field
 from procc_annotator.fit.fitting import fit_camera
-from procc_annotator.fit.predict.suggestion import Suggestion, suggest_next
+from procc_annotator.fit.predict.suggestion import AnnotationSuggestion, suggest_annotations
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.metric.measure import measure
 from procc_annotator.metric.setup import EvaluationSetup
@@ -31,7 +31,7 @@ def clicked(views) -> FrameAnnotation:
 
 def test_all_that_is_missing_and_in_sight_by_what_it_brings(clicked) -> None:
     some = only(clicked, {"Big rect. left main", "Big rect. left top", "Circle left"})
-    found = suggest_next(some, FIELD, fit_camera(some, FIELD, size=SIZE))
+    found = suggest_annotations(some, FIELD, fit_camera(some, FIELD, size=SIZE))
     names = [s.name for s in found]
     assert len(set(names)) == len(names)
     assert {n for n in clicked.annotated if some.get(n) is None} <= set(names)
@@ -44,14 +44,14 @@ def test_all_that_is_missing_and_in_sight_by_what_it_brings(clicked) -> None:
 
 def test_without_a_camera_there_is_nothing_to_say(clicked) -> None:
     two = only(clicked, {"Big rect. left main", "Circle left"})
-    assert suggest_next(two, FIELD, fit_camera(two, FIELD, size=SIZE)) == ()
+    assert suggest_annotations(two, FIELD, fit_camera(two, FIELD, size=SIZE)) == ()
 
 
 def test_the_place_is_what_is_in_sight_of_it(clicked) -> None:
     some = only(clicked, {"Big rect. left main", "Big rect. left top", "Circle left"})
     fit = fit_camera(some, FIELD, size=SIZE)
     assert fit.camera is not None
-    found = suggest_next(some, FIELD, fit)
+    found = suggest_annotations(some, FIELD, fit)
     px, shown = fit.camera.project(np.array([s.place_world for s in found]))
     assert shown.all()
     assert ((px >= 0) & (px <= np.array(SIZE) - 1)).all()
@@ -59,16 +59,16 @@ def test_the_place_is_what_is_in_sight_of_it(clicked) -> None:
 
 def test_what_changes_next_to_nothing_is_not_worthwhile() -> None:
     place = (0.0, 0.0, 0.0)
-    assert Suggestion("Middle line", 3.0, 2.0, place).is_worthwhile
-    assert not Suggestion("Middle line", 3.0, 2.8, place).is_worthwhile  # a fifteenth
-    assert not Suggestion("Middle line", 0.3, 0.25, place).is_worthwhile  # of a pixel
+    assert AnnotationSuggestion("Middle line", 3.0, 2.0, place).is_worthwhile
+    assert not AnnotationSuggestion("Middle line", 3.0, 2.8, place).is_worthwhile  # a fifteenth
+    assert not AnnotationSuggestion("Middle line", 0.3, 0.25, place).is_worthwhile  # of a pixel
 
 
 def test_what_cannot_be_seen_is_not_suggested(clicked) -> None:
     some = only(clicked, {"Big rect. left main", "Big rect. left top", "Circle left"})
     fit = fit_camera(some, FIELD, size=SIZE)
-    best, *rest = suggest_next(some, FIELD, fit)
-    assert suggest_next(some, FIELD, fit, without={best.name}) == tuple(rest)
+    best, *rest = suggest_annotations(some, FIELD, fit)
+    assert suggest_annotations(some, FIELD, fit, without={best.name}) == tuple(rest)
 
 
 @pytest.mark.parametrize("model", ["H", "P", "R", "R+"])
@@ -78,14 +78,14 @@ def test_the_promise_is_kept_by_the_next_fit(clicked, model: str) -> None:
     names = {"Big rect. left main", "Big rect. left top", "Big rect. left bottom", "Circle left"}
     some = only(clicked, names)
     fit = fit_camera(some, FIELD, model=model, size=SIZE)
-    found = [s for s in suggest_next(some, FIELD, fit) if clicked.get(s.name) is not None]
+    found = [s for s in suggest_annotations(some, FIELD, fit) if clicked.get(s.name) is not None]
     if model == "H":
         assert all(element.on_ground for s in found if (element := FIELD.element(s.name)))
     reached = []
     for suggestion in (found[0], found[-1]):
         more = only(clicked, names | {suggestion.name})
         again = fit_camera(more, FIELD, model=model, size=SIZE, start=fit.camera)
-        then = suggest_next(more, FIELD, again)[0].sd_before_px
+        then = suggest_annotations(more, FIELD, again)[0].sd_before_px
         assert fit.error_px is not None
         assert again.error_px is not None
         reached.append(then * fit.error_px / again.error_px)
@@ -111,7 +111,7 @@ def test_following_it_helps_more_than_another_element_on_real_frames(
             continue
         chosen = set(rng.choice(names, count, replace=False).tolist())
         fit = fit_camera(only(annotation, chosen), FIELD, size=SIZE)
-        ranked = [s.name for s in suggest_next(only(annotation, chosen), FIELD, fit)]
+        ranked = [s.name for s in suggest_annotations(only(annotation, chosen), FIELD, fit)]
         ranked = [n for n in ranked if n in names]
         if len(ranked) < 2:
             continue

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from procc_annotator.fit.solving.surroundings import surroundings_of
-from procc_annotator.fit.together.sides import OtherSide, on_other_side
+from procc_annotator.fit.solving.surroundings import camera_placement_prior
+from procc_annotator.fit.together.sides import OppositeSideFrames, find_opposite_side_frames
 
 TRIPOD, HIGH, REVERSE, GOAL = (
     (1.0, 70.0, -16.0),
@@ -16,9 +16,9 @@ TRIPOD, HIGH, REVERSE, GOAL = (
 TURN = np.array([-1.0, -1.0, 1.0])
 
 
-def told(field, positions, sd=(0.5, 1.5, 0.3)) -> OtherSide:
+def told(field, positions, sd=(0.5, 1.5, 0.3)) -> OppositeSideFrames:
     covariances = np.tile(np.diag(np.square(sd)), (len(positions), 1, 1))
-    return on_other_side(np.array(positions), covariances, surroundings_of(field))
+    return find_opposite_side_frames(np.array(positions), covariances, camera_placement_prior(field))
 
 
 def around(position, count: int, seed: int = 0) -> list[np.ndarray]:
@@ -30,7 +30,7 @@ def test_a_turned_frame_stands_opposite_the_others(field) -> None:
     found = told(field, frames)
     assert set(found.turned) == {13, 14}
     assert all(count >= 6 for count in found.turned.values())
-    assert not found.rare
+    assert not found.minority
 
 
 def test_most_of_a_place_may_be_turned_where_most_of_the_set_is_not(field) -> None:
@@ -41,12 +41,12 @@ def test_most_of_a_place_may_be_turned_where_most_of_the_set_is_not(field) -> No
 def test_a_camera_of_its_own_on_the_far_side_is_only_worth_a_look(field) -> None:
     found = told(field, [*around(TRIPOD, 20), np.array(REVERSE)])
     assert not found.turned
-    assert found.rare == {20}
+    assert found.minority == {20}
 
 
 def test_several_frames_of_a_camera_on_the_far_side_are_a_camera(field) -> None:
     found = told(field, [*around(TRIPOD, 40), *around(REVERSE, 3)])
-    assert found == OtherSide()
+    assert found == OppositeSideFrames()
 
 
 def test_cameras_behind_both_goals_are_two_cameras(field) -> None:
@@ -60,5 +60,5 @@ def test_the_main_camera_may_stand_behind_an_end(field) -> None:
 
 
 def test_nothing_is_told_of_few_or_no_frames(field) -> None:
-    assert told(field, [*around(TRIPOD, 2), *(around(TRIPOD, 1) * TURN)]) == OtherSide()
-    assert told(field, np.zeros((0, 3))) == OtherSide()
+    assert told(field, [*around(TRIPOD, 2), *(around(TRIPOD, 1) * TURN)]) == OppositeSideFrames()
+    assert told(field, np.zeros((0, 3))) == OppositeSideFrames()

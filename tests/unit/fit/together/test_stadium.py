@@ -8,14 +8,14 @@ import pytest
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.errors import UsageError
-from procc_annotator.field.load import load_field, resized
+from procc_annotator.field.load import load_field, with_dimensions
 from procc_annotator.field.model import Field
 from procc_annotator.fit.fitting import fit_camera
-from procc_annotator.fit.solving.models import FREE
-from procc_annotator.fit.solving.observations import PictureFrame, observe
+from procc_annotator.fit.solving.models import FREE_PARAMETERS
+from procc_annotator.fit.solving.observations import ImageFrame, build_observations
 from procc_annotator.fit.solving.residual import pinhole_residuals
-from procc_annotator.fit.together.rates import Rates, dimension_residuals
-from procc_annotator.fit.together.stadium import StadiumFit, fit_dimensions, open_dimensions
+from procc_annotator.fit.together.rates import GeometryDerivatives, residuals_by_dimensions
+from procc_annotator.fit.together.stadium import StadiumFit, fit_dimensions, fittable_dimensions
 from tests.bench.sports.views import Views
 
 SIZE = (960, 540)
@@ -99,7 +99,7 @@ def test_a_net_stands_as_high_as_the_frames_show_it() -> None:
     rng = np.random.default_rng(9)
     frames = {f"f{i}": views.random(rng).annotation for i in range(5)}
     field = load_field("volleyball")
-    assert "net_height" in open_dimensions(field)
+    assert "net_height" in fittable_dimensions(field)
     found = fitted(frames, field, names=["net_height"]).dimensions[0]
     assert found.is_determined
     assert found.dimension.value == pytest.approx(2.24, abs=max(3 * found.sd_m, 0.01))
@@ -121,16 +121,16 @@ def test_values_stay_within_the_rules(views_of, tmp_path) -> None:
     frames = make_frames(views_of, load_field(wide, width=70.0), [-25.0, 0.0, 25.0], 6)
     found = fitted(frames, load_field(narrow), names=["width"]).dimensions[0]
     assert found.dimension.value == 68.0
-    assert found.at_limit
+    assert found.is_at_limit
     assert "limit of the rules" in found.remark
 
 
 def test_what_cannot_be_fitted_is_refused(field) -> None:
-    assert open_dimensions(field) == ("length", "width")
+    assert fittable_dimensions(field) == ("length", "width")
     with pytest.raises(UsageError, match=r"'goal_width' cannot be fitted.*length, width"):
-        open_dimensions(field, ["goal_width"])
+        fittable_dimensions(field, ["goal_width"])
     with pytest.raises(UsageError, match="the rules fix all dimensions"):
-        open_dimensions(load_field("handball"))
+        fittable_dimensions(load_field("handball"))
     with pytest.raises(UsageError, match="no frame has a camera"):
         fit_dimensions({}, {}, field)
 
@@ -138,22 +138,22 @@ def test_what_cannot_be_fitted_is_refused(field) -> None:
 def test_derivatives_by_dimensions_agree_with_differences(views, field) -> None:
     rng = np.random.default_rng(2)
     view = views.main(rng, noise_px=3.0)
-    frame = PictureFrame(SIZE)
+    frame = ImageFrame(SIZE)
     fit = fit_camera(view.annotation, field, model="R", size=SIZE)
     vector = fit.vector
     step = 1e-3
 
     def at(length: float, width: float) -> Field:
-        return resized(field, {"length": length, "width": width})
+        return with_dimensions(field, {"length": length, "width": width})
 
-    seen = observe(view.annotation, field, frame)
+    seen = build_observations(view.annotation, field, frame)
     around = [
         (at(105 - step, 68), at(105 + step, 68), 2 * step),
         (at(105, 68 - step), at(105, 68 + step), 2 * step),
     ]
-    rates = Rates.of(seen, around)
-    free, half = FREE["R"], frame.half_diagonal
-    own = dimension_residuals(vector, seen, half, free, rates)
+    rates = GeometryDerivatives.of(seen, around)
+    free, half = FREE_PARAMETERS["R"], frame.half_diagonal
+    own = residuals_by_dimensions(vector, seen, half, free, rates)
     plain = pinhole_residuals(vector[None], seen, half, free)
     assert own.values == pytest.approx(plain.values)
     assert own.derivatives[:, 2:] == pytest.approx(plain.derivatives)

@@ -8,10 +8,10 @@ import pytest
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.fit.fitting import fit_camera
-from procc_annotator.fit.labels.orientation import renamed
+from procc_annotator.fit.labels.orientation import relabelled
 from procc_annotator.fit.result import FitResult
-from procc_annotator.fit.together.positions import find_positions
-from procc_annotator.fit.together.tripod import SharedPosition, fit_from, share_position
+from procc_annotator.fit.together.positions import cluster_positions
+from procc_annotator.fit.together.tripod import SharedPositionResult, fit_at_known_position, fit_shared_position
 
 SIZE = (960, 540)
 TRIPOD, OTHER = (2.0, 71.0, -16.0), (-30.0, 58.0, -9.0)
@@ -51,16 +51,16 @@ def alone(frames, field) -> dict[str, FitResult]:
 
 
 @pytest.fixture(scope="module")
-def shared(frames, alone, field) -> SharedPosition:
-    return share_position(frames, alone, field)
+def shared(frames, alone, field) -> SharedPositionResult:
+    return fit_shared_position(frames, alone, field)
 
 
-def test_positions_are_told_apart_and_found(shared: SharedPosition) -> None:
-    assert [set(t.frames) for t in shared.tripods] == [
+def test_positions_are_told_apart_and_found(shared: SharedPositionResult) -> None:
+    assert [set(t.frames) for t in shared.groups] == [
         {f"t{i}" for i in range(10)}, {f"o{i}" for i in range(4)},
     ]  # fmt: skip
     assert not shared.apart
-    for tripod, true in zip(shared.tripods, (TRIPOD, OTHER), strict=True):
+    for tripod, true in zip(shared.groups, (TRIPOD, OTHER), strict=True):
         off = np.abs(tripod.position_m - true)
         assert (off < 0.5).all()
         assert (off < 3 * tripod.deviations_m).all()
@@ -69,16 +69,16 @@ def test_positions_are_told_apart_and_found(shared: SharedPosition) -> None:
 def test_turned_labels_are_no_tripod_of_their_own(frames, alone, field) -> None:
     turned = [f"t{i}" for i in range(2, 6)]
     names = {name: field.half_turn.name_of(name) for name in field.index}
-    given = frames | {name: renamed(frames[name], names) for name in turned}
+    given = frames | {name: relabelled(frames[name], names) for name in turned}
     fits = alone | {name: fit_camera(given[name], field, model="R") for name in turned}
-    found = share_position(given, fits, field)
-    assert [len(tripod.frames) for tripod in found.tripods] == [6, 4]
+    found = fit_shared_position(given, fits, field)
+    assert [len(tripod.frames) for tripod in found.groups] == [6, 4]
     assert set(found.apart) == set(turned)
     assert all("turned" in found.apart[name] for name in turned)
 
 
-def test_the_scatter_before_is_that_of_the_own_fits(shared: SharedPosition, alone) -> None:
-    tripod = shared.tripods[0]
+def test_the_scatter_before_is_that_of_the_own_fits(shared: SharedPositionResult, alone) -> None:
+    tripod = shared.groups[0]
     own = np.array([alone[name].camera.position_world for name in tripod.frames])
     assert tripod.scatter_m == pytest.approx(own.std(axis=0, ddof=1))
     assert (tripod.deviations_m < tripod.scatter_m).all()
@@ -87,24 +87,24 @@ def test_the_scatter_before_is_that_of_the_own_fits(shared: SharedPosition, alon
     assert (tripod.predicted_m < tripod.scatter_m * 4).all()
 
 
-def test_all_frames_of_a_place_have_exactly_its_position(shared: SharedPosition) -> None:
-    for name, index in shared.tripod_of.items():
+def test_all_frames_of_a_place_have_exactly_its_position(shared: SharedPositionResult) -> None:
+    for name, index in shared.group_of.items():
         fit = shared.fits[name]
-        assert fit.camera.position_world == tuple(shared.tripods[index].position_m)
-        assert fit.deviations.position_m == pytest.approx(shared.tripods[index].deviations_m)
+        assert fit.camera.position_world == tuple(shared.groups[index].position_m)
+        assert fit.deviations.position_m == pytest.approx(shared.groups[index].deviations_m)
 
 
 def test_few_elements_predict_the_others_better(
-    shared: SharedPosition, frames, cameras, field, median_error
+    shared: SharedPositionResult, frames, cameras, field, median_error
 ) -> None:
     rng = np.random.default_rng(1)
     apart = []
-    for name in shared.tripods[0].frames:
+    for name in shared.groups[0].frames:
         annotation = frames[name]
         some = rng.permutation(len(annotation.polylines))[:3]
         few = FrameAnnotation(tuple(annotation.polylines[i] for i in sorted(some)))
         own = fit_camera(few, field, model="R")
-        known = fit_from(few, field, shared.tripods[0], size=SIZE)
+        known = fit_at_known_position(few, field, shared.groups[0], size=SIZE)
         errors = [
             100.0 if fit.camera is None else median_error(cameras[name], fit.camera)
             for fit in (own, known)
@@ -116,9 +116,9 @@ def test_few_elements_predict_the_others_better(
 
 
 def test_two_elements_are_enough_where_they_say_enough(
-    shared: SharedPosition, frames, alone, cameras, field, median_error
+    shared: SharedPositionResult, frames, alone, cameras, field, median_error
 ) -> None:
-    group = {name: frames[name] for name in shared.tripods[0].frames}
+    group = {name: frames[name] for name in shared.groups[0].frames}
     two = ("Middle line", "Circle central")
     whole = frames["t5"]
     group["t5"] = FrameAnnotation(tuple(p for p in whole if p.class_name in two))
@@ -128,7 +128,7 @@ def test_two_elements_are_enough_where_they_say_enough(
     for name in ("t5", "one"):
         fits[name] = fit_camera(group[name], field, model="R")
         assert fits[name].camera is None
-    again = share_position(group, fits, field)
+    again = fit_shared_position(group, fits, field)
     assert again.gained == ("t5",)
     assert median_error(cameras["t5"], again.fits["t5"].camera) < 5
     assert "even with the position known: 1 element, 2 needed" in again.fits["one"].failure
@@ -136,8 +136,8 @@ def test_two_elements_are_enough_where_they_say_enough(
 
 def test_a_frame_from_elsewhere_keeps_its_own_position(frames, alone, field) -> None:
     names = [f"t{i}" for i in range(6)] + ["o1"]
-    again = share_position({n: frames[n] for n in names}, {n: alone[n] for n in names}, field)
-    assert set(again.tripod_of) == set(names) - {"o1"}
+    again = fit_shared_position({n: frames[n] for n in names}, {n: alone[n] for n in names}, field)
+    assert set(again.group_of) == set(names) - {"o1"}
     assert "another camera?" in again.apart["o1"]
     assert again.fits["o1"] is alone["o1"]
 
@@ -154,8 +154,8 @@ def test_an_element_with_the_wrong_label_does_not_move_the_position(frames, alon
         )
     )
     fits = {n: alone[n] for n in names} | {"t1": fit_camera(annotations["t1"], field, model="R")}
-    again = share_position(annotations, fits, field)
-    assert np.abs(again.tripods[0].position_m - TRIPOD).max() < 0.5
+    again = fit_shared_position(annotations, fits, field)
+    assert np.abs(again.groups[0].position_m - TRIPOD).max() < 0.5
     assert again.fits["t1"].left_out == ("Big rect. left main",)
 
 
@@ -167,11 +167,11 @@ def test_stopping_is_up_to_the_caller(frames, alone, field) -> None:
         raise Enough
 
     with pytest.raises(Enough):
-        share_position(frames, alone, field, on_step=stop)
+        fit_shared_position(frames, alone, field, on_step=stop)
 
 
 def test_no_agreement_is_no_place() -> None:
     far = np.array([[0.0, 60, -10], [30, 60, -10], [0, 90, -20], [50, 20, -15]])
     small = np.tile(np.eye(3) * 0.1, (4, 1, 1))
-    assert find_positions(far, small, 62.0) == ()
-    assert find_positions(np.empty((0, 3)), np.empty((0, 3, 3)), 62.0) == ()
+    assert cluster_positions(far, small, 62.0) == ()
+    assert cluster_positions(np.empty((0, 3)), np.empty((0, 3, 3)), 62.0) == ()

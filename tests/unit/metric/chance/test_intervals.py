@@ -9,19 +9,19 @@ import numpy as np
 import pytest
 import scipy
 
-from procc_annotator.metric.chance.distributions import student_quantile, student_share
-from procc_annotator.metric.chance.intervals import METHODS, acceleration, intervals, reach
-from procc_annotator.metric.chance.sampling import Draws, Ratios, sample
+from procc_annotator.metric.chance.distributions import student_t_ppf, student_t_cdf
+from procc_annotator.metric.chance.intervals import INTERVAL_METHODS, bca_acceleration, confidence_intervals, critical_value
+from procc_annotator.metric.chance.sampling import BootstrapSettings, RatioMetrics, bootstrap
 
-DRAWS = Draws(10_000, 3)
+DRAWS = BootstrapSettings(10_000, 3)
 
 
 @pytest.mark.parametrize("freedom", [1, 1.7, 2, 5, 10.8, 100, 1453])
 def test_students_distribution_is_that_of_scipy(freedom) -> None:
     for share in (0.025, 0.5, 0.8, 0.975, 0.9995):
         expected = scipy.stats.t.ppf(share, freedom)
-        assert student_quantile(share, freedom) == pytest.approx(expected, rel=1e-8, abs=1e-12)
-        assert student_share(expected, freedom) == pytest.approx(share, abs=1e-10)
+        assert student_t_ppf(share, freedom) == pytest.approx(expected, rel=1e-8, abs=1e-12)
+        assert student_t_cdf(expected, freedom) == pytest.approx(share, abs=1e-10)
 
 
 @pytest.mark.parametrize(("method", "theirs"), [("percentile", "percentile"), ("bca", "BCa")])
@@ -31,8 +31,8 @@ def test_unexpanded_intervals_are_those_of_scipy(method, theirs, size) -> None:
     expected = scipy.stats.bootstrap(
         (jacs,), np.mean, n_resamples=20_000, method=theirs, rng=np.random.default_rng(1)
     ).confidence_interval
-    sampled = sample(Ratios.mean(jacs), np.arange(size), Draws(20_000, 3))
-    (found,) = intervals(sampled, DRAWS, method, expanded=False)
+    sampled = bootstrap(RatioMetrics.mean(jacs), np.arange(size), BootstrapSettings(20_000, 3))
+    (found,) = confidence_intervals(sampled, DRAWS, method, expanded=False)
     # Two times 20,000 draws differ by as much, or by one element of one frame.
     close = 0.03 * (expected.high - expected.low) + 1 / (9 * size)
     assert (found.low, found.high) == pytest.approx((expected.low, expected.high), abs=close)
@@ -43,7 +43,7 @@ def test_bca_of_the_same_draws_is_that_of_scipy_to_the_last_digit() -> None:
     theirs = scipy.stats.bootstrap(
         (jacs,), np.mean, n_resamples=999, method="BCa", rng=np.random.default_rng(1)
     )
-    sampled = sample(Ratios.mean(jacs), np.arange(40), Draws(10, 3))
+    sampled = bootstrap(RatioMetrics.mean(jacs), np.arange(40), BootstrapSettings(10, 3))
     same = type(sampled)(
         sampled.values,
         sampled.without,
@@ -51,7 +51,7 @@ def test_bca_of_the_same_draws_is_that_of_scipy_to_the_last_digit() -> None:
         sampled.counted,
         sampled.effective,
     )
-    (found,) = intervals(same, Draws(999), "bca", expanded=False)
+    (found,) = confidence_intervals(same, BootstrapSettings(999), "bca", expanded=False)
     expected = theirs.confidence_interval
     assert (found.low, found.high) == pytest.approx((expected.low, expected.high), abs=1e-9)
 
@@ -59,48 +59,48 @@ def test_bca_of_the_same_draws_is_that_of_scipy_to_the_last_digit() -> None:
 def test_the_t_interval_of_frames_alone_is_students() -> None:
     jacs = skewed(np.random.default_rng(2).random(30))
     expected = scipy.stats.ttest_1samp(jacs, 0).confidence_interval(0.95)
-    (found,) = intervals(sample(Ratios.mean(jacs), np.arange(30), DRAWS), DRAWS)
+    (found,) = confidence_intervals(bootstrap(RatioMetrics.mean(jacs), np.arange(30), DRAWS), DRAWS)
     assert (found.low, found.high) == pytest.approx((expected.low, expected.high), rel=1e-9)
 
 
 def test_acceleration_is_a_sixth_of_the_skewness_over_the_root_of_the_count() -> None:
     values = np.random.default_rng(1).exponential(size=50)
     without = (values.sum() - values) / 49
-    assert acceleration(without) == pytest.approx(scipy.stats.skew(values) / 6 / math.sqrt(50))
-    assert acceleration(np.ones(5)) == 0.0
+    assert bca_acceleration(without) == pytest.approx(scipy.stats.skew(values) / 6 / math.sqrt(50))
+    assert bca_acceleration(np.ones(5)) == 0.0
 
 
 def test_a_ratio_of_sums_is_the_same_however_its_frames_are_ordered_or_drawn_again() -> None:
     rng = np.random.default_rng(4)
-    ratios = Ratios(rng.random((30, 2)), rng.integers(1, 9, (30, 2)).astype(float))
+    ratios = RatioMetrics(rng.random((30, 2)), rng.integers(1, 9, (30, 2)).astype(float))
     clusters = rng.integers(0, 7, 30)
-    found = sample(ratios, clusters, DRAWS)
+    found = bootstrap(ratios, clusters, DRAWS)
     order = rng.permutation(30)
-    again = sample(Ratios(ratios.parts[order], ratios.wholes[order]), clusters[order], DRAWS)
-    assert found.values == pytest.approx(ratios.parts.sum(axis=0) / ratios.wholes.sum(axis=0))
+    again = bootstrap(RatioMetrics(ratios.parts[order], ratios.denominators[order]), clusters[order], DRAWS)
+    assert found.values == pytest.approx(ratios.parts.sum(axis=0) / ratios.denominators.sum(axis=0))
     assert again.drawn == pytest.approx(found.drawn)
     assert again.deviation == pytest.approx(found.deviation)
-    same = sample(ratios, clusters, DRAWS)
+    same = bootstrap(ratios, clusters, DRAWS)
     assert np.array_equal(same.drawn, found.drawn)
-    other = sample(ratios, clusters, Draws(10_000, 4))
+    other = bootstrap(ratios, clusters, BootstrapSettings(10_000, 4))
     assert not np.array_equal(other.drawn, found.drawn)
 
 
 def test_what_cannot_vary_has_no_interval_and_one_cluster_none_either() -> None:
-    alone = sample(Ratios.mean(np.array([0.2, 0.4])), np.array([0, 0]), DRAWS)
-    assert [intervals(alone, DRAWS, method) for method in METHODS] == [[None]] * 3
-    never = sample(Ratios.mean(np.array([np.nan, np.nan])), np.array([0, 1]), DRAWS)
-    assert intervals(never, DRAWS) == [None]
-    still = sample(Ratios.mean(np.ones(9)), np.arange(9), DRAWS)
-    for method in METHODS:
-        (found,) = intervals(still, DRAWS, method)
+    alone = bootstrap(RatioMetrics.mean(np.array([0.2, 0.4])), np.array([0, 0]), DRAWS)
+    assert [confidence_intervals(alone, DRAWS, method) for method in INTERVAL_METHODS] == [[None]] * 3
+    never = bootstrap(RatioMetrics.mean(np.array([np.nan, np.nan])), np.array([0, 1]), DRAWS)
+    assert confidence_intervals(never, DRAWS) == [None]
+    still = bootstrap(RatioMetrics.mean(np.ones(9)), np.arange(9), DRAWS)
+    for method in INTERVAL_METHODS:
+        (found,) = confidence_intervals(still, DRAWS, method)
         assert (found.low, found.high) == (1.0, 1.0)
 
 
 def test_a_cluster_without_a_frame_that_counts_is_none() -> None:
     jacs = np.array([0.1, 0.5, 0.4, np.nan, np.nan])
-    found = sample(Ratios.mean(jacs), np.arange(5), DRAWS)
-    alone = sample(Ratios.mean(jacs[:3]), np.arange(3), DRAWS)
+    found = bootstrap(RatioMetrics.mean(jacs), np.arange(5), DRAWS)
+    alone = bootstrap(RatioMetrics.mean(jacs[:3]), np.arange(3), DRAWS)
     assert found.deviation == pytest.approx(alone.deviation)
     assert found.effective == pytest.approx(alone.effective)
 
@@ -145,16 +145,16 @@ def held(
     rng = np.random.default_rng(sum(sizes))
     clusters = np.repeat(np.arange(len(sizes)), sizes)
     truth = float(make((np.arange(200_000) + 0.5) / 200_000).mean())
-    methods = METHODS if sets > 500 else ("t",)
-    draws = Draws(1000 if sets > 500 else 2)
+    methods = INTERVAL_METHODS if sets > 500 else ("t",)
+    draws = BootstrapSettings(1000 if sets > 500 else 2)
     count = dict.fromkeys(methods, 0)
     for _ in range(sets):
         common = rng.standard_normal(len(sizes))[clusters]
         own = rng.standard_normal(len(clusters))
         values = make(scipy.special.ndtr(math.sqrt(alike) * common + math.sqrt(1 - alike) * own))
-        sampled = sample(Ratios.mean(values), clusters, draws)
+        sampled = bootstrap(RatioMetrics.mean(values), clusters, draws)
         for method in methods:
-            (found,) = intervals(sampled, draws, method)
+            (found,) = confidence_intervals(sampled, draws, method)
             count[method] += not found.excludes(truth)
     return {method: n / sets for method, n in count.items()}
 
@@ -177,6 +177,6 @@ def test_95_of_100_intervals_hold_the_truth_of_1000_sets(kind, sizes, alike, cap
 
 
 def test_few_clusters_reach_farther() -> None:
-    assert reach(1e6, 0.95) == pytest.approx(1.95996, abs=1e-4)
-    assert reach(5, 0.95) == pytest.approx(2.7764, abs=1e-4)
-    assert reach(1.2, 0.95) == pytest.approx(12.7062, abs=1e-3)
+    assert critical_value(1e6, 0.95) == pytest.approx(1.95996, abs=1e-4)
+    assert critical_value(5, 0.95) == pytest.approx(2.7764, abs=1e-4)
+    assert critical_value(1.2, 0.95) == pytest.approx(12.7062, abs=1e-3)

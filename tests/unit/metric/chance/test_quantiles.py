@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from procc_annotator.metric.chance.quantiles import quantile_interval
-from procc_annotator.metric.chance.sampling import Draws
+from procc_annotator.metric.chance.quantiles import quantile_confidence_interval
+from procc_annotator.metric.chance.sampling import BootstrapSettings
 
-DRAWS = Draws()
+DRAWS = BootstrapSettings()
 
 
 def drawn(rng, clusters: int, frames: int, alike: float):
@@ -27,20 +27,20 @@ def test_it_holds_the_truth_in_95_of_100_sets(share, z, alike) -> None:
     held = 0
     for _ in range(400):
         values, frames, clusters = drawn(rng, 15, 4, alike)
-        found = quantile_interval(values, frames, clusters, share, DRAWS)
+        found = quantile_confidence_interval(values, frames, clusters, share, DRAWS)
         held += found.low <= np.exp(z) <= found.high
     assert 0.92 <= held / 400 <= 0.985
 
 
 def test_frames_that_are_alike_make_it_wider() -> None:
     values, frames, clusters = drawn(np.random.default_rng(5), 15, 8, 0.5)
-    together = quantile_interval(values, frames, clusters, 0.5, DRAWS)
-    apart = quantile_interval(values, frames, np.arange(len(clusters)), 0.5, DRAWS)
+    together = quantile_confidence_interval(values, frames, clusters, 0.5, DRAWS)
+    apart = quantile_confidence_interval(values, frames, np.arange(len(clusters)), 0.5, DRAWS)
     assert together.high - together.low > 1.5 * (apart.high - apart.low)
 
 
 def test_nothing_and_one_cluster_have_none() -> None:
     nothing = np.empty(0)
-    assert quantile_interval(nothing, nothing.astype(int), np.zeros(3, int), 0.5, DRAWS) is None
-    one = quantile_interval(np.ones(4), np.arange(4), np.zeros(4, int), 0.5, DRAWS)
+    assert quantile_confidence_interval(nothing, nothing.astype(int), np.zeros(3, int), 0.5, DRAWS) is None
+    one = quantile_confidence_interval(np.ones(4), np.arange(4), np.zeros(4, int), 0.5, DRAWS)
     assert one is None

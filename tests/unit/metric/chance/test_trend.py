@@ -6,22 +6,22 @@ import numpy as np
 import pytest
 import scipy
 
-from procc_annotator.metric.chance.sampling import Draws
-from procc_annotator.metric.chance.trend import trend
+from procc_annotator.metric.chance.sampling import BootstrapSettings
+from procc_annotator.metric.chance.trend import trend_test
 
-DRAWS = Draws(2000, 1)
+DRAWS = BootstrapSettings(2000, 1)
 
 
 def test_slope_and_p_are_those_of_scipy() -> None:
     rng = np.random.default_rng(3)
     for rise in (0.0, 0.05, 0.3):
         values = 2 + rise * np.arange(14) + rng.normal(0, 0.6, 14)
-        found = trend(values, DRAWS)
+        found = trend_test(values, DRAWS)
         assert found.slope == pytest.approx(scipy.stats.theilslopes(values).slope)
         expected = scipy.stats.kendalltau(np.arange(14), values, method="exact").pvalue
         assert found.p == pytest.approx(expected, abs=0.035)
 
 
 def test_of_few_values_and_equal_ones_nothing_is_told() -> None:
-    assert trend(np.array([1.0, 2.0, 3.0]), DRAWS) is None
-    assert trend(np.ones(8), DRAWS).p == 1.0
+    assert trend_test(np.array([1.0, 2.0, 3.0]), DRAWS) is None
+    assert trend_test(np.ones(8), DRAWS).p == 1.0

@@ -9,11 +9,11 @@ from pathlib import Path
 
 import pytest
 
-from procc_annotator.metric.spread import Spread
+from procc_annotator.metric.spread import MapSummary
 from procc_annotator.report.page.report_pairs import ReportedPair, disagreement_section
 from procc_annotator.report.sheet.as_latex import escape_latex, latex_table, latex_tables
-from procc_annotator.report.sheet.figure import Figure
-from procc_annotator.report.sheet.sheet import TAU, Column, Sheet, of
+from procc_annotator.report.sheet.figure import Metric
+from procc_annotator.report.sheet.sheet import TAU, Column, MetricTable, metric_column
 from procc_annotator.session.runs.comparison_run import ComparisonSummary
 
 
@@ -29,12 +29,12 @@ def test_every_special_character_is_escaped() -> None:
 def test_a_table_has_as_many_cells_in_every_line() -> None:
     columns = (
         Column("source", "Source"),
-        of(Figure("a", "a", better="higher"), group="one & only"),
-        of(Figure("b", "b", better="lower"), group="one & only"),
-        of(Figure("c", "c", digits=0)),
+        metric_column(Metric("a", "a", better="higher"), group="one & only"),
+        metric_column(Metric("b", "b", better="lower"), group="one & only"),
+        metric_column(Metric("c", "c", digits=0)),
     )
     rows = (("x_y", 1.0, None, 2.0),)
-    text = latex_table(Sheet("s", "Caption 5 %", columns, rows, bold=frozenset({(0, 1)})))
+    text = latex_table(MetricTable("s", "Caption 5 %", columns, rows, bold=frozenset({(0, 1)})))
     lines = [line for line in text.splitlines() if line.endswith(r"\\")]
     assert r"\begin{tabular}{lrrr}" in text
     assert [line.replace(r"\&", "").count("&") for line in lines] == [2, 3, 3]  # two are spanned
@@ -50,18 +50,18 @@ def test_remarks_cannot_leave_their_comment() -> None:
 
 
 def test_distances_next_to_a_horizon_are_told_as_on_the_terminal() -> None:
-    spread = Spread(0.25, 0.5, 2444644.06)
+    spread = MapSummary(0.25, 0.5, 2444644.06)
     summary = ComparisonSummary(1, (), spread, spread, 0.5, {})
     text = latex_table(disagreement_section([ReportedPair("a", "b", summary)]))
     assert "2444644" not in text
     assert text.count(r"0.25 & 0.50 & \textgreater{} 1000") == 2
 
 
-def _wide(columns: int) -> Sheet:
-    error = Figure("error", "reprojection error of everything", "px", "lower")
+def _wide(columns: int) -> MetricTable:
+    error = Metric("error", "reprojection error of everything", "px", "lower")
     named = Column("source", "Source"), Column("words", "Words")
     row = ("a_source_with_a_name_that_is_rather_long", "many words " * 9, *[1234.5] * columns)
-    return Sheet("wide", "Wide", (*named, *[of(error, f"@{i}") for i in range(columns)]), (row,))
+    return MetricTable("wide", "Wide", (*named, *[metric_column(error, f"@{i}") for i in range(columns)]), (row,))
 
 
 def test_a_table_that_is_too_wide_is_set_smaller_and_goes_on_below() -> None:
@@ -75,21 +75,21 @@ def test_a_table_that_is_too_wide_is_set_smaller_and_goes_on_below() -> None:
     assert text.count("rather") == len(parts)  # the source stands before each part
 
 
-def _of_several_taus() -> Sheet:
+def _of_several_taus() -> MetricTable:
     """As tables of intervals are: source and tau tell the rows apart."""
-    error = Figure("error", "mean error", "px", "lower", digits=2)
+    error = Metric("error", "mean error", "px", "lower", digits=2)
     columns = [Column("part", "Part"), Column("source", "Source"), TAU]
     for name in ("jac", "score", "error"):
-        columns.append(of(error, key=name, heading=name))
-        columns.append(of(error, key=f"{name}_low", joined=" [{}, "))
-        columns.append(of(error, key=f"{name}_high", joined="{}]"))
+        columns.append(metric_column(error, key=name, heading=name))
+        columns.append(metric_column(error, key=f"{name}_low", joined=" [{}, "))
+        columns.append(metric_column(error, key=f"{name}_high", joined="{}]"))
     rows = tuple(
         (f"focal 1260 to {focal} px of the_same", source, tau, *[100.0] * 9)
         for focal in (1877, 2460)
         for source in ("PnLCalib", "Another")
         for tau in (2.0, 5.0)
     )
-    return Sheet("taus", "Taus", tuple(columns), rows)
+    return MetricTable("taus", "Taus", tuple(columns), rows)
 
 
 def test_every_part_of_a_table_tells_its_rows_apart() -> None:
@@ -102,7 +102,7 @@ def test_every_part_of_a_table_tells_its_rows_apart() -> None:
 
 
 def test_what_has_room_enough_is_set_as_it_is() -> None:
-    sheet = Sheet("small", "Small", (Column("a", "Two words"), of(Figure("b", "b"))), (("x", 1.0),))
+    sheet = MetricTable("small", "Small", (Column("a", "Two words"), metric_column(Metric("b", "b"))), (("x", 1.0),))
     assert latex_table(sheet).splitlines()[2:5] == [
         r"\begin{tabular}{lr}",
         r"\hline",
@@ -121,7 +121,7 @@ def test_latex_sets_every_table_within_the_text(tmp_path: Path) -> None:
     pdflatex = shutil.which("pdflatex")
     if pdflatex is None:
         pytest.skip("pdflatex is not here")
-    strange = Sheet("s", 'a\\b_&%$#{}~^<>|"–²°', (Column("x", "<|x|>"), of(Figure("y", "y"))), (
+    strange = MetricTable("s", 'a\\b_&%$#{}~^<>|"–²°', (Column("x", "<|x|>"), metric_column(Metric("y", "y"))), (
         ("100 % \\input{x} ~^ \"quoted\" a|b {–} 3² 4°", 1.0),
     ))  # fmt: skip
     tables = latex_tables([*(_wide(columns) for columns in (2, 5, 9)), strange])

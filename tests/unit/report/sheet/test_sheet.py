@@ -10,32 +10,32 @@ import math
 import pytest
 from rich.console import Console
 
-from procc_annotator.io.csv_text import formula_text
+from procc_annotator.io.csv_text import unescape_formula
 from procc_annotator.report.sheet import counts, figures
 from procc_annotator.report.sheet.as_csv import csv_bytes
 from procc_annotator.report.sheet.as_html import html_table
-from procc_annotator.report.sheet.as_json import json_bytes, sheet_entry
+from procc_annotator.report.sheet.as_json import json_bytes, table_entry
 from procc_annotator.report.sheet.as_terminal import terminal_table
 from procc_annotator.report.sheet.definitions import definitions
-from procc_annotator.report.sheet.figure import Figure
-from procc_annotator.report.sheet.sheet import TAU, Column, Sheet, Value, counted, of, whole
-from procc_annotator.report.sheet.shown import as_texts
+from procc_annotator.report.sheet.figure import Metric
+from procc_annotator.report.sheet.sheet import TAU, Column, MetricTable, Value, defined_count_column, metric_column, count_column
+from procc_annotator.report.sheet.shown import display_table
 
-LOW = Figure("low", "low", "%")
-HIGH = Figure("high", "high", "%")
+LOW = Metric("low", "low", "%")
+HIGH = Metric("high", "high", "%")
 
 
-def sheet(*rows: tuple[Value, ...]) -> Sheet:
+def sheet(*rows: tuple[Value, ...]) -> MetricTable:
     columns = (
         Column("source", "Source"),
-        of(figures.MEAN_JAC, "@5", key="jac@5"),
-        of(LOW, joined=" [{}"),
-        of(HIGH, joined=", {}]"),
-        of(figures.MEAN_ERROR),
-        whole("frames"),
+        metric_column(figures.MEAN_JAC, "@5", key="jac@5"),
+        metric_column(LOW, joined=" [{}"),
+        metric_column(HIGH, joined=", {}]"),
+        metric_column(figures.MEAN_ERROR),
+        count_column("frames"),
         Column("fitted", "", "yes_no"),
     )
-    return Sheet("sources", "Sources", columns, rows, "soccernet, 960x540", ("A note.",))
+    return MetricTable("sources", "Sources", columns, rows, "soccernet, 960x540", ("A note.",))
 
 
 def test_a_figure_is_shown_by_its_unit_and_digits() -> None:
@@ -53,7 +53,7 @@ def test_keys_of_figures_that_stand_together_differ() -> None:
 
 
 def test_columns_that_are_joined_share_a_cell_on_a_page() -> None:
-    content = as_texts(
+    content = display_table(
         sheet(("a", 0.38, 0.36, 0.41, 2.0, 3, True), ("b", 0.4, None, None, 2.0, 3, False))
     )
     assert [column.heading for column in content.columns] == [
@@ -81,21 +81,21 @@ def test_a_number_below_zero_is_no_formula() -> None:
         Column("bias", kind="number", written=".2f"),
         Column("threshold", kind="number", written="shortest"),
     )
-    assert csv_bytes(Sheet("", "", columns, ((-1.0, 5.0), (-2.0, 2.5)))) == (
+    assert csv_bytes(MetricTable("", "", columns, ((-1.0, 5.0), (-2.0, 2.5)))) == (
         b"bias,threshold\n-1.00,5\n-2.00,2.5\n"
     )
 
 
 @pytest.mark.parametrize("text", ["=1", "+1", "-1", "@a", "\ta", "'=1", "''=1", "'a", "a", ""])
 def test_a_cell_that_was_defused_reads_back_as_it_was(text: str) -> None:
-    cells = csv_bytes(Sheet("", "", (Column("text"), whole("n")), ((text, 1),))).decode()
+    cells = csv_bytes(MetricTable("", "", (Column("text"), count_column("n")), ((text, 1),))).decode()
     cell = list(csv.reader(io.StringIO(cells, newline="")))[1][0]
     assert not cell.startswith(("=", "+", "-", "@", "\t"))
-    assert formula_text(cell) == text
+    assert unescape_formula(cell) == text
 
 
 def test_json_holds_the_same_values_and_null_for_what_is_undefined() -> None:
-    entry = json.loads(json_bytes(sheet_entry(sheet(("=1", 0.25, None, math.nan, 2.0, 3, True)))))
+    entry = json.loads(json_bytes(table_entry(sheet(("=1", 0.25, None, math.nan, 2.0, 3, True)))))
     assert entry["rows"] == [
         {
             "source": "=1", "jac@5": 0.25, "low": None, "high": None,
@@ -115,28 +115,28 @@ def test_the_terminal_shows_title_terms_and_notes() -> None:
 
 def test_a_row_of_another_length_is_refused() -> None:
     with pytest.raises(ValueError, match="2 values, 1 columns"):
-        Sheet("odd", "", (Column("a"),), ((1, 2),))
+        MetricTable("odd", "", (Column("a"),), ((1, 2),))
 
 
 def test_every_figure_and_count_says_what_it_means() -> None:
     """What a page's columns mean is told in one place, where they are listed."""
-    found: list[Figure] = []
+    found: list[Metric] = []
     for value in (*vars(figures).values(), *vars(counts).values()):
-        found += [f for f in (value if isinstance(value, tuple) else [value]) if type(f) is Figure]
+        found += [f for f in (value if isinstance(value, tuple) else [value]) if type(f) is Metric]
     assert len(found) > 60
     assert [f.key for f in found if not f.definition.endswith((".", ")"))] == []
 
 
 def test_a_page_explains_its_columns_once() -> None:
-    first = Sheet("a", "A", (Column("source"), of(figures.MEAN_JAC), counted(counts.FRAMES)), ())
-    second = Sheet("b", "B", (of(figures.MEAN_JAC, "@5"), of(figures.JAC)), ())
+    first = MetricTable("a", "A", (Column("source"), metric_column(figures.MEAN_JAC), defined_count_column(counts.FRAMES)), ())
+    second = MetricTable("b", "B", (metric_column(figures.MEAN_JAC, "@5"), metric_column(figures.JAC)), ())
     told = definitions([first, second], also=[figures.TP])
     assert [title for title, _ in told] == ["tp", "JaC, %", "frames"]
     assert told[1][1] == (figures.MEAN_JAC.definition, figures.JAC.definition)
-    rows = Sheet(
+    rows = MetricTable(
         "c", "C", (Column("figure"), TAU), (("median", 1.0),), of_rows=(figures.MEDIAN_PX,)
     )
     assert definitions([rows]) == (("median, px", (figures.MEDIAN_PX.definition,)),)
     assert f'title="{figures.TP.definition}"' in html_table(
-        Sheet("d", "D", (Column("source"), counted(figures.TP)), ())
+        MetricTable("d", "D", (Column("source"), defined_count_column(figures.TP)), ())
     )

@@ -8,9 +8,9 @@ import pytest
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.load import load_field
-from procc_annotator.fit.predict.sight import stretches_in_sight
+from procc_annotator.fit.predict.sight import visible_stretches
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
-from procc_annotator.session.clicks.insight import gain_insight
+from procc_annotator.session.clicks.insight import analyse_frame
 
 FIELD = load_field()
 SIZE = (1280, 720)
@@ -27,10 +27,10 @@ def clicked(sample_data: Path) -> FrameAnnotation:
 def test_out_of_sight_is_what_the_camera_has_nowhere_in_the_picture(
     clicked: FrameAnnotation,
 ) -> None:
-    insight = gain_insight(clicked, FIELD, size=SIZE)
+    insight = analyse_frame(clicked, FIELD, size=SIZE)
     assert insight.fit.camera is not None
     away = insight.out_of_sight(FIELD)
-    seen = {s.name for s in stretches_in_sight(FIELD, insight.fit.camera, SIZE) if s.length_px > 20}
+    seen = {s.name for s in visible_stretches(FIELD, insight.fit.camera, SIZE) if s.length_px > 20}
     assert seen
     assert not away & (seen | SOME)
     assert {"Side line right", "Goal right crossbar", "Circle right"} <= away
@@ -39,11 +39,11 @@ def test_out_of_sight_is_what_the_camera_has_nowhere_in_the_picture(
 
 
 def test_a_homography_says_nothing_of_what_is_off_the_ground(clicked: FrameAnnotation) -> None:
-    away = gain_insight(clicked, FIELD, size=SIZE, model="H").out_of_sight(FIELD)
+    away = analyse_frame(clicked, FIELD, size=SIZE, model="H").out_of_sight(FIELD)
     assert "Circle right" in away
     assert all(element.on_ground for n in away if (element := FIELD.element(n)))
 
 
 def test_without_a_camera_nothing_is_known_of_it(clicked: FrameAnnotation) -> None:
     one = FrameAnnotation(clicked.polylines[:1])
-    assert gain_insight(one, FIELD, size=SIZE).out_of_sight(FIELD) == frozenset()
+    assert analyse_frame(one, FIELD, size=SIZE).out_of_sight(FIELD) == frozenset()

@@ -943,10 +943,10 @@ def test_origins_that_were_foreseen_need_no_waiting(opened: Open) -> None:
     first.put_origins("a", {(0.25, 0.5): _origin()})
     first.close()
     database = opened()
-    database.foresee_origins(["a", "b"])
+    database.prefetch_origins(["a", "b"])
     database.put_origins("a", {(0.5, 0.5): _origin(7.0)})  # after the question, before the answer
     assert database.flush()
     database._writer.submit = pytest.fail  # type: ignore[assignment]
     assert database.origins("a") == {(0.25, 0.5): _origin(), (0.5, 0.5): _origin(7.0)}
     assert database.origins("b") == {}
-    database.foresee_origins(["a", "b"])  # known: nothing is asked
+    database.prefetch_origins(["a", "b"])  # known: nothing is asked

@@ -64,17 +64,17 @@ class TestNotVisible:
         assert again.not_visible("f1") == {CIRCLE, LEFT}
         assert again.not_visible("f\udcff2") == {"odd \udcff class"}
         assert again.not_visible("f3") == again.not_visible("never") == frozenset()
-        mark = again.marks_not_visible("f1")[CIRCLE]
+        mark = again.is_marked_not_visible("f1")[CIRCLE]
         assert (mark.frame, mark.class_name, mark.author) == ("f1", CIRCLE, "Anna")
         assert before <= mark.time <= time.time()
 
     def test_saying_it_twice_keeps_who_said_it_first(self, opened: Open) -> None:
         database = opened()
         database.set_not_visible("f1", CIRCLE, True)
-        first = database.marks_not_visible("f1")[CIRCLE]
+        first = database.is_marked_not_visible("f1")[CIRCLE]
         database.author = "Ben"
         database.set_not_visible("f1", CIRCLE, True)
-        assert database.marks_not_visible("f1")[CIRCLE] == first
+        assert database.is_marked_not_visible("f1")[CIRCLE] == first
 
     def test_another_window_sees_them_and_that_they_are_gone(self, opened: Open) -> None:
         mine, theirs = opened(), opened()

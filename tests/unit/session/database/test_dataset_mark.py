@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from procc_annotator.session.database.dataset_mark import alike, belongs_to, mark_of
+from procc_annotator.session.database.dataset_mark import fingerprints_match, matches_folder, fingerprint_of
 
 
 def test_videos_tell_datasets_apart(tmp_path: Path) -> None:
@@ -12,6 +12,6 @@ def test_videos_tell_datasets_apart(tmp_path: Path) -> None:
         (tmp_path / match).mkdir()
         (tmp_path / match / f"{match}.mp4").write_bytes(content)
     a, b = tmp_path / "a", tmp_path / "b"
-    assert belongs_to(mark_of(a), a)
-    assert not belongs_to(mark_of(a), b)
-    assert not alike(mark_of(a), mark_of(b))
+    assert matches_folder(fingerprint_of(a), a)
+    assert not matches_folder(fingerprint_of(a), b)
+    assert not fingerprints_match(fingerprint_of(a), fingerprint_of(b))

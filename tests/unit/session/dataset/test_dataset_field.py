@@ -8,13 +8,13 @@ from pathlib import Path
 import pytest
 
 from procc_annotator.errors import FieldError, UsageError
-from procc_annotator.field.load import load_field, resized, shipped_file, with_lines
+from procc_annotator.field.load import load_field, with_dimensions, builtin_field_file, with_lines
 from procc_annotator.session.database.database import WorkspaceDatabase
 from procc_annotator.session.dataset.dataset_field import (
     FIELD_SETTING,
     field_of_dataset,
     field_of_datasets,
-    keep_field,
+    store_field,
 )
 from procc_annotator.session.dataset.dataset_folder import FIELD_FILE
 
@@ -38,7 +38,7 @@ end = ["length / 2", "0", "0"]
 
 def keep(folder: Path, *, field: str | Path = "soccer", **dimensions: float) -> None:
     database = WorkspaceDatabase.open(folder, "one")
-    keep_field(database, folder, load_field(field, **dimensions))
+    store_field(database, folder, load_field(field, **dimensions))
     assert database.close()
 
 
@@ -116,7 +116,7 @@ def test_dimensions_of_another_field_are_left(tmp_path: Path) -> None:
 
 def test_a_dataset_remembers_where_its_lines_are(tmp_path: Path) -> None:
     database = WorkspaceDatabase.open(tmp_path, "one")
-    keep_field(database, tmp_path, with_lines(load_field("soccer", length=101.3), "middle"))
+    store_field(database, tmp_path, with_lines(load_field("soccer", length=101.3), "middle"))
     assert database.close()
     found = field_of_dataset(tmp_path)
     assert found.chosen
@@ -127,7 +127,7 @@ def test_a_dataset_remembers_where_its_lines_are(tmp_path: Path) -> None:
     own.write_text('lines = "middle"' + OTHER)  # the file may say so, and be overruled
     assert field_of_dataset(tmp_path).field.lines == "middle"
     database = WorkspaceDatabase.open(tmp_path, "one")
-    keep_field(database, tmp_path, with_lines(load_field(own), "measured"))
+    store_field(database, tmp_path, with_lines(load_field(own), "measured"))
     assert database.close()
     assert field_of_dataset(tmp_path).field.lines == "measured"
     database = WorkspaceDatabase.open(tmp_path, "one")
@@ -164,8 +164,8 @@ def test_several_datasets_show_one_field(tmp_path: Path) -> None:
 
 def test_a_copy_of_a_shipped_description_is_a_file_of_its_own(tmp_path: Path) -> None:
     copy = tmp_path / "soccer.toml"
-    copy.write_text(shipped_file("soccer").read_text(encoding="utf-8"), encoding="utf-8")
+    copy.write_text(builtin_field_file("soccer").read_text(encoding="utf-8"), encoding="utf-8")
     keep(tmp_path, field=copy)
     found = field_of_dataset(tmp_path).field
     assert found.source == copy
-    assert resized(found, {"length": 100}).source == copy
+    assert with_dimensions(found, {"length": 100}).source == copy

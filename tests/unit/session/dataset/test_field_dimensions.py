@@ -9,12 +9,12 @@ import pytest
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import FieldError, InputError, UsageError
-from procc_annotator.field.load import load_field, resized
+from procc_annotator.field.load import load_field, with_dimensions
 from procc_annotator.session.database.database import WorkspaceDatabase
 from procc_annotator.session.dataset.dataset_field import (
     DIMENSIONS_SETTING,
-    keep_dimensions,
-    kept_dimensions,
+    store_dimensions,
+    stored_dimensions,
 )
 from procc_annotator.session.runs.dimension_estimate import estimate_dimensions
 
@@ -22,13 +22,13 @@ from procc_annotator.session.runs.dimension_estimate import estimate_dimensions
 def test_dimensions_are_there_when_the_dataset_is_opened_again(tmp_path: Path) -> None:
     field = load_field("soccer")
     first = WorkspaceDatabase.open(tmp_path, "one")
-    keep_dimensions(first, resized(field, {"length": 101.3}))
+    store_dimensions(first, with_dimensions(field, {"length": 101.3}))
     assert first.close()
     again = WorkspaceDatabase.open(tmp_path, "two")
-    assert dict(kept_dimensions(again, field).values) == {"length": 101.3}
-    keep_dimensions(again, field)
+    assert dict(stored_dimensions(again, field).values) == {"length": 101.3}
+    store_dimensions(again, field)
     assert again.setting(DIMENSIONS_SETTING) is None
-    assert not kept_dimensions(again, field).values
+    assert not stored_dimensions(again, field).values
     again.close()
 
 
@@ -45,7 +45,7 @@ def test_dimensions_are_there_when_the_dataset_is_opened_again(tmp_path: Path) -
 def test_what_cannot_be_used_is_told_and_left(tmp_path: Path, text: str, said: str) -> None:
     database = WorkspaceDatabase.open(tmp_path, "one")
     database.set_setting(DIMENSIONS_SETTING, text)
-    kept = kept_dimensions(database, load_field("soccer"))
+    kept = stored_dimensions(database, load_field("soccer"))
     assert not kept.values
     assert said in kept.problem
     assert bool(kept.problem) == bool(said)
@@ -55,12 +55,12 @@ def test_what_cannot_be_used_is_told_and_left(tmp_path: Path, text: str, said: s
 def test_a_field_says_what_is_not_nominal() -> None:
     field = load_field("soccer")
     assert (field.described, field.is_nominal) == ("soccer", True)
-    sized = resized(field, {"length": 101.3, "width": 66.2})
+    sized = with_dimensions(field, {"length": 101.3, "width": 66.2})
     assert sized.described == "soccer 101.3 x 66.2 m"
-    assert resized(field, {"width": 66.25}).described == "soccer 105 x 66.25 m"
-    assert resized(sized, {}) == field
+    assert with_dimensions(field, {"width": 66.25}).described == "soccer 105 x 66.25 m"
+    assert with_dimensions(sized, {}) == field
     with pytest.raises(FieldError, match="outside the range of the rules"):
-        resized(field, {"length": 200.0})
+        with_dimensions(field, {"length": 200.0})
 
 
 def test_frames_that_cannot_be_read_take_no_part() -> None:

@@ -39,7 +39,7 @@ def test_a_mismatch_names_the_field_that_fits() -> None:
     assert mismatch_of([*CLASSES, "Line unknown"], SOCCER) is None
     found = mismatch_of(CLASSES, other("net"))
     assert found is not None
-    assert found.is_telling
+    assert found.is_worth_reporting
     assert found.better is not None
     assert found.better.name == "soccer"
     assert found.words() == (
@@ -57,14 +57,14 @@ def test_no_field_is_named_that_knows_no_more() -> None:
     found = mismatch_of([*CLASSES, "sponsor"], SOCCER)
     assert found is not None
     assert found.better is None
-    assert not found.is_telling  # a slip of the pen in a soccer set
+    assert not found.is_worth_reporting  # a slip of the pen in a soccer set
     mostly = mismatch_of([CLASSES[0], "sponsor", "net"], SOCCER)
     assert mostly is not None
     assert mostly.better is None
-    assert mostly.is_telling
+    assert mostly.is_worth_reporting
     alone = mismatch_of(["sponsor"], SOCCER)
     assert alone is not None
-    assert alone.is_telling
+    assert alone.is_worth_reporting
     assert alone.words() == (
         "the field Soccer does not know the one class annotated here (sponsor)"
     )
@@ -75,7 +75,7 @@ def test_a_field_that_knows_a_few_of_many_is_no_recommendation() -> None:
     found = mismatch_of([*padel, *CLASSES[:2]], other("net"))
     assert found is not None
     assert found.better is None  # soccer knows 2 of the 13
-    assert found.is_telling
+    assert found.is_worth_reporting
     found = mismatch_of([*padel, *CLASSES[:2]], other("net"), [other(*padel)])
     assert found is not None
     assert found.better is not None

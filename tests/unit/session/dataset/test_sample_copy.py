@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from procc_annotator.errors import SaveError
-from procc_annotator.session.dataset.sample_copy import own_sample
+from procc_annotator.session.dataset.sample_copy import copy_sample
 
 
 @pytest.fixture
@@ -25,12 +25,12 @@ def sample(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 def test_a_copy_is_made_and_kept(sample: Path) -> None:
-    own = own_sample(sample)
+    own = copy_sample(sample)
     assert own != sample
     found = sorted(p.relative_to(own).as_posix() for p in own.rglob("*") if p.is_file())
     assert found == ["00001.json", "cameras/a.json"]
     (own / "00001.json").write_text('{"mine": []}')
-    assert own_sample(sample) == own
+    assert copy_sample(sample) == own
     assert (own / "00001.json").read_text() == '{"mine": []}'
     assert (sample / "00001.json").read_text() == "{}"
     assert [p.name for p in own.parent.iterdir()] == ["sample"]
@@ -44,7 +44,7 @@ def test_a_copy_that_cannot_be_made_is_said_and_leaves_nothing(
 
     monkeypatch.setattr("shutil.copytree", full)
     with pytest.raises(SaveError, match="No space left on device"):
-        own_sample(sample)
+        copy_sample(sample)
     monkeypatch.undo()
 
 
@@ -59,5 +59,5 @@ def test_two_windows_at_once(sample: Path, monkeypatch: pytest.MonkeyPatch) -> N
         replace(begun, own)  # fails: it is there and not empty
 
     monkeypatch.setattr("os.replace", late)
-    own = own_sample(sample)
+    own = copy_sample(sample)
     assert (own / "theirs.json").exists()

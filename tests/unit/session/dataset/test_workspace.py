@@ -128,7 +128,7 @@ def test_taking_back_the_first_click_takes_the_file_away(tmp_path: Path) -> None
     work.save(0)
     assert not (tmp_path / "1.json").exists()
     assert work.dirty_frames() == []
-    assert work.to_judge(0) is None
+    assert work.annotation_to_score(0) is None
     assert work.redo(0) == "draw"
     work.save(0)
     assert opened(tmp_path).read(0) == LINE
@@ -150,7 +150,7 @@ def test_a_file_that_others_wrote_is_never_taken_away(tmp_path: Path) -> None:
     work.overwrite(1)
     for name in ("1.json", "2.json"):
         assert json.loads((tmp_path / name).read_text()) in ({}, {"Middle line": []})
-    assert work.to_judge(0) is not None
+    assert work.annotation_to_score(0) is not None
 
 
 def test_a_file_changed_meanwhile_is_not_overwritten(tmp_path: Path) -> None:
@@ -396,7 +396,7 @@ def test_somebody_elses_empty_file_is_not_removed_for_ours(
         raise error(str(path), "Input/output error")
 
     def fail(path: Path) -> None:
-        broken.setattr(pending_save, "read_if_there", unreadable)
+        broken.setattr(pending_save, "read_optional", unreadable)
         raise OSError(5, "Input/output error")
 
     with monkeypatch.context() as broken:

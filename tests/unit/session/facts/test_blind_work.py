@@ -9,10 +9,10 @@ import pytest
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.session.facts.blind_work import (
     BlindCommit,
-    BlindWork,
+    BlindStatus,
     read_commit,
     setting_of,
-    work_of,
+    blind_status,
     write_commit,
 )
 from procc_annotator.session.facts.frame_check import content_of
@@ -32,15 +32,15 @@ def test_the_points_decide() -> None:
     text = write_commit(COMMIT)
     moved = replace(LINE, points=(Point(0.1, 0.2), Point(0.3, 0.41)))
     more = FrameAnnotation((LINE, Polyline("Side line top", (Point(0.5, 0.5),))))
-    assert work_of(text, COMMITTED) is BlindWork.BLIND
-    assert work_of(text, FrameAnnotation((LINE,), unconfirmed=(moved,))) is BlindWork.BLIND
-    assert work_of(text, FrameAnnotation((moved,))) is BlindWork.EDITED
-    assert work_of(text, more) is BlindWork.EDITED
-    assert work_of(text, FrameAnnotation()) is BlindWork.EDITED
-    assert work_of(None, COMMITTED) is BlindWork.UNKNOWN
+    assert blind_status(text, COMMITTED) is BlindStatus.BLIND
+    assert blind_status(text, FrameAnnotation((LINE,), unconfirmed=(moved,))) is BlindStatus.BLIND
+    assert blind_status(text, FrameAnnotation((moved,))) is BlindStatus.EDITED
+    assert blind_status(text, more) is BlindStatus.EDITED
+    assert blind_status(text, FrameAnnotation()) is BlindStatus.EDITED
+    assert blind_status(None, COMMITTED) is BlindStatus.UNKNOWN
 
 
 @pytest.mark.parametrize("text", ["", "{", "[]", '{"author": "x"}', "null"])
 def test_of_a_damaged_commit_nothing_is_claimed(text: str) -> None:
-    assert work_of(text, COMMITTED) is BlindWork.EDITED
-    assert work_of(text, FrameAnnotation()) is BlindWork.EDITED
+    assert blind_status(text, COMMITTED) is BlindStatus.EDITED
+    assert blind_status(text, FrameAnnotation()) is BlindStatus.EDITED

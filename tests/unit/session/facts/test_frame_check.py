@@ -14,8 +14,8 @@ from procc_annotator.session.facts.frame_check import (
     check_frame,
     check_without_fit,
     content_of,
-    remember,
-    surviving,
+    store_check,
+    still_valid,
     worst_severity,
 )
 
@@ -64,12 +64,12 @@ def test_points_that_go_over_to_another_element_are_another_content() -> None:
 
 
 def test_a_finding_keeps_its_key_while_its_elements_stay_as_they_are() -> None:
-    found = remember(FRAME, [finding("Middle line")], fitted()).found[0]
+    found = store_check(FRAME, [finding("Middle line")], fitted()).found[0]
     elsewhere = FRAME.with_polyline(line("Side line top", (0.1, 0.3), (0.9, 0.2)))
-    again = remember(elsewhere, [finding("Middle line")], fitted()).found[0]
+    again = store_check(elsewhere, [finding("Middle line")], fitted()).found[0]
     assert again.key == found.key
     there = FRAME.with_polyline(line("Middle line", (0.5, 0.1), (0.6, 0.9)))
-    assert remember(there, [finding("Middle line")], fitted()).found[0].key != found.key
+    assert store_check(there, [finding("Middle line")], fitted()).found[0].key != found.key
 
 
 def test_keys_tell_rules_elements_and_points_apart() -> None:
@@ -80,14 +80,14 @@ def test_keys_tell_rules_elements_and_points_apart() -> None:
         finding("Middle line", point=0),
         finding("Middle line", point=1),
     ]
-    keys = {found.key for found in remember(FRAME, findings, fitted()).found}
+    keys = {found.key for found in store_check(FRAME, findings, fitted()).found}
     assert len(keys) == len(findings)
 
 
 def test_after_an_edit_only_findings_of_untouched_elements_are_left() -> None:
-    checked = remember(FRAME, [finding("Middle line"), finding("Side line top")], fitted())
+    checked = store_check(FRAME, [finding("Middle line"), finding("Side line top")], fitted())
     edited = FRAME.with_polyline(line("Side line top", (0.1, 0.3), (0.9, 0.2)))
-    left = surviving(checked, edited)
+    left = still_valid(checked, edited)
     assert [f.finding.elements for f in left.found] == [("Middle line",)]
     assert left.content != content_of(edited)  # nobody has checked that
 
@@ -106,7 +106,7 @@ def test_marks_stand_at_the_worst_point(
     point: int | None, distances: tuple[float, ...] | None, index: int
 ) -> None:
     fit = fitted(Middle_line=distances) if distances else fitted()
-    found = remember(FRAME, [finding("Middle line", point=point)], fit).found[0]
+    found = store_check(FRAME, [finding("Middle line", point=point)], fit).found[0]
     assert found.places == (("Middle line", index),)
 
 
@@ -114,19 +114,19 @@ def test_marks_stand_at_the_worst_point_beside_repeated_ones() -> None:
     again = FrameAnnotation(
         (line("Middle line", (0.5, 0.1), (0.5, 0.1), (0.5, 0.5), (0.5, 0.1), (0.5, 0.9)),)
     )
-    found = remember(again, [finding("Middle line")], fitted(Middle_line=(1.0, 2.0, 9.0))).found[0]
+    found = store_check(again, [finding("Middle line")], fitted(Middle_line=(1.0, 2.0, 9.0))).found[0]
     assert found.places == (("Middle line", 4),)
 
 
 def test_marks_stand_inside_the_picture_if_any_point_does() -> None:
     leaving = FrameAnnotation((line("Side line top", (0.9, 0.2), (1.1, 0.2), (1.3, 0.2)),))
     fit = fitted(Side_line_top=(1.0, 5.0, 9.0))
-    checked = remember(leaving, [finding("Side line top")], fit)
+    checked = store_check(leaving, [finding("Side line top")], fit)
     assert checked.found[0].places == (("Side line top", 0),)
 
 
 def test_elements_that_are_not_annotated_have_no_marks() -> None:
-    found = remember(FRAME, [finding("Side line top", "Circle central")], fitted()).found[0]
+    found = store_check(FRAME, [finding("Side line top", "Circle central")], fitted()).found[0]
     assert [name for name, _ in found.places] == ["Side line top"]
 
 
@@ -135,7 +135,7 @@ def test_the_surest_severity_wins() -> None:
         finding("Middle line", severity=Severity.HINT),
         finding("Side line top", severity=Severity.WARNING),
     ]
-    checked = remember(FRAME, findings, fitted())
+    checked = store_check(FRAME, findings, fitted())
     assert worst_severity(checked.found) is Severity.WARNING
     assert worst_severity(()) is None
 

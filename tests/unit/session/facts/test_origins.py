@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.session.dataset import edits
-from procc_annotator.session.facts.origins import OriginKind, count_origins, new_origins
+from procc_annotator.session.facts.origins import OriginKind, count_points_by_origin, new_origins
 
 EMPTY = FrameAnnotation()
 DRAWN = FrameAnnotation((Polyline("Middle line", (Point(0.1, 0.1), Point(0.2, 0.2))),))
@@ -39,7 +39,7 @@ def test_confirmed_points_were_copied_whatever_confirmed_them() -> None:
 def test_counts_leave_points_of_unknown_origin_to_the_file() -> None:
     known = new_origins(EMPTY, DRAWN, OriginKind.CLICKED, "ann", 5.0)
     del known[0.1, 0.1]
-    assert count_origins(DRAWN, known) == {OriginKind.CLICKED: 1, OriginKind.FILE: 1}
+    assert count_points_by_origin(DRAWN, known) == {OriginKind.CLICKED: 1, OriginKind.FILE: 1}
 
 
 def test_points_without_paint_are_told_as_such_new_or_not() -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from procc_annotator.field.model import Landmark
-from procc_annotator.fit.triangulation import Triangulated
+from procc_annotator.fit.triangulation import Triangulation
 from procc_annotator.io.landmark_file import LandmarkFile
 from procc_annotator.session.landmarks.landmark_clicks import (
     ClickedLandmark,
@@ -18,7 +18,7 @@ PLACE = (1.0, 2.0, -3.0)
 
 
 def found(name: str, instant: str | None = None) -> LocatedLandmark:
-    return LocatedLandmark(ClickedLandmark(name, instant), Triangulated(position=PLACE))
+    return LocatedLandmark(ClickedLandmark(name, instant), Triangulation(position=PLACE))
 
 
 @pytest.mark.parametrize(

@@ -15,11 +15,11 @@ from procc_annotator.camera.base import Camera
 from procc_annotator.camera.pinhole import PinholeCamera
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Stadiums
-from procc_annotator.field.stadiums import field_of_frame, with_stadiums
+from procc_annotator.field.stadiums import field_for_frame, with_stadiums
 from procc_annotator.io.landmark_file import LandmarkFile
 from procc_annotator.metric.project import project_field
 from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.landmarks.landmark_scan import PlaceOfFiles, Search, locate_in_dataset
+from procc_annotator.session.landmarks.landmark_scan import DatasetPaths, TriangulationSettings, locate_in_dataset
 from procc_annotator.session.landmarks.landmark_views import FittedViews, FrameView
 
 SIZE = (960, 540)
@@ -64,8 +64,8 @@ def located(folder: Path, rng: np.random.Generator, noise_px: float, click_px: f
         )
 
     read = {frame: partial(clicked, frame) for frame in CAMERAS}
-    search = Search(LandmarkFile(), cameras=Cameras(), size=SIZE, click_px=click_px)
-    found = locate_in_dataset(read, load_field("soccer"), PlaceOfFiles(folder, folder), search)
+    search = TriangulationSettings(LandmarkFile(), cameras=Cameras(), size=SIZE, click_px=click_px)
+    found = locate_in_dataset(read, load_field("soccer"), DatasetPaths(folder, folder), search)
     assert len(found.located) == 30
     return [one.found for one in found.located]
 
@@ -86,7 +86,7 @@ def test_the_cameras_are_fitted_to_the_dimensions_of_each_frame_s_stadium() -> N
     stadium = Stadiums({"a": "small"}, {"small": {"length": 100.0, "width": 64.0}})
     field = with_stadiums(load_field("soccer"), stadium)
     true = PinholeCamera(0.1, 1.35, 0.0, (5.0, 75.0, -18.0), (1100.0, 1100.0), (479.5, 269.5))
-    shown = project_field(true, EvaluationSetup(field_of_frame(field, "a"), SIZE, "procc"))
+    shown = project_field(true, EvaluationSetup(field_for_frame(field, "a"), SIZE, "procc"))
     lines = []
     for name, pieces in shown.pieces.items():
         piece = max(pieces, key=len)

@@ -10,10 +10,10 @@ from procc_annotator.errors import InputError
 from procc_annotator.field.load import load_field
 from procc_annotator.io.frame_names import FrameTable
 from procc_annotator.session.dataset.workspace import Workspace
-from procc_annotator.session.landmarks.dataset_landmarks import strange_rows_of
+from procc_annotator.session.landmarks.dataset_landmarks import unknown_frames_message
 from procc_annotator.session.landmarks.view_groups import (
     ViewGroups,
-    ViewOf,
+    ViewAssignment,
     load_views,
     replace_views,
     save_views,
@@ -22,9 +22,9 @@ from procc_annotator.session.landmarks.view_groups import (
 GROUPS = ViewGroups(
     FrameTable(
         {
-            "17_left": ViewOf("17", "left"),
-            "17_right": ViewOf("17", "right"),
-            "9_left": ViewOf("9", "left"),
+            "17_left": ViewAssignment("17", "left"),
+            "17_right": ViewAssignment("17", "right"),
+            "9_left": ViewAssignment("9", "left"),
         }
     )
 )
@@ -51,17 +51,17 @@ def test_views_without_a_name_may_be_any_camera(tmp_path: Path) -> None:
 def test_rows_of_frames_that_there_are_not_are_named(tmp_path: Path) -> None:
     path = tmp_path / "views.csv"
     path.write_text("frame,instant\n17_left,17\n17_rigth,17\n99,\n")
-    assert load_views(path).strange_rows(["17_left", "17_right"]) == (
+    assert load_views(path).unknown_rows(["17_left", "17_right"]) == (
         "views.csv: line 3: there is neither a picture nor an annotation of '17_rigth'; did you"
         " mean '17_right'?",
         "views.csv: line 4: there is neither a picture nor an annotation of '99'",
     )
-    assert load_views(path).strange_rows(["17_left", "17_rigth", "99"]) == ()
+    assert load_views(path).unknown_rows(["17_left", "17_rigth", "99"]) == ()
 
 
 def test_groups_are_written_as_they_are_read(tmp_path: Path) -> None:
     path = tmp_path / "views.csv"
-    strange = ViewGroups(FrameTable({**GROUPS.frames, "=1+1": ViewOf("-3", 'a "b", c')}))
+    strange = ViewGroups(FrameTable({**GROUPS.frames, "=1+1": ViewAssignment("-3", 'a "b", c')}))
     save_views(path, strange)
     assert load_views(path) == strange
     assert "\n=1" not in path.read_text()
@@ -71,7 +71,7 @@ def test_a_name_that_is_no_utf_8_does_not_keep_the_others_from_being_written(
     tmp_path: Path,
 ) -> None:
     file = tmp_path / "views.csv"
-    save_views(file, ViewGroups(FrameTable({**GROUPS.frames, "caf\udce9": ViewOf("18")})))
+    save_views(file, ViewGroups(FrameTable({**GROUPS.frames, "caf\udce9": ViewAssignment("18")})))
     assert GROUPS.frames.items() < load_views(file).frames.items()
 
 
@@ -105,8 +105,8 @@ def test_another_file_is_replaced_only_where_it_is_known(tmp_path: Path) -> None
 def test_only_so_many_strange_rows_are_told() -> None:
     lines = {"a": 2, "b": 3, "c": 4}
     groups = ViewGroups(FrameTable(), "views.csv", lines)
-    assert groups.strange_names({"b"}) == ("a", "c")
-    assert [row.split(":")[1] for row in groups.strange_rows(["b"], 1)] == [" line 2"]
+    assert groups.unknown_frames({"b"}) == ("a", "c")
+    assert [row.split(":")[1] for row in groups.unknown_rows(["b"], 1)] == [" line 2"]
 
 
 def test_frames_are_found_however_they_are_spelled(tmp_path: Path) -> None:
@@ -118,8 +118,8 @@ def test_frames_are_found_however_they_are_spelled(tmp_path: Path) -> None:
     assert groups.instant_of(there) == "7"
     assert groups.view_of(there) == "left"
     assert groups.others(there) == ("caf\u00e9/2",)
-    assert groups.strange_names([there, "cafe\u0301/img1/2"]) == ()
-    assert groups.strange_rows([there])[0].startswith("views.csv: line 3: ")
+    assert groups.unknown_frames([there, "cafe\u0301/img1/2"]) == ()
+    assert groups.unknown_rows([there])[0].startswith("views.csv: line 3: ")
 
 
 def test_annotations_of_a_tree_may_have_no_picture(tmp_path: Path) -> None:
@@ -130,5 +130,5 @@ def test_annotations_of_a_tree_may_have_no_picture(tmp_path: Path) -> None:
     rows = "game2/img1/5,7\ngame2/5,7\ngame2/6,7\n"
     (tmp_path / "views.csv").write_text(f"frame,instant\ngame1/1,7\n{rows}")
     groups = load_views(tmp_path / "views.csv")
-    said = strange_rows_of(groups, Workspace.open(tmp_path, load_field("soccer")))
+    said = unknown_frames_message(groups, Workspace.open(tmp_path, load_field("soccer")))
     assert said.startswith("views.csv: line 5: there is neither a picture nor an annotation of")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from procc_annotator.errors import UsageError
-from procc_annotator.session.landmarks.view_groups import ViewOf
+from procc_annotator.session.landmarks.view_groups import ViewAssignment
 from procc_annotator.session.landmarks.view_names import (
     groups_by_name,
     suggested_pattern,
@@ -28,7 +28,7 @@ def test_names_tell_the_groups(
     pattern: str, names: tuple[str, str], expected: tuple[str, str]
 ) -> None:
     groups = groups_by_name([*names, "another"], pattern)
-    assert groups.frames[names[0]] == ViewOf(*expected)
+    assert groups.frames[names[0]] == ViewAssignment(*expected)
     assert groups.others(names[0]) == (names[1],)
     assert "another" not in groups.frames
 

@@ -11,7 +11,7 @@ import pytest
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.camera.pinhole import PinholeCamera
-from procc_annotator.field.landmarks import titles_of_all_frames, with_landmarks
+from procc_annotator.field.landmarks import element_titles, with_landmarks
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Landmark
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
@@ -114,7 +114,7 @@ def test_points_keep_their_class_where_something_moves() -> None:
         Landmark("flag", title="The flag", position=(0.0, 0.0, -1.5)),
     )
     field = with_landmarks(FIELD, marks, None, {"with ball": "t1"})
-    titles = list(titles_of_all_frames(field).values())
+    titles = list(element_titles(field).values())
     camera = PinholeCamera(0.0, math.radians(78), 0.0, (0, 60, -14), (1400, 1400), (479.5, 269.5))
     middle = Point(0.5, 0.5)
     clicked = FrameAnnotation((Polyline("flag", (middle,)), Polyline("ball", (middle,))))

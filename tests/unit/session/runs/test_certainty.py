@@ -10,15 +10,15 @@ import pytest
 
 from procc_annotator.errors import UsageError
 from procc_annotator.field.load import load_field
-from procc_annotator.io.camera_files.fitted_on import Fitted
-from procc_annotator.metric.chance.sampling import Draws
-from procc_annotator.report.scores.chance_sheets import differences_sheet, power_sheet
-from procc_annotator.report.scores.click_sheets import clicks_sheets
-from procc_annotator.report.scores.strata_sheet import figures_sheet
+from procc_annotator.io.camera_files.fitted_on import FitCounts
+from procc_annotator.metric.chance.sampling import BootstrapSettings
+from procc_annotator.report.scores.chance_sheets import differences_table, power_table
+from procc_annotator.report.scores.click_sheets import annotation_noise_tables
+from procc_annotator.report.scores.strata_sheet import strata_metrics_table
 from procc_annotator.report.sheet.sheet import records
 from procc_annotator.session.runs.audit import TAU_GRID, Pose
-from procc_annotator.session.runs.certainty import MOST_COMPARED, Certainty, same_frames
-from procc_annotator.session.runs.click_spreads import pairs_under_clicks, spread_of
+from procc_annotator.session.runs.certainty import MAX_COMPARED, Inference, restrict_to_common_frames
+from procc_annotator.session.runs.click_spreads import pairs_under_click_noise, click_noise_spread
 from procc_annotator.session.runs.clusters import NONE, SHOT, clusters_of
 from procc_annotator.session.runs.frame_order import FrameOrder
 from procc_annotator.session.runs.frame_sums import SPARSE_TAUS, FrameSums, SourceSums
@@ -27,9 +27,9 @@ from procc_annotator.session.runs.strata import strata, values_of_frames
 
 FIELD = load_field("soccer")
 TAUS = (2.0, 5.0)
-DRAWS = Draws(2000)
+DRAWS = BootstrapSettings(2000)
 
-ANOTHER = Fitted(another=1)
+ANOTHER = FitCounts(another=1)
 
 
 def frame(name: str, jac: float | None, *, pose: Pose | None = None, elements: int = 8):
@@ -58,15 +58,15 @@ def three() -> tuple[SourceSums, ...]:
     return source("plain", jacs), source("better", better), source("alike", alike)
 
 
-def certain(sources, by=NONE, tags=None, order=None) -> Certainty:
-    return Certainty(sources, clusters_of(sources[0].names, by, tags or {}, order), DRAWS)
+def certain(sources, by=NONE, tags=None, order=None) -> Inference:
+    return Inference(sources, clusters_of(sources[0].names, by, tags or {}, order), DRAWS)
 
 
 def test_tables_of_few_clusters_say_what_they_cannot_tell(three) -> None:
     def said(clusters: int, method: str) -> str:
         tags = {f"{n:03}": f"match {n % clusters}" for n in range(60)}
         numbers = clusters_of(three[0].names, "match", tags)
-        notes = differences_sheet(Certainty(three, numbers, DRAWS, method), "").notes
+        notes = differences_table(Inference(three, numbers, DRAWS, method), "").notes
         return " ".join(notes)
 
     assert "no interval is to be relied on" in said(4, "t")
@@ -76,7 +76,7 @@ def test_tables_of_few_clusters_say_what_they_cannot_tell(three) -> None:
     for many in (said(9, "t"), said(10, "percentile")):
         assert "100 sets" not in many
         assert "no p is below" not in many
-    alone = Certainty(three[:1], clusters_of(three[0].names, NONE, {}), DRAWS)
+    alone = Inference(three[:1], clusters_of(three[0].names, NONE, {}), DRAWS)
     assert alone.cautions == ()
 
 
@@ -84,7 +84,7 @@ def test_frames_needed_are_no_fewer_than_the_test_can_tell_anything_of(three) ->
     def needed(clusters: int) -> list[dict]:
         tags = {f"{n:03}": f"match {n % clusters}" for n in range(60)}
         numbers = clusters_of(three[0].names, "match", tags)
-        return list(records(power_sheet(Certainty(three, numbers, DRAWS), "")))
+        return list(records(power_table(Inference(three, numbers, DRAWS), "")))
 
     for row in needed(10):
         assert row["frames_for_5"] >= 6 * row["frames"] / 10
@@ -96,9 +96,9 @@ def test_frames_needed_are_no_fewer_than_the_test_can_tell_anything_of(three) ->
 
 def test_a_part_of_one_cluster_is_warned_of(three) -> None:
     tags = {f"{n:03}": str(n // 10) for n in range(60)}
-    whole = Certainty(three, clusters_of(three[0].names, "match", tags), DRAWS)
+    whole = Inference(three, clusters_of(three[0].names, "match", tags), DRAWS)
     parts = strata(whole, "half", ["first" if n < 10 else "rest" for n in range(60)])
-    notes = " ".join(figures_sheet(parts, whole, "").notes)
+    notes = " ".join(strata_metrics_table(parts, whole, "").notes)
     assert "part with the fewest: of fewer than 5 clusters no interval" in notes
     assert whole.cautions == ()
 
@@ -114,7 +114,7 @@ def test_a_fit_to_the_clicks_is_never_the_best_and_takes_no_place(three) -> None
     assert found.chances_of_being_best[5.0] == [pytest.approx(1.0), None, pytest.approx(0.0)]
     assert certain((plain, fitted)).best("mean_jac", 5.0) is None  # one method alone
     assert certain((fitted,)).chances_of_being_best[5.0] == [None]
-    sheet = differences_sheet(found, "")
+    sheet = differences_table(found, "")
     methods = [{row[1], row[2]} == {"plain", "worse"} for row in sheet.rows]
     assert {row for row, _ in sheet.bold} == {row for row, those in enumerate(methods) if those}
     assert {row[1] for row in sheet.rows} == {
@@ -126,10 +126,10 @@ def test_a_fit_to_the_clicks_is_never_the_best_and_takes_no_place(three) -> None
 def test_the_error_of_fewer_points_is_not_bold(three) -> None:
     plain, better, _ = three
     flat = SourceSums("flat", TAUS, tuple(replace(f, ground_only=True) for f in better.frames))
-    columns = [c.key for c in differences_sheet(certain((plain, better)), "").columns]
+    columns = [c.key for c in differences_table(certain((plain, better)), "").columns]
     error = columns.index("mean_error_difference")
-    assert any(at == error for _, at in differences_sheet(certain((plain, better)), "").bold)
-    bold = differences_sheet(certain((plain, flat)), "").bold
+    assert any(at == error for _, at in differences_table(certain((plain, better)), "").bold)
+    bold = differences_table(certain((plain, flat)), "").bold
     assert bold
     assert not any(at == error for _, at in bold)
 
@@ -232,7 +232,7 @@ def test_the_same_seed_gives_the_same_and_sources_of_other_frames_are_refused(th
     short = SourceSums("short", TAUS, three[0].frames[:-1])
     with pytest.raises(UsageError, match="other frames"):
         certain((three[0], short))
-    assert [len(s.frames) for s in same_frames((three[0], short))] == [59, 59]
+    assert [len(s.frames) for s in restrict_to_common_frames((three[0], short))] == [59, 59]
 
 
 def test_strata_are_corrected_together_and_say_where_sources_differ() -> None:
@@ -260,12 +260,12 @@ def test_strata_are_corrected_together_and_say_where_sources_differ() -> None:
 
 def test_of_many_sources_those_that_lead_are_compared() -> None:
     rng = np.random.default_rng(3)
-    jacs = rng.uniform(0.2, 0.9, (MOST_COMPARED + 5, 12))
+    jacs = rng.uniform(0.2, 0.9, (MAX_COMPARED + 5, 12))
     sources = tuple(source(f"s{n}", own) for n, own in enumerate(jacs))
     worst = set(np.argsort(jacs.mean(axis=1))[:5].tolist())
     found = certain(sources)
     assert set(range(len(sources))) - set(found.compared) == worst
-    assert len(found.pairs) == MOST_COMPARED * (MOST_COMPARED - 1) // 2
+    assert len(found.pairs) == MAX_COMPARED * (MAX_COMPARED - 1) // 2
     ranks = found.ranks("mean_jac", 5.0)
     assert {at for at, rank in enumerate(ranks) if rank is None} == worst
     assert "Of 35 sources the 30 with the highest JaC at" in " ".join(found.cautions)
@@ -293,13 +293,13 @@ def test_strata_by_what_cameras_and_annotations_are_like() -> None:
 
 def test_what_clicks_make_of_figures_and_differences(three) -> None:
     found = certain(three)
-    spread = spread_of(found, 0)
+    spread = click_noise_spread(found, 0)
     assert spread.deviations[1] == pytest.approx(0.05 / math.sqrt(60), rel=0.2)
     assert 0 < spread.shares[1] < 0.5
-    pair = next(p for p in pairs_under_clicks(found) if (p.a, p.b) == (0, 1))
+    pair = next(p for p in pairs_under_click_noise(found) if (p.a, p.b) == (0, 1))
     # The frames' names move the points: alike for both sources.
     assert pair.spread.deviations[1] == pytest.approx(0.0, abs=1e-6)
-    assert pair.told_apart_from is not None
+    assert pair.distinguishable_from is not None
 
 
 def test_a_source_without_a_camera_has_no_final_score_and_no_difference(three) -> None:
@@ -308,7 +308,7 @@ def test_a_source_without_a_camera_has_no_final_score_and_no_difference(three) -
     nothing = np.full((taus, 5), np.nan)
     frames = tuple(FrameSums(f.frame, nothing, None) for f in plain.frames)
     found = certain((plain, SourceSums("none", TAUS, frames)))
-    assert found.sources[1].ratios("final_score").wholes.sum() == 0
+    assert found.sources[1].ratios("final_score").denominators.sum() == 0
     assert found.pairs[0].differences["final_score", 5.0].value is None
-    sheet = clicks_sheets(found, ClickNoise(1.0), "")[0]
+    sheet = annotation_noise_tables(found, ClickNoise(1.0), "")[0]
     assert [row[2] for row in sheet.rows if row[0] == "none"] == [None] * taus

@@ -19,7 +19,7 @@ from procc_annotator.metric.measure import measure
 from procc_annotator.metric.score import score
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.dataset.fit_sizes import FrameSize
-from procc_annotator.session.runs.kept_values import KeptValueError, from_text, to_text
+from procc_annotator.session.runs.kept_values import SerializationError, deserialize, serialize
 
 
 def test_a_fit_and_its_score_come_back(sample_data: Path) -> None:
@@ -30,7 +30,7 @@ def test_a_fit_and_its_score_come_back(sample_data: Path) -> None:
     setup = EvaluationSetup(field)
     scored = score(measure(annotation, fit.camera, setup), 5.0)
     size = FrameSize((960, 540))
-    again, score_again, same, size_again = from_text(to_text((fit, {5.0: scored}, fit, size)))
+    again, score_again, same, size_again = deserialize(serialize((fit, {5.0: scored}, fit, size)))
     assert again is same
     assert again.camera == fit.camera
     assert isinstance(again.camera.position_world, tuple)
@@ -67,11 +67,11 @@ def same(one: object, other: object) -> bool:
 
 @given(values)
 def test_whatever_is_plain_comes_back(value: object) -> None:
-    assert same(from_text(to_text(value)), value)
+    assert same(deserialize(serialize(value)), value)
 
 
 def test_numbers_of_arrays_keep_their_kind() -> None:
-    found = from_text(to_text([np.float32(0.1), np.arange(6).reshape(2, 3), Path("a/b")]))
+    found = deserialize(serialize([np.float32(0.1), np.arange(6).reshape(2, 3), Path("a/b")]))
     assert type(found[0]) is np.float32
     assert (found[1].dtype, found[1].shape) == (np.arange(6).dtype, (2, 3))
     assert found[2] == Path("a/b")
@@ -80,7 +80,7 @@ def test_numbers_of_arrays_keep_their_kind() -> None:
 def test_only_plain_data_is_kept() -> None:
     for value in (object(), load_field, {1, 2}, np.array(["text"], dtype=object)):
         with pytest.raises(TypeError):
-            to_text(value)
+            serialize(value)
 
 
 @pytest.mark.parametrize(
@@ -97,11 +97,11 @@ def test_only_plain_data_is_kept() -> None:
     ],
 )  # fmt: skip
 def test_a_file_of_anybodys_makes_nothing_else(text: str) -> None:
-    with pytest.raises(KeptValueError):
-        from_text(text)
+    with pytest.raises(SerializationError):
+        deserialize(text)
 
 
 def test_values_in_values_come_back() -> None:
     annotation = FrameAnnotation((Polyline("Middle line", (Point(0.1, 0.2, (("a", 1),)),)),))
-    assert from_text(to_text(annotation)) == annotation
-    assert json.loads(to_text(annotation))  # one line of JSON
+    assert deserialize(serialize(annotation)) == annotation
+    assert json.loads(serialize(annotation))  # one line of JSON

@@ -22,7 +22,7 @@ from procc_annotator.io.camera_files.soccernet_camera import write_camera
 from procc_annotator.metric.setup import EvaluationSetup
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.dataset.fitted_cameras import FittedCameras, FittedFrame
-from procc_annotator.session.runs.leaving_out import held_out_elements
+from procc_annotator.session.runs.leaving_out import leave_one_out
 from procc_annotator.session.runs.saved_fit import save_fit
 
 FIELD = load_field("soccer")
@@ -160,7 +160,7 @@ def test_what_has_no_place_on_the_field_is_not_left_out(
     unnamed = Polyline("Line unknown", (Point(0.1, 0.1), Point(0.2, 0.12)))
     setup = EvaluationSetup(FIELD, size=SIZE)
     plain, more = (
-        held_out_elements(one, pinhole, setup, "P")
+        leave_one_out(one, pinhole, setup, "P")
         for one in (few, FrameAnnotation((*few.polylines, unnamed)))
     )
     assert plain

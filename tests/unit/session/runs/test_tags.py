@@ -9,7 +9,7 @@ import pytest
 
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.load import load_field
-from procc_annotator.field.stadiums import field_of_frame
+from procc_annotator.field.stadiums import field_for_frame
 from procc_annotator.session.dataset.stadiums_file import field_with_stadiums
 from procc_annotator.session.runs.frame_order import FrameOrder
 from procc_annotator.session.runs.tags import Tags, check_by
@@ -85,7 +85,7 @@ def test_tables_know_a_frame_by_its_other_names(tmp_path: Path, told: str, asked
     assert grouping.of(asked) == ("day",)
     (tmp_path / "stadiums.csv").write_text(f"frame,stadium,length\n{told},Source,100\n")
     field = field_with_stadiums(load_field("soccer"), tmp_path)
-    assert field_of_frame(field, asked).dimension("length").value == 100.0
+    assert field_for_frame(field, asked).dimension("length").value == 100.0
     (tmp_path / "frames.csv").write_text(f"frame,shot,number\n{told},a,7\nnext,a,8\n")
     order = FrameOrder.read(tmp_path / "frames.csv")
     (shot,) = order.shots_of(["next", asked])

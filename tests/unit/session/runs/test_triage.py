@@ -23,7 +23,7 @@ from procc_annotator.session.database.database import WorkspaceDatabase
 from procc_annotator.session.database.tables import MIGRATIONS, stored
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.facts.origins import Status
-from procc_annotator.session.facts.verdict import Fault, Verdict, path_of, place_by_name, place_of
+from procc_annotator.session.facts.verdict import FaultParty, Verdict, path_of, place_by_name, place_of
 from procc_annotator.session.filter.frame_query import FrameFacts, parse_query
 from procc_annotator.session.runs.triage import (
     judge_verdict,
@@ -54,26 +54,26 @@ def opened(tmp_path: Path) -> Iterator[Open]:
 class TestDatabase:
     def test_verdicts_are_there_again(self, opened: Open) -> None:
         database = opened()
-        database.set_verdict("f1", "NBJW", Fault.CAMERA, "the roll is off")
-        database.set_verdict("f1", "CARWC", Fault.FINE)
-        database.set_verdict("f\udcff2", "NBJW", Fault.ANNOTATION)
-        database.set_verdict("f3", "NBJW", Fault.FINE)
+        database.set_verdict("f1", "NBJW", FaultParty.CAMERA, "the roll is off")
+        database.set_verdict("f1", "CARWC", FaultParty.FINE)
+        database.set_verdict("f\udcff2", "NBJW", FaultParty.ANNOTATION)
+        database.set_verdict("f3", "NBJW", FaultParty.FINE)
         database.set_verdict("f3", "NBJW", None)
         database.close()
         again = opened()
         first = again.verdicts("f1")
-        assert first[place_by_name("NBJW")].fault is Fault.CAMERA
+        assert first[place_by_name("NBJW")].fault is FaultParty.CAMERA
         assert first[place_by_name("NBJW")].comment == "the roll is off"
         assert first[place_by_name("NBJW")].author == "Anna"
-        assert first[place_by_name("CARWC")].fault is Fault.FINE
+        assert first[place_by_name("CARWC")].fault is FaultParty.FINE
         assert set(again.all_verdicts()) == {"f1", "f\udcff2"}
 
     def test_another_window_sees_them_and_that_they_are_gone(self, opened: Open) -> None:
         mine, theirs = opened(), opened()
-        mine.set_verdict("f1", "NBJW", Fault.CAMERA)
+        mine.set_verdict("f1", "NBJW", FaultParty.CAMERA)
         assert mine.flush()
         assert "f1" in theirs.reload()
-        assert theirs.verdicts("f1")[place_by_name("NBJW")].fault is Fault.CAMERA
+        assert theirs.verdicts("f1")[place_by_name("NBJW")].fault is FaultParty.CAMERA
         mine.set_verdict("f1", "NBJW", None)
         assert mine.flush()
         assert "f1" in theirs.reload()
@@ -95,9 +95,9 @@ class TestDatabase:
         assert again.notices == ()
         assert again.record("f1").status is Status.DONE
         assert [c.text for c in again.comments("f1")] == ["left goal"]
-        again.set_verdict("f1", "NBJW", Fault.ANNOTATION)
+        again.set_verdict("f1", "NBJW", FaultParty.ANNOTATION)
         again.close()
-        assert opened().verdicts("f1")[place_by_name("NBJW")].fault is Fault.ANNOTATION
+        assert opened().verdicts("f1")[place_by_name("NBJW")].fault is FaultParty.ANNOTATION
 
     def test_verdicts_by_name_of_the_version_before_go_on(
         self, tmp_path: Path, opened: Open
@@ -107,7 +107,7 @@ class TestDatabase:
         again = opened()
         assert again.notices == ()
         assert again.verdicts("f1")[place_by_name("NBJW")].source == "NBJW"
-        assert again.verdicts("f2")[place_by_name("N\udcff")].fault is Fault.FINE
+        assert again.verdicts("f2")[place_by_name("N\udcff")].fault is FaultParty.FINE
 
     def test_verdicts_of_a_damaged_file_of_the_version_before_are_saved(
         self, tmp_path: Path, opened: Open
@@ -120,7 +120,7 @@ class TestDatabase:
         damaged.close()
         again = opened()
         assert "set aside" in again.notices[0]
-        assert again.verdicts("f1")[place_by_name("NBJW")].fault is Fault.CAMERA
+        assert again.verdicts("f1")[place_by_name("NBJW")].fault is FaultParty.CAMERA
 
     @staticmethod
     def make_older(path: Path) -> None:
@@ -138,9 +138,9 @@ class TestDatabase:
 
     def test_a_new_name_goes_to_the_file_and_to_other_windows(self, opened: Open) -> None:
         mine, theirs = opened(), opened()
-        mine.set_verdict("f1", "bad", Fault.CAMERA, place=BAD)
-        mine.set_verdict("f2", "bad", Fault.FINE, place="auto:elsewhere/bad")
-        mine.set_verdict("f3", "bad", Fault.FINE, "from before")  # only the name is known
+        mine.set_verdict("f1", "bad", FaultParty.CAMERA, place=BAD)
+        mine.set_verdict("f2", "bad", FaultParty.FINE, place="auto:elsewhere/bad")
+        mine.set_verdict("f3", "bad", FaultParty.FINE, "from before")  # only the name is known
         mine.rename_source(BAD, "bad", "vendor X")
         assert mine.flush()
         theirs.reload()
@@ -153,9 +153,9 @@ class TestDatabase:
 
     def test_a_new_verdict_takes_the_place_of_one_by_name(self, opened: Open) -> None:
         database = opened()
-        database.set_verdict("f1", "bad", Fault.FINE)
-        database.set_verdict("f1", "bad", Fault.CAMERA, place=BAD)
-        assert [v.fault for v in database.verdicts("f1").values()] == [Fault.CAMERA]
+        database.set_verdict("f1", "bad", FaultParty.FINE)
+        database.set_verdict("f1", "bad", FaultParty.CAMERA, place=BAD)
+        assert [v.fault for v in database.verdicts("f1").values()] == [FaultParty.CAMERA]
 
     def test_places(self, tmp_path: Path) -> None:
         dataset = tmp_path / "set" / "images"
@@ -170,13 +170,13 @@ class TestDatabase:
 
     def test_they_are_written_into_a_file_begun_anew(self, tmp_path: Path, opened: Open) -> None:
         database = opened()
-        database.set_verdict("f1", "NBJW", Fault.CAMERA)
+        database.set_verdict("f1", "NBJW", FaultParty.CAMERA)
         assert database.flush()
         (tmp_path / ".procc" / "workspace.db").unlink()
         database.set_status("f2", Status.DONE)
         assert database.flush()
         database.close()
-        assert opened().verdicts("f1")[place_by_name("NBJW")].fault is Fault.CAMERA
+        assert opened().verdicts("f1")[place_by_name("NBJW")].fault is FaultParty.CAMERA
 
 
 class TestFilter:
@@ -304,7 +304,7 @@ class TestExport:
 
     def test_the_figures_are_those_of_the_metric(self, sample_data: Path) -> None:
         cameras = CameraSet.open(sample_data / "cameras" / "bad")
-        verdict = Verdict("00002", "bad", BAD, Fault.CAMERA, "Anna", 1_700_000_000.0, '=1+1 "x"')
+        verdict = Verdict("00002", "bad", BAD, FaultParty.CAMERA, "Anna", 1_700_000_000.0, '=1+1 "x"')
         found = judge_verdict(verdict, cameras, lambda n: self.read(sample_data, n), SETUP, 5.0)
         measured = measure(
             self.read(sample_data, "00002"), cameras.camera("00002", SETUP.size).camera, SETUP
@@ -330,14 +330,14 @@ class TestExport:
 
     def test_a_frame_annotated_as_empty_is_judged(self, sample_data: Path) -> None:
         cameras = CameraSet.open(sample_data / "cameras" / "bad")
-        verdict = Verdict("00002", "bad", BAD, Fault.CAMERA, "Anna", 0.0)
+        verdict = Verdict("00002", "bad", BAD, FaultParty.CAMERA, "Anna", 0.0)
         found = judge_verdict(verdict, cameras, lambda n: FrameAnnotation(()), SETUP, 5.0)
         assert (found.jac, found.largest_px, found.worst_element) == (0.0, None, "")
         assert found.problem == ""
 
     def test_without_figures_it_says_why(self, sample_data: Path) -> None:
         cameras = CameraSet.open(sample_data / "cameras" / "bad")
-        verdict = Verdict("00002", "bad", BAD, Fault.CAMERA, "Anna", 0.0)
+        verdict = Verdict("00002", "bad", BAD, FaultParty.CAMERA, "Anna", 0.0)
         missing = judge_verdict(verdict, None, lambda n: None, SETUP, 5.0)
         assert missing.problem == "the source cameras/bad is not loaded"
         found = judge_verdict(verdict, cameras, lambda n: None, SETUP, 5.0)

@@ -12,8 +12,8 @@ from procc_annotator.errors import UsageError
 from procc_annotator.field.appearance import DARKER
 from procc_annotator.field.landmarks import with_landmarks
 from procc_annotator.field.load import load_field
-from procc_annotator.field.model import CameraPlaces, Field, Landmark
-from procc_annotator.session.runs.unfinished import Unfinished, field_as_asked
+from procc_annotator.field.model import CameraPlacement, Field, Landmark
+from procc_annotator.session.runs.unfinished import Checkpoint, field_settings
 
 SEAT = Landmark(
     "Seat",
@@ -41,7 +41,7 @@ def darker(field: Field) -> Field:
     "change",
     [
         darker,
-        lambda field: replace(field, cameras=CameraPlaces((1, 2, 3), (1, 2, 3))),
+        lambda field: replace(field, cameras=CameraPlacement((1, 2, 3), (1, 2, 3))),
         lambda _: field_with(replace(SEAT, covariance=None), BALL),
         lambda _: field_with(SEAT, replace(BALL, position=(20.0, 0.0, 0.0))),
     ],
@@ -51,14 +51,14 @@ def test_results_of_another_field_are_not_gone_on_with(
 ) -> None:
     field = field_with(SEAT, BALL)
     file = tmp_path / ".propose.unfinished"
-    with Unfinished(file, {"field": field_as_asked(field)}, resume=False) as kept:
+    with Checkpoint(file, {"field": field_settings(field)}, resume=False) as kept:
         kept.add("0" * 64, [1.0])
-    with Unfinished(file, {"field": field_as_asked(field)}, resume=True) as kept:
+    with Checkpoint(file, {"field": field_settings(field)}, resume=True) as kept:
         assert len(kept) == 1
     with pytest.raises(UsageError, match="begun with another field"):
-        Unfinished(file, {"field": field_as_asked(change(field))}, resume=True)
+        Checkpoint(file, {"field": field_settings(change(field))}, resume=True)
 
 
 def test_what_no_fit_looks_at_keeps_no_run_from_going_on() -> None:
     noted = field_with(replace(SEAT, note="row 12", colour="#ff0000"), BALL)
-    assert field_as_asked(noted) == field_as_asked(field_with(SEAT, BALL))
+    assert field_settings(noted) == field_settings(field_with(SEAT, BALL))

@@ -8,9 +8,9 @@ import pytest
 
 from procc_annotator.annotation import Polyline, point_from_px, points_px
 from procc_annotator.field.load import load_field
-from procc_annotator.image.pixels import PixelArray, bgra
+from procc_annotator.image.pixels import PixelArray, bgra_from_bgr
 from procc_annotator.session.strokes.copying import copy_moved
-from procc_annotator.session.strokes.expected_paint import ExpectedPaint
+from procc_annotator.session.strokes.expected_paint import ExpectedLines
 
 SIZE = (960, 540)
 SHIFT = 80
@@ -23,7 +23,7 @@ def views() -> tuple[PixelArray, PixelArray]:
     small = rng.integers(0, 255, (60, 130, 3), dtype=np.uint8)
     wide = cv2.resize(small, (SIZE[0] + 200, SIZE[1]), interpolation=cv2.INTER_LINEAR)
     first, second = wide[:, : SIZE[0]], wide[:, SHIFT : SIZE[0] + SHIFT]
-    return bgra(np.ascontiguousarray(first)), bgra(np.ascontiguousarray(second))
+    return bgra_from_bgr(np.ascontiguousarray(first)), bgra_from_bgr(np.ascontiguousarray(second))
 
 
 def carried(
@@ -32,7 +32,7 @@ def carried(
     name: str = "Goal left post left ",
 ) -> np.ndarray:
     polyline = Polyline(name, tuple(point_from_px(x, y, SIZE) for x, y in points))
-    copied = copy_moved((polyline,), *views, frozenset(), ExpectedPaint(load_field(), SIZE[0]))
+    copied = copy_moved((polyline,), *views, frozenset(), ExpectedLines(load_field(), SIZE[0]))
     assert copied.moved
     (moved,) = copied.polylines
     return points_px(moved, SIZE)
@@ -83,7 +83,7 @@ def drawn_arc(shift: int, *players: tuple[int, int]) -> PixelArray:
     for x, y in players:
         cv2.rectangle(scene, (x - 9, y - 26), (x + 9, y + 26), (180, 30, 30), -1)
         cv2.line(scene, (x - 4, y - 26), (x + 6, y + 26), (240, 240, 240), 4)
-    return bgra(np.ascontiguousarray(scene[:, shift : SIZE[0] + shift]))
+    return bgra_from_bgr(np.ascontiguousarray(scene[:, shift : SIZE[0] + shift]))
 
 
 def test_a_bend_behind_a_player_stays_and_is_told() -> None:
@@ -91,7 +91,7 @@ def test_a_bend_behind_a_player_stays_and_is_told() -> None:
     polyline = Polyline("Circle right", tuple(point_from_px(*p, SIZE) for p in ARC.tolist()))
     field, views = load_field(), [drawn_arc(0), drawn_arc(40, (x, y))]
     copied = copy_moved(
-        (polyline,), *views, frozenset({"Circle right"}), ExpectedPaint(field, SIZE[0])
+        (polyline,), *views, frozenset({"Circle right"}), ExpectedLines(field, SIZE[0])
     )
     (moved,) = copied.polylines
     points = points_px(moved, SIZE)

@@ -16,7 +16,7 @@ from procc_annotator.camera.base import Camera
 from procc_annotator.field.load import load_field
 from procc_annotator.fit.fitting import fit_camera
 from procc_annotator.fit.predict.ghosts import Ghost, GhostPiece, find_ghosts
-from procc_annotator.fit.predict.sight import stretches_in_sight
+from procc_annotator.fit.predict.sight import visible_stretches
 from procc_annotator.image.decode import PixelArray, decode_bgra
 from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 from procc_annotator.session.dataset.camera_set import CameraSet
@@ -47,7 +47,7 @@ def _dense(course: np.ndarray) -> np.ndarray:
 
 def exact_courses(camera: Camera, size: tuple[int, int] = SIZE) -> dict[str, list[np.ndarray]]:
     found: dict[str, list[np.ndarray]] = {}
-    for stretch in stretches_in_sight(FIELD, camera, size):
+    for stretch in visible_stretches(FIELD, camera, size):
         found.setdefault(stretch.name, []).append(stretch.points_px)
     return found
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from procc_annotator.image.decode import PixelArray
-from procc_annotator.image.strip import straighten
+from procc_annotator.image.strip import straighten_curve
 from procc_annotator.session.strokes.line_runs import BESIDE_PX, runs_seen
 
 SIZE = (400, 120)
@@ -47,7 +47,7 @@ def picture(ground: tuple[int, ...], paint: tuple[int, ...], below: tuple[int, .
     ids=["black on wood", "red on ice", "white on grass"],
 )
 def test_a_line_of_any_colour_is_seen_but_where_it_is_hidden(ground, paint) -> None:
-    strip = straighten(picture(ground, paint, ground), COURSE, ACROSS, BESIDE_PX)
+    strip = straighten_curve(picture(ground, paint, ground), COURSE, ACROSS, BESIDE_PX)
     runs = runs_seen(strip, HITS, on_ground=True)
     assert len(runs) == 2
     assert runs[0] == pytest.approx((0, HIDDEN[0] - BEGIN), abs=4)
@@ -55,7 +55,7 @@ def test_a_line_of_any_colour_is_seen_but_where_it_is_hidden(ground, paint) -> N
 
 
 def test_the_edge_of_an_area_is_seen_but_where_it_is_hidden() -> None:
-    strip = straighten(picture(ICE, RED, (90, 190, 210)), COURSE, ACROSS, BESIDE_PX)
+    strip = straighten_curve(picture(ICE, RED, (90, 190, 210)), COURSE, ACROSS, BESIDE_PX)
     runs = runs_seen(strip, HITS, on_ground=True, edge=True)
     assert len(runs) == 2
     assert runs[0][1] == pytest.approx(HIDDEN[0] - BEGIN, abs=4)
@@ -63,5 +63,5 @@ def test_the_edge_of_an_area_is_seen_but_where_it_is_hidden() -> None:
 
 
 def test_bare_ground_shows_no_line() -> None:
-    strip = straighten(picture(WOOD, WOOD, WOOD), COURSE, ACROSS, BESIDE_PX)
+    strip = straighten_curve(picture(WOOD, WOOD, WOOD), COURSE, ACROSS, BESIDE_PX)
     assert runs_seen(strip, HITS, on_ground=True) == ()

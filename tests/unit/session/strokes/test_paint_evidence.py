@@ -8,8 +8,8 @@ import pytest
 
 from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px
 from procc_annotator.field.load import load_field
-from procc_annotator.fit.labels.seen_paint import Paint
-from procc_annotator.session.strokes.paint_evidence import paint_by_class, paint_evidence
+from procc_annotator.fit.labels.seen_paint import LinePresence
+from procc_annotator.session.strokes.paint_evidence import line_evidence_by_class, line_evidence
 
 FIELD = load_field("soccer")
 SIZE = (960, 540)
@@ -39,37 +39,37 @@ def clicked(*places: tuple[float, float], name: str = LINE) -> FrameAnnotation:
 
 
 def test_a_hidden_stretch_is_told_from_paint(picture) -> None:
-    seen = paint_by_class(clicked((100, 100), (500, 115), (900, 130)), picture, FIELD)[LINE]
+    seen = line_evidence_by_class(clicked((100, 100), (500, 115), (900, 130)), picture, FIELD)[LINE]
     hidden = (seen.places_px[:, 0] > 410) & (seen.places_px[:, 0] < 590)
-    assert (seen.paint[hidden] == Paint.NONE).all()
+    assert (seen.paint[hidden] == LinePresence.NONE).all()
     clear = (seen.places_px[:, 0] < 385) | (seen.places_px[:, 0] > 615)
-    assert (seen.paint[clear] == Paint.UNDER).mean() > 0.9
-    assert seen.share_without == pytest.approx(0.25, abs=0.07)
-    assert seen.longest_without_px == pytest.approx(200, abs=60)
+    assert (seen.paint[clear] == LinePresence.UNDER).mean() > 0.9
+    assert seen.missing_share == pytest.approx(0.25, abs=0.07)
+    assert seen.longest_gap_px == pytest.approx(200, abs=60)
 
 
 def test_bent_paint_lies_to_one_side(picture) -> None:
-    seen = paint_by_class(clicked((100, 300), (900, 300)), picture, FIELD)[LINE]
-    assert set(seen.paint.tolist()) == {Paint.UNDER, Paint.RIGHT}
-    back = paint_by_class(clicked((900, 300), (100, 300)), picture, FIELD)[LINE]
-    assert set(back.paint.tolist()) == {Paint.UNDER, Paint.LEFT}
+    seen = line_evidence_by_class(clicked((100, 300), (900, 300)), picture, FIELD)[LINE]
+    assert set(seen.paint.tolist()) == {LinePresence.UNDER, LinePresence.RIGHT}
+    back = line_evidence_by_class(clicked((900, 300), (100, 300)), picture, FIELD)[LINE]
+    assert set(back.paint.tolist()) == {LinePresence.UNDER, LinePresence.LEFT}
     assert np.nanmax(seen.steady) == pytest.approx(5.0, abs=0.5)
 
 
 def test_bare_grass_has_none_and_ends_are_looked_at_beyond(picture) -> None:
-    bare = paint_by_class(clicked((100, 450), (900, 470)), picture, FIELD)[LINE]
-    assert bare.share_without > 0.9
-    short = paint_by_class(clicked((140, 101.5), (370, 110.1)), picture, FIELD)[LINE]
+    bare = line_evidence_by_class(clicked((100, 450), (900, 470)), picture, FIELD)[LINE]
+    assert bare.missing_share > 0.9
+    short = line_evidence_by_class(clicked((140, 101.5), (370, 110.1)), picture, FIELD)[LINE]
     assert not short.ends_at(0, 30.0)  # it goes on to 100
-    whole = paint_by_class(clicked((102, 100.1), (370, 110.1)), picture, FIELD)[LINE]
+    whole = line_evidence_by_class(clicked((102, 100.1), (370, 110.1)), picture, FIELD)[LINE]
     assert whole.ends_at(0, 30.0)
 
 
 def test_what_did_not_change_is_not_looked_at_again(picture, monkeypatch) -> None:
     first = clicked((100, 100), (900, 130))
-    known = paint_evidence(first, picture, FIELD)
+    known = line_evidence(first, picture, FIELD)
     both = FrameAnnotation((*first.polylines, *clicked((100, 300), (900, 300), name="Middle line")))
-    again = paint_evidence(both, picture, FIELD, known)
+    again = line_evidence(both, picture, FIELD, known)
     assert again[first.polylines[0]] is known[first.polylines[0]]
     assert len(again) == 2
 
@@ -82,4 +82,4 @@ def test_spots_unknown_classes_and_single_clicks_are_left_out(picture) -> None:
         (LINE, ((200, 200), (200, 200))),
         (LINE, ((-500, 200), (-300, 200))),
     ):
-        assert paint_evidence(clicked(*places, name=name), picture, FIELD) == {}
+        assert line_evidence(clicked(*places, name=name), picture, FIELD) == {}

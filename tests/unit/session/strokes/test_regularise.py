@@ -11,9 +11,9 @@ import pytest
 
 from procc_annotator.annotation import Point, Polyline, point_from_px, points_px
 from procc_annotator.field.load import load_field
-from procc_annotator.field.sample import sample_every
+from procc_annotator.field.sample import sample_evenly
 from procc_annotator.image.decode import PixelArray, decode_bgra
-from procc_annotator.image.paint import snap_all
+from procc_annotator.image.paint import snap_points_to_lines
 from procc_annotator.session.dataset.camera_set import CameraSet
 from procc_annotator.session.strokes.regularise import MOST_MOVED_PX, Snap, regularise
 
@@ -53,7 +53,7 @@ def test_two_clicks_follow_a_bent_line() -> None:
         polyline("Middle line", clicked),
         curved=False,
         size=SIZE,
-        snap=partial(snap_all, pitch(BENT)),
+        snap=partial(snap_points_to_lines, pitch(BENT)),
     ).polyline
     points = points_px(found, SIZE)
     assert len(points) > 8
@@ -66,7 +66,7 @@ def test_two_clicks_follow_a_bent_line() -> None:
 def test_the_direction_of_the_clicks_is_kept() -> None:
     backwards = polyline("Middle line", BENT[[-1, 0]])
     found = regularise(
-        backwards, curved=False, size=SIZE, snap=partial(snap_all, pitch(BENT))
+        backwards, curved=False, size=SIZE, snap=partial(snap_points_to_lines, pitch(BENT))
     ).polyline
     assert (np.diff(points_px(found, SIZE)[:, 0]) < 0).all()
 
@@ -81,7 +81,7 @@ def test_five_clicks_make_an_arc(shuffled: bool) -> None:
         polyline("Circle central", clicked),
         curved=True,
         size=SIZE,
-        snap=partial(snap_all, pitch(arc)),
+        snap=partial(snap_points_to_lines, pitch(arc)),
     )
     # A click farther off than the program may move it is the hand's own, and stays.
     own = points_px(Polyline("Circle central", found.unconfirmed), SIZE)
@@ -110,7 +110,7 @@ def test_a_whole_circle_closes() -> None:
         polyline("Circle central", clicked),
         curved=True,
         size=SIZE,
-        snap=partial(snap_all, pitch(CIRCLE)),
+        snap=partial(snap_points_to_lines, pitch(CIRCLE)),
     ).polyline
     points = points_px(found, SIZE)
     assert np.hypot(*(points[0] - points[-1])) < 2.0
@@ -125,7 +125,7 @@ def test_hidden_stretches_get_no_points() -> None:
         polyline("Middle line", BENT[[0, -1]]),
         curved=False,
         size=SIZE,
-        snap=partial(snap_all, picture),
+        snap=partial(snap_points_to_lines, picture),
     ).polyline
     points = points_px(found, SIZE)
     assert not ((points[:, 0] > 404) & (points[:, 0] < 556)).any()
@@ -139,14 +139,14 @@ def test_a_neighbouring_line_does_not_catch_points() -> None:
         polyline("Middle line", BENT[[0, -1]]),
         curved=False,
         size=SIZE,
-        snap=partial(snap_all, pitch(BENT, crossing)),
+        snap=partial(snap_points_to_lines, pitch(BENT, crossing)),
     ).polyline
     assert away(points_px(found, SIZE), BENT).max() < 1.5
 
 
 def test_without_a_line_the_clicks_stay() -> None:
     plain = polyline("Middle line", BENT[[0, -1]])
-    grass = partial(snap_all, pitch())
+    grass = partial(snap_points_to_lines, pitch())
     assert regularise(plain, curved=False, size=SIZE, snap=grass).polyline == plain
     single = polyline("Middle line", BENT[:1])
     assert regularise(single, curved=False, size=SIZE, snap=grass).polyline == single
@@ -159,14 +159,14 @@ def test_what_a_file_says_about_the_ends_is_kept() -> None:
         Polyline("Middle line", (first, last)),
         curved=False,
         size=SIZE,
-        snap=partial(snap_all, pitch(BENT)),
+        snap=partial(snap_points_to_lines, pitch(BENT)),
     ).polyline
     assert found.points[0].extra == first.extra
 
 
 def test_on_drawn_frames_it_lies_on_the_exact_geometry(sample_data: Path) -> None:
     cameras = CameraSet.open(sample_data / "cameras" / "true", camera_size=(960, 540))
-    samples = sample_every(FIELD, 0.01)
+    samples = sample_evenly(FIELD, 0.01)
     rng = np.random.default_rng(4)
     errors: dict[bool, list[float]] = {True: [], False: []}
     for name in sorted(cameras.frames)[::4]:
@@ -191,7 +191,7 @@ def test_on_drawn_frames_it_lies_on_the_exact_geometry(sample_data: Path) -> Non
                 drawn,
                 curved=not element.is_straight,
                 size=size,
-                snap=partial(snap_all, picture),
+                snap=partial(snap_points_to_lines, picture),
             )
             assert set(found.unconfirmed) <= set(drawn.points)
             if found.polyline != drawn:
@@ -212,19 +212,19 @@ def test_no_click_is_lost_where_the_bend_is_hidden() -> None:
     picture[:, :330] = (*GRASS, 255)
     clicked = arc[[0, 900, 1800, 2500, 3000, 3500, -1]]
     drawn = polyline("Circle central", clicked)
-    found = regularise(drawn, curved=True, size=SIZE, snap=partial(snap_all, picture))
+    found = regularise(drawn, curved=True, size=SIZE, snap=partial(snap_points_to_lines, picture))
     hidden = {p for p, x in zip(drawn.points, clicked[:, 0], strict=True) if x < 320}
     assert len(hidden) >= 3
     assert hidden <= set(found.unconfirmed) <= set(found.polyline.points)
     assert len(found.polyline.points) > len(clicked)
-    again = regularise(found.polyline, curved=True, size=SIZE, snap=partial(snap_all, picture))
+    again = regularise(found.polyline, curved=True, size=SIZE, snap=partial(snap_points_to_lines, picture))
     assert again.polyline == found.polyline
     assert set(again.unconfirmed) == set(found.unconfirmed)
 
 
 def test_a_line_beside_the_clicks_does_not_draw_them_to_itself() -> None:
     beside = polyline("Middle line", BENT[[0, 1000, 2000, 3000, -1]] + [0, 4.0])
-    found = regularise(beside, curved=False, size=SIZE, snap=partial(snap_all, pitch(BENT)))
+    found = regularise(beside, curved=False, size=SIZE, snap=partial(snap_points_to_lines, pitch(BENT)))
     assert found.polyline == beside
     assert found.unconfirmed == beside.points
 
@@ -245,7 +245,7 @@ def test_what_was_regularised_stays(drawing: int) -> None:
     rng = np.random.default_rng(drawing)
     rows = np.sort(rng.integers(0, len(CIRCLE), 8))
     clicked = CIRCLE[rows] + rng.normal(0, 1.0, (8, 2))
-    snap = partial(snap_all, covered(CIRCLE, *rng.integers(0, len(CIRCLE), 3)))
+    snap = partial(snap_points_to_lines, covered(CIRCLE, *rng.integers(0, len(CIRCLE), 3)))
     drawn = polyline("Circle central", clicked)
     once = regularise(drawn, curved=True, size=SIZE, snap=snap).polyline
     assert regularise(once, curved=True, size=SIZE, snap=snap).polyline == once
@@ -256,7 +256,7 @@ def test_what_was_regularised_stays(drawing: int) -> None:
 
 
 def test_what_was_thinned_out_is_regularised_again() -> None:
-    snap = partial(snap_all, pitch(BENT))
+    snap = partial(snap_points_to_lines, pitch(BENT))
     drawn = polyline("Middle line", BENT[[0, -1]])
     once = regularise(drawn, curved=False, size=SIZE, snap=snap).polyline
     thin = Polyline("Middle line", (once.points[0], once.points[5], once.points[-1]))

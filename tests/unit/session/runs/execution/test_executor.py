@@ -20,7 +20,7 @@ from procc_annotator.errors import CameraError, ProccError, UsageError
 from procc_annotator.session.runs.execution import executor as executors
 from procc_annotator.session.runs.execution.executor import InProcess, make_executor
 from procc_annotator.session.runs.execution.process_pool import ProcessPool
-from procc_annotator.session.runs.execution.worker_tasks import KEPT_TASKS
+from procc_annotator.session.runs.execution.worker_tasks import MAX_CACHED_TASKS
 
 HERE = Path(__file__).parent
 
@@ -92,7 +92,7 @@ def test_a_worker_keeps_its_copy_of_the_task_and_closes_it(tasks, tmp_path) -> N
         assert calls == 20
         list(one.map(tasks.with_pid, range(2)))
         assert list(tmp_path.iterdir()) == []
-        for _ in range(KEPT_TASKS):
+        for _ in range(MAX_CACHED_TASKS):
             list(one.map(tasks.with_pid, range(2)))
     assert [path.name.partition("-")[0] for path in tmp_path.iterdir()] == [str(pid)]
 
