@@ -22,17 +22,17 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from procc_annotator.annotation import points_px
+from procc_annotator.dataset.camera_set import CameraSet
+from procc_annotator.dataset.records import Status
 from procc_annotator.gui.app import application, build_window
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.theme import is_dark, wear
-from procc_annotator.session.dataset.camera_set import CameraSet
-from procc_annotator.session.facts.origins import Status
 
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT))
 
 from tests.drawn_shots import cut_shot  # noqa: E402
-from tests.unit.interact.test_palette import SEEN_BY  # noqa: E402
+from tests.unit.interaction.test_palette import SEEN_BY  # noqa: E402
 
 PICTURES = ROOT / "docs" / "pictures"
 SIZE = (1440, 810)

@@ -41,7 +41,7 @@ _NOT_OF_WINDOW = tuple(
         "gui/picture/comparison_panel.py",
         "gui/picture/comparison_picture.py",
         "gui/picture/overlay_picture.py",
-        "interact/legend.py",
+        "interaction/legend.py",
     )
 )
 

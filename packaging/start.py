@@ -4,8 +4,7 @@ import multiprocessing
 import sys
 from pathlib import Path
 
-from procc_annotator.cli.main import run
-from procc_annotator.cli.window_script import run_window
+from procc_annotator.cli.main import run, run_window
 
 if __name__ == "__main__":
     multiprocessing.freeze_support()  # worker processes are this program, started once more

@@ -16,34 +16,40 @@ if TYPE_CHECKING:  # for type checkers; each name comes from where `_HOMES` says
     from procc_annotator.annotation import FrameAnnotation as FrameAnnotation
     from procc_annotator.annotation import Point as Point
     from procc_annotator.annotation import Polyline as Polyline
-    from procc_annotator.api.calibrating import fit_camera as fit_camera
-    from procc_annotator.api.calibrating import propose_camera as propose_camera
-    from procc_annotator.api.calibrating import track as track
+    from procc_annotator.api.calibration import fit_camera as fit_camera
+    from procc_annotator.api.calibration import propose_camera as propose_camera
+    from procc_annotator.api.calibration import track as track
     from procc_annotator.api.cameras import camera_from_function as camera_from_function
     from procc_annotator.api.cameras import camera_from_homography as camera_from_homography
     from procc_annotator.api.cameras import camera_from_krt as camera_from_krt
     from procc_annotator.api.cameras import camera_from_projection as camera_from_projection
-    from procc_annotator.api.checking import check_labels as check_labels
+    from procc_annotator.api.cameras import save_camera as save_camera
     from procc_annotator.api.drawing import draw_overlay as draw_overlay
-    from procc_annotator.api.judging import disagreement as disagreement
-    from procc_annotator.api.judging import evaluate as evaluate
-    from procc_annotator.api.judging import jac_curve as jac_curve
-    from procc_annotator.api.judging import project_field as project_field
-    from procc_annotator.api.judging_sets import evaluate_set as evaluate_set
-    from procc_annotator.api.reading import Dataset as Dataset
-    from procc_annotator.api.reading import load_annotation as load_annotation
-    from procc_annotator.api.reading import load_annotations as load_annotations
-    from procc_annotator.api.reading import load_camera as load_camera
-    from procc_annotator.api.reading import load_cameras as load_cameras
-    from procc_annotator.api.reading import load_dataset as load_dataset
-    from procc_annotator.api.saving import save_camera as save_camera
-    from procc_annotator.api.set_score import SetScore as SetScore
+    from procc_annotator.api.evaluation import disagreement as disagreement
+    from procc_annotator.api.evaluation import evaluate as evaluate
+    from procc_annotator.api.evaluation import jac_curve as jac_curve
+    from procc_annotator.api.evaluation import project_field as project_field
+    from procc_annotator.api.label_check import check_labels as check_labels
+    from procc_annotator.api.loading import Dataset as Dataset
+    from procc_annotator.api.loading import load_annotation as load_annotation
+    from procc_annotator.api.loading import load_annotations as load_annotations
+    from procc_annotator.api.loading import load_camera as load_camera
+    from procc_annotator.api.loading import load_cameras as load_cameras
+    from procc_annotator.api.loading import load_dataset as load_dataset
+    from procc_annotator.api.set_evaluation import SetScore as SetScore
+    from procc_annotator.api.set_evaluation import evaluate_set as evaluate_set
+    from procc_annotator.calibration.label_check.finding import Finding as Finding
+    from procc_annotator.calibration.result import FitResult as FitResult
+    from procc_annotator.calibration.single_image.proposal import KnownPosition as KnownPosition
+    from procc_annotator.calibration.single_image.proposal import Proposal as Proposal
+    from procc_annotator.calibration.tracking.track import Track as Track
+    from procc_annotator.calibration.tracking.track import TrackedFrame as TrackedFrame
     from procc_annotator.camera.base import Camera as Camera
-    from procc_annotator.camera.fisheye import FisheyeCamera as FisheyeCamera
-    from procc_annotator.camera.homography import HomographyCamera as HomographyCamera
-    from procc_annotator.camera.matrix_camera import MatrixCamera as MatrixCamera
-    from procc_annotator.camera.pinhole import PinholeCamera as PinholeCamera
-    from procc_annotator.camera.projections import ElementProjections as ElementProjections
+    from procc_annotator.camera.base import ElementProjections as ElementProjections
+    from procc_annotator.camera.models import FisheyeCamera as FisheyeCamera
+    from procc_annotator.camera.models import HomographyCamera as HomographyCamera
+    from procc_annotator.camera.models import MatrixCamera as MatrixCamera
+    from procc_annotator.camera.models import PinholeCamera as PinholeCamera
     from procc_annotator.errors import AnnotationError as AnnotationError
     from procc_annotator.errors import CameraError as CameraError
     from procc_annotator.errors import FieldError as FieldError
@@ -56,37 +62,44 @@ if TYPE_CHECKING:  # for type checkers; each name comes from where `_HOMES` says
     from procc_annotator.field.load import load_field as load_field
     from procc_annotator.field.model import Element as Element
     from procc_annotator.field.model import Field as Field
-    from procc_annotator.fit.from_picture.proposal import KnownPosition as KnownPosition
-    from procc_annotator.fit.from_picture.proposal import Proposal as Proposal
-    from procc_annotator.fit.labels.finding import Finding as Finding
-    from procc_annotator.fit.result import FitResult as FitResult
-    from procc_annotator.fit.through_shot.track import Track as Track
-    from procc_annotator.fit.through_shot.track import TrackedFrame as TrackedFrame
-    from procc_annotator.io.camera_files.loaded_camera import LoadedCamera as LoadedCamera
-    from procc_annotator.metric.chance.intervals import Interval as Interval
-    from procc_annotator.metric.chance.paired import PairedDifference as PairedDifference
-    from procc_annotator.metric.chance.paired import corrected_for as corrected_for
-    from procc_annotator.metric.disagreement import Disagreement as Disagreement
-    from procc_annotator.metric.score import ElementScore as ElementScore
-    from procc_annotator.metric.score import FrameScore as FrameScore
-    from procc_annotator.metric.sets import ClassSummary as ClassSummary
-    from procc_annotator.metric.sets import SetSummary as SetSummary
+    from procc_annotator.formats.cameras.loaded_camera import LoadedCamera as LoadedCamera
+    from procc_annotator.metrics.error_maps import Disagreement as Disagreement
+    from procc_annotator.metrics.score import ElementScore as ElementScore
+    from procc_annotator.metrics.score import FrameScore as FrameScore
+    from procc_annotator.metrics.sets import ClassSummary as ClassSummary
+    from procc_annotator.metrics.sets import SetSummary as SetSummary
+    from procc_annotator.metrics.statistics.intervals import Interval as Interval
+    from procc_annotator.metrics.statistics.significance import PairedDifference as PairedDifference
+    from procc_annotator.metrics.statistics.significance import corrected_for as corrected_for
 
 # Everything that is public, by the module it lies in.
 _HOMES = {
-    "annotation": ("FrameAnnotation", "Point", "Polyline"),
-    "api.calibrating": ("fit_camera", "propose_camera", "track"),
+    "annotation": (
+        "FrameAnnotation",
+        "Point",
+        "Polyline",
+    ),
+    "api.calibration": (
+        "fit_camera",
+        "propose_camera",
+        "track",
+    ),
     "api.cameras": (
         "camera_from_function",
         "camera_from_homography",
         "camera_from_krt",
         "camera_from_projection",
+        "save_camera",
     ),
-    "api.checking": ("check_labels",),
     "api.drawing": ("draw_overlay",),
-    "api.judging": ("disagreement", "evaluate", "jac_curve", "project_field"),
-    "api.judging_sets": ("evaluate_set",),
-    "api.reading": (
+    "api.evaluation": (
+        "disagreement",
+        "evaluate",
+        "jac_curve",
+        "project_field",
+    ),
+    "api.label_check": ("check_labels",),
+    "api.loading": (
         "Dataset",
         "load_annotation",
         "load_annotations",
@@ -94,14 +107,30 @@ _HOMES = {
         "load_cameras",
         "load_dataset",
     ),
-    "api.saving": ("save_camera",),
-    "api.set_score": ("SetScore",),
-    "camera.base": ("Camera",),
-    "camera.fisheye": ("FisheyeCamera",),
-    "camera.homography": ("HomographyCamera",),
-    "camera.matrix_camera": ("MatrixCamera",),
-    "camera.pinhole": ("PinholeCamera",),
-    "camera.projections": ("ElementProjections",),
+    "api.set_evaluation": (
+        "SetScore",
+        "evaluate_set",
+    ),
+    "calibration.label_check.finding": ("Finding",),
+    "calibration.result": ("FitResult",),
+    "calibration.single_image.proposal": (
+        "KnownPosition",
+        "Proposal",
+    ),
+    "calibration.tracking.track": (
+        "Track",
+        "TrackedFrame",
+    ),
+    "camera.base": (
+        "Camera",
+        "ElementProjections",
+    ),
+    "camera.models": (
+        "FisheyeCamera",
+        "HomographyCamera",
+        "MatrixCamera",
+        "PinholeCamera",
+    ),
     "errors": (
         "AnnotationError",
         "CameraError",
@@ -112,18 +141,29 @@ _HOMES = {
         "SaveError",
         "UsageError",
     ),
-    "field.load": ("field_names", "load_field"),
-    "field.model": ("Element", "Field"),
-    "fit.from_picture.proposal": ("KnownPosition", "Proposal"),
-    "fit.labels.finding": ("Finding",),
-    "fit.result": ("FitResult",),
-    "fit.through_shot.track": ("Track", "TrackedFrame"),
-    "io.camera_files.loaded_camera": ("LoadedCamera",),
-    "metric.chance.intervals": ("Interval",),
-    "metric.chance.paired": ("PairedDifference", "corrected_for"),
-    "metric.disagreement": ("Disagreement",),
-    "metric.score": ("ElementScore", "FrameScore"),
-    "metric.sets": ("ClassSummary", "SetSummary"),
+    "field.load": (
+        "field_names",
+        "load_field",
+    ),
+    "field.model": (
+        "Element",
+        "Field",
+    ),
+    "formats.cameras.loaded_camera": ("LoadedCamera",),
+    "metrics.error_maps": ("Disagreement",),
+    "metrics.score": (
+        "ElementScore",
+        "FrameScore",
+    ),
+    "metrics.sets": (
+        "ClassSummary",
+        "SetSummary",
+    ),
+    "metrics.statistics.intervals": ("Interval",),
+    "metrics.statistics.significance": (
+        "PairedDifference",
+        "corrected_for",
+    ),
 }
 _HOME_OF = {name: module for module, names in _HOMES.items() for name in names}
 __all__ = ["__version__", *sorted(_HOME_OF)]

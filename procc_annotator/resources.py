@@ -1,7 +1,9 @@
-"""Find the data the package ships: ``resources/`` in a checkout, ``_resources`` inside a wheel."""
+"""Locate bundled resources and the user's data folder."""
 
 from __future__ import annotations
 
+import os
+import sys
 from pathlib import Path
 
 _PACKAGE = Path(__file__).resolve().parent
@@ -17,3 +19,19 @@ def resources_dir() -> Path:
         if (folder / "field").is_dir():
             return folder
     raise FileNotFoundError("the package's resources are missing: reinstall procc-annotator")
+
+
+def data_folder() -> Path | None:
+    """Where programs keep what is theirs and the user's (on Linux as the XDG base directories say).
+
+    Returns:
+        None when the user has no home.
+    """
+    if sys.platform == "win32":
+        named, usual = os.environ.get("LOCALAPPDATA", ""), "~/AppData/Local"
+    elif sys.platform == "darwin":
+        named, usual = "", "~/Library/Application Support"
+    else:
+        named, usual = os.environ.get("XDG_DATA_HOME", ""), "~/.local/share"
+    folder = named if os.path.isabs(named) else os.path.expanduser(usual)
+    return Path(folder) if os.path.isabs(folder) else None

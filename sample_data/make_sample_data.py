@@ -25,9 +25,9 @@ from drawing.solids import draw_things  # noqa: E402
 from drawing.sport import Sport  # noqa: E402
 from drawing.sports import SPORTS  # noqa: E402
 from drawing.views import EVALUATION_SIZE, PICTURE_SIZE, View  # noqa: E402
-from procc_annotator.camera.pinhole import PinholeCamera  # noqa: E402
+from procc_annotator.camera.models import PinholeCamera  # noqa: E402
 from procc_annotator.field.load import default_field_name  # noqa: E402
-from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation  # noqa: E402
+from procc_annotator.formats.annotations.soccernet import write_annotation  # noqa: E402
 
 SUPERSAMPLING = 2
 GOLDEN = HERE.parent / "tests" / "unit" / "golden_sample_scores.json"
@@ -92,11 +92,11 @@ def write_data(sport: Sport, view: View, folder: Path) -> None:
 
 def scores(sport: Sport, sample: Path = HERE) -> dict[str, dict[str, dict[str, float]]]:
     """Mean JaC of each camera set of a sport: set -> protocol -> tau -> JaC."""
-    from procc_annotator.metric.measure import measure
-    from procc_annotator.metric.score import score
-    from procc_annotator.metric.setup import PROTOCOLS, EvaluationSetup
-    from procc_annotator.session.dataset.camera_set import CameraSet
-    from procc_annotator.session.dataset.workspace import Workspace
+    from procc_annotator.dataset.camera_set import CameraSet
+    from procc_annotator.dataset.workspace import Workspace
+    from procc_annotator.metrics.measurement import measure
+    from procc_annotator.metrics.score import score
+    from procc_annotator.metrics.setup import PROTOCOLS, EvaluationSetup
 
     folder = sample / sport.folder
     workspace = Workspace.open(folder, sport.field)

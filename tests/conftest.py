@@ -29,7 +29,7 @@ import procc_annotator.gui  # noqa: F401  (before pytest-qt: or the source of al
 
 if TYPE_CHECKING:
     from procc_annotator.annotation import FrameAnnotation
-    from procc_annotator.fit.labels.finding import Finding
+    from procc_annotator.calibration.label_check.finding import Finding
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
@@ -50,13 +50,13 @@ ROOT = Path(__file__).resolve().parent.parent
 # One long test alone at the end would be waited for: these begin first, the many short files last.
 # So does what takes much memory for a moment, and would take it on top of what was loaded before.
 LONG = (
-    "tests/unit/io/test_kill.py",  # forks, which takes ten times as long in a process grown large
+    "tests/unit/formats/test_kill.py",  # forks: slow in a large process
     "tests/unit/image/test_decode.py",
-    "tests/unit/io/test_matlab_file.py",
+    "tests/unit/formats/test_matlab_file.py",
     "tests/test_sample_data.py",
     "tests/fuzz/test_fuzz_containers.py",
     "tests/gui/test_random_use.py",
-    "tests/unit/fit/together/test_stadium.py",
+    "tests/unit/calibration/joint/test_stadium.py",
     "tests/data/",
     "tests/cli/test_track.py",
 )
@@ -204,7 +204,9 @@ def garbage_goes_between_modules(request: pytest.FixtureRequest) -> Iterator[Non
     if has_windows:
         gc.disable()
     yield
-    if (proposing := sys.modules.get("procc_annotator.fit.from_picture.hypotheses")) is not None:
+    if (
+        proposing := sys.modules.get("procc_annotator.calibration.single_image.search")
+    ) is not None:
         proposing.on_side.cache_clear()  # for the next picture of the same field: 35 MB a side
         proposing.at_places.cache_clear()
     gc.collect()
@@ -300,16 +302,16 @@ def injected_mistakes() -> Callable[..., InjectedMistakes]:
     (of one goal, swapped) and ``point`` (one, moved 15 px across its line).
     """
     from procc_annotator.annotation import point_from_px, points_px
+    from procc_annotator.calibration.fitting import fit_camera
+    from procc_annotator.calibration.label_check.check import check_labels
+    from procc_annotator.dataset import editing
     from procc_annotator.field.load import load_field
-    from procc_annotator.fit.fitting import fit_camera
-    from procc_annotator.fit.labels.check import check_labels
-    from procc_annotator.session.dataset import edits
 
     soccer, size = load_field("soccer"), (960, 540)
 
     def swapped(annotation: FrameAnnotation, one: str, other: str):
         wrong: dict[str, str | int] = {one: other, other: one}
-        return edits.swap_classes(annotation, one, other), wrong
+        return editing.swap_classes(annotation, one, other), wrong
 
     def spoiled(annotation: FrameAnnotation, kind: str, rng: np.random.Generator):
         names = [n for n in annotation.annotated if soccer.element(n) is not None]
@@ -332,13 +334,13 @@ def injected_mistakes() -> Callable[..., InjectedMistakes]:
             if not free:
                 return None
             new = str(rng.choice(free))
-            return edits.change_class(annotation, name, new), {new: name}
+            return editing.change_class(annotation, name, new), {new: name}
         points = points_px(annotation.get(name), size)
         index = int(rng.integers(len(points)))
         along = points[index + 1 if index + 1 < len(points) else index - 1] - points[index]
         across = np.array([-along[1], along[0]]) / np.hypot(*along)
         x, y = points[index] + rng.choice([-15, 15]) * across
-        moved = edits.move_point(annotation, name, index, point_from_px(x, y, size))
+        moved = editing.move_point(annotation, name, index, point_from_px(x, y, size))
         return moved, {name: index}
 
     def measure(

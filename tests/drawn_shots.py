@@ -19,13 +19,13 @@ from typing import Any
 import cv2
 import numpy as np
 
-from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.calibration.optimization.camera_placement import camera_placement_prior
+from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.field.appearance import BLACK, BLUE, NOTHING, ORANGE, RED, WHITE, YELLOW
-from procc_annotator.field.geometry import Arc, Circle, Line, points_at_angles, parts_of
+from procc_annotator.field.geometry import Arc, Circle, Line, parts_of, points_at_angles
 from procc_annotator.field.load import load_field, with_lines
 from procc_annotator.field.model import MIDDLE_LINE, Field
-from procc_annotator.fit.solving.surroundings import camera_placement_prior
-from procc_annotator.image.decode import PixelArray
+from procc_annotator.image.pixels import PixelArray
 from tests.bench.sports.views import SIZE as VIEW_SIZE
 from tests.bench.sports.views import Views
 

@@ -14,10 +14,10 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner, Result
 
-from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.cli.main import app
-from procc_annotator.io.camera_files import registry
-from procc_annotator.io.camera_files.cameras import read_camera_file
+from procc_annotator.formats.cameras import registry
+from procc_annotator.formats.cameras.registry import read_camera_file
 
 ROOT = Path(__file__).resolve().parent.parent
 EXAMPLE = ROOT / "docs" / "examples" / "camera_plugin"
@@ -156,13 +156,13 @@ def test_a_plugin_gone_wrong_leaves_a_program_of_its_own_running(
         ("broken_lens:FORMAT", "FORMAT = lambda: 1 / 0", "ZeroDivisionError"),
         (
             "broken_lens:FORMAT",
-            "from procc_annotator.io.camera_files.registry import CameraFormat\n"
+            "from procc_annotator.formats.cameras.registry import CameraFormat\n"
             "FORMAT = CameraFormat('soccernet', 'mine', ('.json',), ('.json',), print)",
             "gives a format 'soccernet', which there is already; it is not used",
         ),
         (
             "broken_lens:FORMAT",
-            "from procc_annotator.io.camera_files.registry import CameraFormat\n"
+            "from procc_annotator.formats.cameras.registry import CameraFormat\n"
             "FORMAT = CameraFormat('mine', 'mine', ('.mine',), ('.mine',), None)",
             "needs a name and a function to read with",
         ),
@@ -194,8 +194,8 @@ def test_a_plugins_reader_gone_wrong_is_an_unreadable_camera(
     tmp_path: Path, sample_data: Path, body: str, said: str
 ) -> None:
     code = (
-        "from procc_annotator.io.camera_files.registry import CameraFormat\n"
-        "from procc_annotator.io.camera_files.loaded_camera import LoadedCamera\n"
+        "from procc_annotator.formats.cameras.registry import CameraFormat\n"
+        "from procc_annotator.formats.cameras.loaded_camera import LoadedCamera\n"
         "class Lens:\n    def __init__(self, project):\n        self.project = project\n"
         f"def read(data, *, path):\n    {body}\n"
         "def formats():\n    return [CameraFormat('mine', 'mine', ('.mine',), ('.mine',), read)]\n"

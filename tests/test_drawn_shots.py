@@ -8,7 +8,7 @@ import cv2
 import numpy as np
 import pytest
 
-from procc_annotator.field.sample import sample_evenly
+from procc_annotator.field.sampling import sample_evenly
 from tests import drawn_shots
 from tests.drawn_shots import Look, Stage, draw, random_camera, soccer_shot, stage_of
 

@@ -57,7 +57,7 @@ def test_python_of_the_readme() -> None:
 
 def test_importing_the_package_loads_next_to_nothing() -> None:
     loaded = run("-c", "import sys, procc_annotator; print(*sys.modules)").split()
-    assert not {"numpy", "cv2", "PySide6", "procc_annotator.api.judging"} & set(loaded)
+    assert not {"numpy", "cv2", "PySide6", "procc_annotator.api.evaluation"} & set(loaded)
     loaded = run("-c", "import sys; from procc_annotator import fit_camera; print(*sys.modules)")
     assert not {"PySide6", "pyqtgraph"} & set(loaded.split())
 

@@ -12,7 +12,7 @@ import pytest
 from typer.testing import CliRunner
 
 from procc_annotator.cli.main import app
-from procc_annotator.field import paint_reading, reading, shapes
+from procc_annotator.field import element_reader, file_reader
 from procc_annotator.field.load import field_names, load_field
 
 GUIDE = Path(__file__).parents[1] / "docs" / "a-sport-of-your-own.md"
@@ -104,8 +104,13 @@ def test_every_example_of_the_reference_can_be_read(tmp_path: Path) -> None:
 
 def test_the_reference_names_every_key() -> None:
     named = set(re.findall(r"`\[*([a-z_]+)\]*`", REFERENCE))
-    kinds = shapes.GEOMETRY_KEYS
+    kinds = element_reader.GEOMETRY_KEYS
     keys = {key for needed, more in kinds.values() for key in (*needed, *more)} | set(kinds)
-    keys |= reading._ALLOWED_KEYS | paint_reading.MARKING_KEYS | set(reading._ELEMENT_TEXTS) | {"optional"}
-    keys |= set(reading._DIMENSION_NUMBERS) | {"distance", "height", "ceiling", "kind"}
+    keys |= (
+        file_reader._ALLOWED_KEYS
+        | element_reader.MARKING_KEYS
+        | set(file_reader._ELEMENT_TEXTS)
+        | {"optional"}
+    )
+    keys |= set(file_reader._DIMENSION_NUMBERS) | {"distance", "height", "ceiling", "kind"}
     assert keys <= named, f"not documented: {sorted(keys - named)}"

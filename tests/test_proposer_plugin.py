@@ -13,13 +13,13 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner, Result
 
+from procc_annotator.batch import camera_proposals
 from procc_annotator.cli.main import app
-from procc_annotator.session.runs import proposer_plugins
 
 ROOT = Path(__file__).resolve().parent.parent
 EXAMPLE = ROOT / "docs" / "examples" / "proposer_plugin"
 HEAD = (
-    "from procc_annotator.session.runs.proposer_plugins import PictureProposer\n"
+    "from procc_annotator.batch.camera_proposals import PictureProposer\n"
     "from procc_annotator.annotation import FrameAnnotation\n"
 )
 
@@ -82,11 +82,11 @@ def run_here(site: Path, *arguments: object) -> Result:
     """Run a command in this process, which finds a site's plug-ins as a new one does."""
     with pytest.MonkeyPatch.context() as patch:
         patch.syspath_prepend(site)
-        proposer_plugins.proposers.cache_clear()
+        camera_proposals.proposers.cache_clear()
         try:
             return CliRunner().invoke(app, [str(argument) for argument in arguments])
         finally:
-            proposer_plugins.proposers.cache_clear()
+            camera_proposals.proposers.cache_clear()
             sys.modules.pop("my_detector", None)
 
 

@@ -13,16 +13,16 @@ import cv2
 import numpy as np
 import pytest
 
+from procc_annotator.dataset.camera_set import CameraSet
+from procc_annotator.dataset.dataset_field import field_of_dataset
+from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.field.geometry import Line
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Element
-from procc_annotator.field.sample import sample_evenly
-from procc_annotator.metric.measure import measure
-from procc_annotator.metric.score import score
-from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.dataset.camera_set import CameraSet
-from procc_annotator.session.dataset.dataset_field import field_of_dataset
-from procc_annotator.session.dataset.workspace import Workspace
+from procc_annotator.field.sampling import sample_evenly
+from procc_annotator.metrics.measurement import measure
+from procc_annotator.metrics.score import score
+from procc_annotator.metrics.setup import EvaluationSetup
 
 GOLDEN = Path(__file__).with_name("unit") / "golden_sample_scores.json"
 

@@ -17,11 +17,11 @@ from pathlib import Path
 import cv2
 import numpy as np
 
-from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.field.load import load_field
-from procc_annotator.io.camera_files.soccernet_camera import write_camera
-from procc_annotator.metric.project import project_field
-from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.formats.cameras.soccernet import write_camera
+from procc_annotator.metrics.projection import project_field
+from procc_annotator.metrics.setup import EvaluationSetup
 
 SIZE = (960, 540)
 CLICK_PX = 1.0

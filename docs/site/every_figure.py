@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from mkdocs.config.defaults import MkDocsConfig
 from mkdocs.structure.files import File, Files
 
-from procc_annotator.report.sheet import counts, figures
-from procc_annotator.report.sheet.figure import Metric
+from procc_annotator.report.tables import metrics
+from procc_annotator.report.tables.table import Metric
 
 INTRODUCTION = """\
 # Every figure
@@ -33,7 +33,7 @@ def on_files(files: Files, config: MkDocsConfig) -> Files:
 def _listed() -> Iterator[Metric]:
     """Every figure and count once, in the order of their modules."""
     met: set[Metric] = set()
-    for value in (*vars(figures).values(), *vars(counts).values()):
+    for value in (*vars(metrics).values(), *vars(metrics).values()):
         for figure in value if isinstance(value, tuple) else (value,):
             if isinstance(figure, Metric) and figure not in met:
                 met.add(figure)

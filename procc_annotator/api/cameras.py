@@ -1,29 +1,57 @@
-"""Cameras from the numbers and functions that other programs have."""
+"""Create cameras from matrices or functions; save a camera."""
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from procc_annotator.annotation import as_size
-from procc_annotator.api.given import as_optional_size
+from procc_annotator.annotation import FrameAnnotation, as_size
+from procc_annotator.api.inputs import (
+    AnyCamera,
+    as_annotation,
+    as_camera,
+    as_optional_size,
+    as_path,
+)
+from procc_annotator.calibration.result import FitResult
 from procc_annotator.camera.base import Camera
-from procc_annotator.camera.checked import ValidatedCamera, FunctionCamera
-from procc_annotator.camera.fisheye import FisheyeCamera
-from procc_annotator.camera.homography import HomographyCamera
+from procc_annotator.camera.custom import FunctionCamera, ValidatedCamera
 from procc_annotator.camera.matrices import (
+    decompose_projection,
     fisheye_from_parts,
     intrinsics_from_matrix,
     pinhole_from_parts,
     pose_from_rt,
-    decompose_projection,
 )
-from procc_annotator.camera.matrix_camera import MatrixCamera
-from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.camera.models import (
+    FisheyeCamera,
+    HomographyCamera,
+    MatrixCamera,
+    PinholeCamera,
+)
 from procc_annotator.errors import UsageError
+from procc_annotator.formats.atomic import write_atomic
+from procc_annotator.formats.cameras.fit_record import (
+    DIGEST,
+    FIT_KEY,
+    SIDECAR_SUFFIX,
+    annotation_digest,
+    sidecar_content,
+)
+from procc_annotator.formats.cameras.loaded_camera import LoadedCamera
+from procc_annotator.formats.cameras.writers import (
+    CAMERA_TARGETS,
+    CameraWriter,
+    encode_camera,
+    writer_of,
+)
+from procc_annotator.version import __version__
 
 FloatArray = NDArray[np.float64]
 
@@ -68,7 +96,9 @@ def camera_from_krt(
         inside = intrinsics_from_matrix(_numbers("k", k), as_optional_size(size))
         pose = pose_from_rt(rotation, _numbers("t", t).reshape(-1))
         coefficients = _numbers("distortion", () if distortion is None else distortion).reshape(-1)
-        return (fisheye_from_parts if fisheye else pinhole_from_parts)(inside, pose, coefficients.tolist())
+        return (fisheye_from_parts if fisheye else pinhole_from_parts)(
+            inside, pose, coefficients.tolist()
+        )
     except ValueError as error:
         raise UsageError(f"no camera: {error}") from None
 
@@ -159,3 +189,85 @@ def _numbers(name: str, values: ArrayLike) -> FloatArray:
         return np.asarray(values, dtype=np.float64)
     except (TypeError, ValueError):
         raise UsageError(f"{name}: expected numbers, found {type(values).__name__}") from None
+
+
+_SOCCERNET = "soccernet"
+
+
+def save_camera(
+    camera: AnyCamera,
+    path: str | Path,
+    *,
+    format: str = _SOCCERNET,
+    size: tuple[int, int] | None = None,
+    fitted_to: FrameAnnotation | None = None,
+    overwrite: bool = False,
+) -> tuple[str, ...]:
+    """Write a camera to a file that `load_camera` and the commands read.
+
+    A folder of ``camera_{frame}.json`` is a source of cameras for ``evaluate``, ``report`` and the
+    window.
+
+    Args:
+        camera: a pinhole, fisheye or homography, a fit, or one read from a file.
+        path: the file; its folder is there.
+        format: what ``procc-annotator convert --to`` names: ``soccernet`` (.json), ``opencv``
+            (.yml), ``krt`` (.json), or a homography as ``wc14`` (.homographyMatrix), ``carwc``
+            (.npy) or ``world`` (.txt).
+        size: (width, height) px of the picture. A plain camera belongs to it; fits, and cameras
+            whose file told theirs, are scaled to it. Homographies need one.
+        fitted_to: the annotation that the camera was fitted to, where ``camera`` does not know it
+            (a fit does). The file, or one beside it that ends in .fit, then says so, and the camera
+            is marked and not ranked wherever it is judged by these clicks.
+        overwrite: whether a file that is there may be replaced.
+
+    Returns:
+        What the format could not hold of the camera, one line each.
+
+    Raises:
+        UsageError: no such format, one that cannot hold this camera, a name that does not end as
+            files of the format do, or a file that is there.
+        SaveError: writing failed.
+    """
+    file, writer = as_path(path, "a camera's file"), _writer(format)
+    suffix = Path(writer.file_name).suffix
+    if file.suffix.lower() != suffix.lower():
+        raise UsageError(f"{file}: expected a name that ends in {suffix} (format {format})")
+    if not overwrite and os.path.lexists(file):
+        raise UsageError(f"{file}: is there already (overwrite=True replaces it)")
+    loaded = _with_size(camera, as_optional_size(size))
+    if fitted_to is not None:
+        digest = annotation_digest(as_annotation(fitted_to))
+        program = f"procc-annotator {__version__}"
+        what = {"program": program, "model": loaded.model, DIGEST: digest}
+        loaded = replace(loaded, fitted_on=digest, content={**loaded.content, FIT_KEY: what})
+    try:
+        data, losses = encode_camera(loaded, format, size=as_optional_size(size))
+    except ValueError as error:
+        raise UsageError(f"{file}: not written: {error}") from None
+    beside = file.with_suffix(SIDECAR_SUFFIX)
+    if loaded.fitted_on is not None and not writer.evaluated:  # the others say it themselves
+        write_atomic(beside, sidecar_content(loaded.fitted_on))
+    else:
+        beside.unlink(missing_ok=True)  # of the camera that was there before
+    write_atomic(file, data)
+    return losses
+
+
+def _writer(name: str) -> CameraWriter:
+    alone = [target for target in CAMERA_TARGETS if target != "submission"]
+    if name not in alone:
+        raise UsageError(f"no format {name!r} for one camera; there are {', '.join(alone)}")
+    return writer_of(name)
+
+
+def _with_size(camera: AnyCamera, size: tuple[int, int] | None) -> LoadedCamera:
+    """The camera with the size (px) that its pixels belong to."""
+    if isinstance(camera, LoadedCamera):
+        return camera if camera.size is not None else replace(camera, size=size)
+    if isinstance(camera, FitResult):
+        if camera.camera is None:
+            raise UsageError(f"there is no camera to write, the fit failed: {camera.failure}")
+        return LoadedCamera(camera.camera, camera.model, camera.size, fitted_on=camera.fitted_on)
+    as_camera(camera, "camera")
+    return LoadedCamera(camera, str(getattr(camera, "model", type(camera).__name__)), size)

@@ -8,23 +8,23 @@ import cv2
 import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.api.given import (
+from procc_annotator.api.inputs import (
     AnyCamera,
     as_annotation,
     as_field,
-    as_picture,
     as_optional_size,
+    as_picture,
     camera_at_size,
 )
 from procc_annotator.field.model import Field
 from procc_annotator.image.pixels import PixelArray
-from procc_annotator.interact import overlay_figure
-from procc_annotator.interact.overlay import OverlayBuilder, OverlayContent
-from procc_annotator.metric.measure import measure
-from procc_annotator.metric.project import project_markings
-from procc_annotator.metric.score import display_score
-from procc_annotator.metric.setup import EvaluationSetup, check_thresholds
-from procc_annotator.report.scenes import OverlayLook, check_pixels
+from procc_annotator.interaction import overlay_figure
+from procc_annotator.interaction.overlay import OverlayBuilder, OverlayContent
+from procc_annotator.metrics.measurement import measure
+from procc_annotator.metrics.projection import project_markings
+from procc_annotator.metrics.score import display_score
+from procc_annotator.metrics.setup import EvaluationSetup, check_thresholds
+from procc_annotator.report.overlay_scene import OverlayLook, check_pixels
 
 
 def draw_overlay(

@@ -1,8 +1,10 @@
-"""Where an element should appear: the one method a camera model needs."""
+"""The camera protocol, projections without a camera, and rescaling to another image size."""
 
 from __future__ import annotations
 
-from typing import Protocol, runtime_checkable
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Protocol, cast, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,9 +20,9 @@ class Camera(Protocol):
     What a model may offer besides, and what is done where it does not:
 
     - ``scaled(from_size, to_size)``: the same camera for another picture size; else its pixels are
-      scaled (`camera.scaling`).
+      scaled (`camera.base`).
     - ``ground_from_px(points_px)``: the way back to the ground; else it is found numerically
-      (`camera.backproject`).
+      (`camera.backprojection`).
     - ``ground_only = True``: it knows the plane z = 0 only.
     - ``model``: what people call it.
     """
@@ -42,3 +44,95 @@ class Camera(Protocol):
 def projects_only_ground(camera: object) -> bool:
     """Whether the model knows the plane z = 0 only; a homography has ``ground_only = True``."""
     return bool(getattr(camera, "ground_only", False))
+
+
+_BORDER_TOLERANCE_PX = 1e-4  # files round shares
+
+
+@dataclass(frozen=True, eq=False)
+class ElementProjections:
+    """Projected polylines of the elements a source shows.
+
+    The protocols ask a camera for nothing but these, so a method that cannot share its model can
+    be judged by them. There is no ``project``: what needs points in space is not possible.
+
+    Attributes:
+        pieces: class name -> its pieces, each (n, 2) px, vertices in order along the element.
+    """
+
+    pieces: Mapping[str, tuple[FloatArray, ...]]
+
+    def is_clipped(self, size: tuple[int, int]) -> bool:
+        """Whether pieces end at the border of a picture of (width, height) px and none goes on
+        beyond it: somebody cut them to the picture.
+
+        What a camera shows ends there by chance only. Programs cut at the centres of the last
+        pixels, or, as the official evaluation does, at width and height.
+        """
+        pieces = [px for parts in self.pieces.values() for px in parts if len(px)]
+        if not pieces:
+            return False
+        every, ends = np.concatenate(pieces), np.concatenate([px[[0, -1]] for px in pieces])
+        border = np.array([[0.0, 0.0], np.subtract(size, 1), size])[:, None]
+        within = (
+            (every >= -_BORDER_TOLERANCE_PX) & (every <= np.add(size, _BORDER_TOLERANCE_PX))
+        ).all()
+        return bool(within and (np.abs(ends - border) <= _BORDER_TOLERANCE_PX).any())
+
+    def scaled(self, from_size: tuple[int, int], to_size: tuple[int, int]) -> ElementProjections:
+        """The same for another picture size (pixel centres: factors (W'-1)/(W-1))."""
+        factors = np.array(
+            [(to_size[0] - 1) / (from_size[0] - 1), (to_size[1] - 1) / (from_size[1] - 1)]
+        )
+        return ElementProjections(
+            {name: tuple(p * factors for p in parts) for name, parts in self.pieces.items()}
+        )
+
+
+CameraOrProjections = Camera | ElementProjections
+
+
+Size = tuple[int, int]
+
+
+class _Scalable(Protocol):
+    def scaled(self, from_size: Size, to_size: Size) -> CameraOrProjections: ...
+
+
+def scaled_camera(
+    camera: CameraOrProjections, from_size: Size, to_size: Size
+) -> CameraOrProjections:
+    """The camera in pixels of another picture size.
+
+    Args:
+        camera: its own ``scaled`` is used where it has one.
+        from_size: (width, height) its pixels belong to. to_size: those wanted.
+    """
+    if isinstance(camera, ElementProjections) or callable(getattr(camera, "scaled", None)):
+        return cast(_Scalable, camera).scaled(from_size, to_size)
+    factors = (to_size[0] - 1) / (from_size[0] - 1), (to_size[1] - 1) / (from_size[1] - 1)
+    return ScaledCamera(camera, factors)
+
+
+@dataclass(frozen=True, eq=False)
+class ScaledCamera:
+    """Another camera, its pixels multiplied: for models that cannot be scaled themselves."""
+
+    camera: Camera
+    factors: tuple[float, float]
+
+    @property
+    def ground_only(self) -> bool:
+        """As the camera inside."""
+        return bool(getattr(self.camera, "ground_only", False))
+
+    def project(self, points_world: FloatArray) -> tuple[FloatArray, BoolArray]:
+        """See `Camera.project`."""
+        px, valid = self.camera.project(points_world)
+        return px * np.array(self.factors), valid
+
+    def scaled(self, from_size: Size, to_size: Size) -> ScaledCamera:
+        """For yet another picture size."""
+        sx = (to_size[0] - 1) / (from_size[0] - 1) * self.factors[0]
+        sy = (to_size[1] - 1) / (from_size[1] - 1) * self.factors[1]
+        return ScaledCamera(self.camera, (sx, sy))

@@ -1,4 +1,4 @@
-"""Cameras from the matrices other programs keep: K, R, t and OpenCV's distortion vectors."""
+"""Convert between camera models and K, R, t, OpenCV distortion vectors and homographies."""
 
 from __future__ import annotations
 
@@ -9,8 +9,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from procc_annotator.camera.base import FloatArray
-from procc_annotator.camera.fisheye import FisheyeCamera
-from procc_annotator.camera.pinhole import PinholeCamera, rotation_cam_from_world
+from procc_annotator.camera.models import (
+    FisheyeCamera,
+    HomographyCamera,
+    PinholeCamera,
+    rotation_cam_from_world,
+)
 
 # |R R^T - 1| up to which a matrix counts as a rotation that was rounded on its way through a file;
 # the nearest rotation is taken, as OpenCV does. Above the smaller figure the user is told.
@@ -181,7 +185,9 @@ def angles_from_rotation(rotation: FloatArray) -> tuple[float, float, float]:
     return pan, tilt, math.atan2(rolled[0, 1], rolled[0, 0])
 
 
-def pinhole_from_parts(inside: Intrinsics, pose: CameraPose, distortion: Sequence[float]) -> PinholeCamera:
+def pinhole_from_parts(
+    inside: Intrinsics, pose: CameraPose, distortion: Sequence[float]
+) -> PinholeCamera:
     """A pinhole camera with one of OpenCV's distortion vectors.
 
     Args:
@@ -212,7 +218,9 @@ def pinhole_from_parts(inside: Intrinsics, pose: CameraPose, distortion: Sequenc
     )
 
 
-def fisheye_from_parts(inside: Intrinsics, pose: CameraPose, distortion: Sequence[float]) -> FisheyeCamera:
+def fisheye_from_parts(
+    inside: Intrinsics, pose: CameraPose, distortion: Sequence[float]
+) -> FisheyeCamera:
     """A fisheye camera with OpenCV's k1..k4, or none.
 
     Raises:
@@ -253,3 +261,44 @@ def translation(camera: PinholeCamera | FisheyeCamera) -> FloatArray:
     """(3,) t of x_cam = R x_world + t."""
     with np.errstate(over="ignore", invalid="ignore"):
         return np.asarray(-camera.rotation_cam_from_world @ np.array(camera.position_world))
+
+
+def pinhole_from_homography(
+    camera: HomographyCamera, size: tuple[int, int]
+) -> PinholeCamera | None:
+    """The camera whose ground plane a homography shows.
+
+    The two axes of the ground are at right angles and equally long in the world; both conditions
+    tell the focal length, here weighed together.
+
+    Args:
+        camera: in px of ``size``.
+        size: (width, height) px, whose middle is the principal point.
+
+    Returns:
+        None where the two axes tell no focal length.
+    """
+    cx, cy = (size[0] - 1) / 2, (size[1] - 1) / 2
+    centred = np.array([[1.0, 0.0, -cx], [0.0, 1.0, -cy], [0.0, 0.0, 1.0]])
+    h = centred @ camera.image_from_world
+    (a, b), (c, d), (e, f) = h[:, :2].tolist()
+    # (a b + c d) / focal^2 + e f = 0, and (a^2 + c^2 - b^2 - d^2) / focal^2 + e^2 - f^2 = 0; twice
+    # the first weighs as much as the second however the ground's axes are turned.
+    over = np.array([2 * (a * b + c * d), a * a + c * c - b * b - d * d])
+    alone = np.array([2 * e * f, e * e - f * f])
+    inverse_square = -float(over @ alone) / max(float(over @ over), 1e-300)
+    if not 0 < inverse_square < np.inf:
+        return None
+    focal = 1 / np.sqrt(inverse_square)
+    axes = h / np.array([focal, focal, 1.0])[:, None]
+    scale = np.linalg.norm(axes[:, :2], axis=0).mean()
+    x, y, t = (axes / scale).T
+    near = np.stack((x, y, np.cross(x, y)), axis=1)
+    left, _, right = np.linalg.svd(near)
+    rotation = left @ right
+    if np.linalg.det(rotation) < 0:
+        return None
+    position = -rotation.T @ t
+    pan, tilt, roll = angles_from_rotation(rotation)
+    px, py, pz = (float(value) for value in position)
+    return PinholeCamera(pan, tilt, roll, (px, py, pz), (float(focal), float(focal)), (cx, cy))

@@ -11,30 +11,33 @@ from typing import Annotated
 
 import typer
 
-from procc_annotator.cli import chance_options, options, outputs
+from procc_annotator.batch.agreement import MAX_ANNOTATORS, AgreementRun, ConsensusRun
+from procc_annotator.batch.execution.executor import make_executor
+from procc_annotator.batch.grouping import Clusters
+from procc_annotator.batch.set_run import WORTH_WORKERS, ambiguous_folders
+from procc_annotator.cli import inference_options, options, outputs
 from procc_annotator.cli.console import stdout_console, with_progress
-from procc_annotator.cli.datasets import (
+from procc_annotator.cli.echo import echo
+from procc_annotator.cli.input_files import (
     report_camera_names,
     report_mismatch,
     report_remarks,
     report_unreadable,
 )
-from procc_annotator.cli.echo import echo
-from procc_annotator.cli.field_option import chosen_field
+from procc_annotator.cli.options import chosen_field
+from procc_annotator.dataset.annotation_source import open_annotations
+from procc_annotator.dataset.layout import annotations_of
 from procc_annotator.errors import UsageError
-from procc_annotator.io.collections import list_annotations, qualify_by_folder
+from procc_annotator.formats.file_listing import list_annotations, qualify_by_folder
+from procc_annotator.messages import list_names
 from procc_annotator.report import agreement
-from procc_annotator.report.agreement import AgreementReport, agree_sets
-from procc_annotator.report.agreement_figures import sample_size_table
-from procc_annotator.report.consensus import compare_annotators, consensus_line, consensus_tables, write_agreed
-from procc_annotator.session.dataset.annotation_source import open_annotations
-from procc_annotator.session.dataset.dataset_folder import annotations_of
-from procc_annotator.session.runs.agreement_run import AgreementRun
-from procc_annotator.session.runs.clusters import Clusters
-from procc_annotator.session.runs.consensus_run import MAX_ANNOTATORS, ConsensusRun
-from procc_annotator.session.runs.execution.executor import make_executor
-from procc_annotator.session.runs.set_run import WORTH_WORKERS, ambiguous_folders
-from procc_annotator.words import list_names
+from procc_annotator.report.agreement import AgreementReport, agree_sets, sample_size_table
+from procc_annotator.report.consensus import (
+    compare_annotators,
+    consensus_line,
+    consensus_tables,
+    write_agreed,
+)
 
 HELP = """\
 Two or more (up to 26) dataset folders, or folders or zip archives of annotation files, one for each
@@ -87,7 +90,7 @@ class AgreeOptions:
     ] = None
     size: options.Size = "960x540"
     field: options.FieldName = None
-    alike: chance_options.ClusterOptions
+    alike: inference_options.ClusterOptions
     power: Annotated[
         bool,
         typer.Option("--power", help="Also how many frames such a study needs to be surer."),

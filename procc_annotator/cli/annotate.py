@@ -9,32 +9,28 @@ from typing import Annotated
 
 import typer
 
-from procc_annotator.camera.pinhole import PinholeCamera
-from procc_annotator.cli import datasets, options, outputs
+from procc_annotator.batch.auto_annotation import AnnotationRun
+from procc_annotator.batch.execution.executor import make_executor
+from procc_annotator.batch.set_run import WORTH_WORKERS
+from procc_annotator.camera.models import PinholeCamera
+from procc_annotator.cli import input_files, options, outputs
 from procc_annotator.cli.console import with_progress
 from procc_annotator.cli.echo import echo
-from procc_annotator.cli.field_option import chosen_field
+from procc_annotator.cli.options import chosen_field
+from procc_annotator.dataset.annotation_source import FrameAnnotations
+from procc_annotator.dataset.diagnostics import found_instead_of_cameras
+from procc_annotator.dataset.frames import Frame
+from procc_annotator.dataset.layout import annotation_folder, folder_of_dataset, holds_annotations
+from procc_annotator.dataset.sequence import PictureSource, open_pictures
 from procc_annotator.errors import CameraError, UsageError
-from procc_annotator.io.atomic import make_folder
-from procc_annotator.io.camera_files.camera_collection import CameraCollection
-from procc_annotator.io.camera_files.camera_writers import OFFICIAL_SIZE
-from procc_annotator.io.collections import ANNOTATIONS_FOLDER
-from procc_annotator.metric.different_views import most_distinct_views
-from procc_annotator.report.annotating import Annotated as Done
-from procc_annotator.report.annotating import annotate_pictures
-from procc_annotator.session.dataset.dataset_folder import (
-    annotation_folder,
-    folder_of_dataset,
-    holds_annotations,
-)
-from procc_annotator.session.dataset.frame_annotations import FrameAnnotations
-from procc_annotator.session.dataset.frames import Frame
-from procc_annotator.session.dataset.picture_source import PictureSource, open_pictures
-from procc_annotator.session.dataset.what_lies_there import found_instead_of_cameras
-from procc_annotator.session.runs.annotation_run import AnnotationRun
-from procc_annotator.session.runs.execution.executor import make_executor
-from procc_annotator.session.runs.set_run import WORTH_WORKERS
-from procc_annotator.words import count_words, list_names
+from procc_annotator.formats.atomic import make_folder
+from procc_annotator.formats.cameras.collection import CameraCollection
+from procc_annotator.formats.cameras.writers import OFFICIAL_SIZE
+from procc_annotator.formats.file_listing import ANNOTATIONS_FOLDER
+from procc_annotator.messages import list_names, pluralize
+from procc_annotator.metrics.sets import most_distinct_views
+from procc_annotator.report.auto_annotation import Annotated as Done
+from procc_annotator.report.auto_annotation import annotate_pictures
 
 HELP = """\
 SOURCE is a folder of pictures, one picture, or a video, whose frames are named as the window names
@@ -97,11 +93,11 @@ def annotate(
     shown = chosen_field(field, source, lines=lines)
     names = options.label_map(labels, shown)
     pictures = open_pictures(source, out)
-    datasets.report_remarks(pictures.notices)
+    input_files.report_remarks(pictures.notices)
     with CameraCollection.open(cameras, camera_format, field=shown) as collection:
         outputs.check_is_folder(out)
         outputs.check_folder_apart(out, [collection])
-        datasets.report_remarks(collection.notices)
+        input_files.report_remarks(collection.notices)
         chosen = _with_camera(pictures.frames[::every], collection, cameras)
         if views is not None:
             chosen = _most_different(chosen, collection, views)
@@ -132,7 +128,7 @@ def _with_camera(
         some = f", e.g. for {next(iter(collection.frames))}" if collection.frames else ""
         raise UsageError(
             f"nothing to do: {cameras} holds no camera of these frames (it holds"
-            f" {count_words(len(collection.frames), 'camera')}{some}; a frame here is called"
+            f" {pluralize(len(collection.frames), 'camera')}{some}; a frame here is called"
             f" {frames[0].name})"
         )
     return found
@@ -140,7 +136,7 @@ def _with_camera(
 
 def _not_annotated(frames: Sequence[Frame], given: FrameAnnotations) -> list[Frame]:
     """The frames that have no annotation in OUT, be it in a file of another format."""
-    datasets.report_remarks(given.notices)
+    input_files.report_remarks(given.notices)
     bare = [frame for frame in frames if not os.path.lexists(frame.annotation_path)]
     return [frame for frame in bare if given.bytes_of(frame) is None]
 
@@ -181,28 +177,28 @@ def _interrupted_message(done: Done, total: int, out: Path) -> str:
     """What an interrupted run left, and how to go on."""
     looked_at = len(done.frames) + len(done.bare) + len(done.kept) + len(done.errors)
     return (
-        f"{looked_at} of {count_words(total, 'frame')} looked at,"
-        f" {count_words(len(done.frames), 'annotation')} written to {out}; run it again to go on"
+        f"{looked_at} of {pluralize(total, 'frame')} looked at,"
+        f" {pluralize(len(done.frames), 'annotation')} written to {out}; run it again to go on"
     )
 
 
 def _report(done: Done, passed_over: int, pictures: PictureSource, out: Path) -> int:
     """Say what was written and what was not; returns the exit code."""
-    written = count_words(len(done.frames), "annotation")
-    what = f"{count_words(done.elements, 'element')}, {count_words(done.points, 'point')}"
+    written = pluralize(len(done.frames), "annotation")
+    what = f"{pluralize(done.elements, 'element')}, {pluralize(done.points, 'point')}"
     echo(f"written: {written} ({what}) to {out}, their points as proposed")
     if kept := passed_over + len(done.kept):
-        echo(f"not touched: {count_words(kept, 'frame')} annotated already")
+        echo(f"not touched: {pluralize(kept, 'frame')} annotated already")
     if done.bare:
         echo(f"no paint found under the camera: {list_names(done.bare, 'frame')}")
-    datasets.report_remarks(done.remarks)
+    input_files.report_remarks(done.remarks)
     if (looked := _window_annotation_folder(pictures, out)) is not None and done.frames:
         echo(
             f"note: the window looks for annotations of {pictures.path} in {looked}; open these"
             f" with --annotations {out}",
             err=True,
         )
-    return datasets.report_unreadable([*pictures.problems, *done.errors])
+    return input_files.report_unreadable([*pictures.problems, *done.errors])
 
 
 def _window_annotation_folder(pictures: PictureSource, out: Path) -> Path | None:

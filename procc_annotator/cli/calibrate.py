@@ -8,35 +8,34 @@ from typing import Annotated
 
 import typer
 
-from procc_annotator.cli import datasets, options, outputs
+from procc_annotator.batch.calibration import CalibrationRun
+from procc_annotator.batch.checkpoint import Checkpoint, checkpoint_path, field_settings
+from procc_annotator.batch.execution.executor import make_executor
+from procc_annotator.batch.joint_calibration import JointRun
+from procc_annotator.batch.set_run import WORTH_WORKERS
+from procc_annotator.calibration.fitting import require_known_model
+from procc_annotator.calibration.result import ILL_CONDITIONED_LIMITS
+from procc_annotator.cli import input_files, options, outputs
 from procc_annotator.cli.console import progress_bar, stdout_console, with_progress
 from procc_annotator.cli.echo import echo
-from procc_annotator.cli.together import FittedFrames, fit_set, fit_sizes
+from procc_annotator.cli.set_fits import FittedFrames, fit_set, fit_sizes
+from procc_annotator.dataset.annotation_source import open_annotations
+from procc_annotator.dataset.layout import annotations_of
+from procc_annotator.dataset.picture_sizes import FitSizes
 from procc_annotator.errors import UsageError
-from procc_annotator.fit.determined import ILL_CONDITIONED_LIMITS
-from procc_annotator.fit.fitting import require_known_model
-from procc_annotator.io.camera_files.fitted_on import TABLE_FILE
-from procc_annotator.io.camera_files.held_out_table import LEFT_OUT_FILE
-from procc_annotator.io.collections import list_annotations
-from procc_annotator.io.source import FileSource
-from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.report import calibration, together
+from procc_annotator.formats.cameras.fit_record import LEFT_OUT_FILE, TABLE_FILE
+from procc_annotator.formats.file_listing import list_annotations
+from procc_annotator.formats.file_source import FileSource
+from procc_annotator.messages import first_names, pluralize
+from procc_annotator.metrics.setup import EvaluationSetup
+from procc_annotator.report import calibration, joint_calibration
 from procc_annotator.report.calibration import (
     CalibrationReport,
     calibrate_set,
 )
-from procc_annotator.report.scores import tables
-from procc_annotator.report.targets import Interrupted, is_archive
-from procc_annotator.report.together import POSITIONS_FILE
-from procc_annotator.session.dataset.annotation_source import open_annotations
-from procc_annotator.session.dataset.dataset_folder import annotations_of
-from procc_annotator.session.dataset.fit_sizes import FitSizes
-from procc_annotator.session.runs.calibration_run import CalibrationRun
-from procc_annotator.session.runs.execution.executor import make_executor
-from procc_annotator.session.runs.set_run import WORTH_WORKERS
-from procc_annotator.session.runs.together_run import JointRun
-from procc_annotator.session.runs.unfinished import Checkpoint, field_settings, checkpoint_path
-from procc_annotator.words import count_words, first_names
+from procc_annotator.report.joint_calibration import POSITIONS_FILE
+from procc_annotator.report.outputs import Interrupted, is_archive
+from procc_annotator.report.scores import score_tables
 
 HELP = """\
 DATASET is a dataset folder, or a folder or zip archive of annotations. OUT is a folder, or an
@@ -156,8 +155,8 @@ def calibrate(given: CalibrateOptions) -> None:
             overwrite=given.overwrite or going_on,
             positions=given.shared_position,
         )
-        datasets.report_mismatch(source, setup.field)
-        datasets.report_camera_names(source)
+        input_files.report_mismatch(source, setup.field)
+        input_files.report_camera_names(source)
         sizes = fit_sizes(source, place, given.dataset, given.size)
         asked = _terms(setup, thresholds, sizes, given.model, given.held_out, given.shared_position)
         try:
@@ -249,18 +248,18 @@ def _fit_jointly(
     """Give the frames shared positions, write and print everything; returns the exit code."""
     with progress_bar("sharing positions") as progress:
         run = JointRun(fits.fits, fits.frames, setup, thresholds, progress)
-    positions = {together.POSITIONS_FILE: together.positions_csv(run.places)}
+    positions = {joint_calibration.POSITIONS_FILE: joint_calibration.positions_csv(run.places)}
     report = calibrate_set(run, out, with_progress, positions)
     _print_report(report, out)
     console = stdout_console()
     if run.places:
-        console.print(together.positions_table(run))
+        console.print(joint_calibration.positions_table(run))
     words = ("each frame alone", "shared positions")
-    console.print(together.before_after_table(run.before, run.summary(), words))
+    console.print(joint_calibration.before_after_table(run.before, run.summary(), words))
     if run.apart:
-        console.print(together.not_shared_table(run.apart))
+        console.print(joint_calibration.not_shared_table(run.apart))
     if run.gained:
-        have = count_words(len(run.gained), "frame has", "frames have")
+        have = pluralize(len(run.gained), "frame has", "frames have")
         echo(f"{have} a camera now that the position is known: {first_names(run.gained)}")
     return _report_problems(report, out)
 
@@ -299,28 +298,28 @@ def _check_out(out: Path, source: FileSource, *, overwrite: bool, positions: boo
 
 def _print_report(report: CalibrationReport, out: Path) -> None:
     console = stdout_console()
-    frames = count_words(report.frames, "frame")
-    title = f"Calibrated {frames}, {count_words(report.cameras, 'has', 'have')} a camera"
-    told = [tables.summary_table(report.summaries, report.described, title=title)]
+    frames = pluralize(report.frames, "frame")
+    title = f"Calibrated {frames}, {pluralize(report.cameras, 'has', 'have')} a camera"
+    told = [score_tables.summary_table(report.summaries, report.described, title=title)]
     if report.worst:
         first = next(iter(report.summaries))
-        told.append(tables.worst_frames_table(report.worst, first, report.described))
+        told.append(score_tables.worst_frames_table(report.worst, first, report.described))
     for table in told:
         console.print(table)
     if report.deviations:
         console.print(calibration.deviations_table(report))
     if report.failures:
         console.print(calibration.failures_table(report))
-    cameras = count_words(report.cameras, "camera")
+    cameras = pluralize(report.cameras, "camera")
     echo(f"written: {cameras} and {TABLE_FILE} to {out}")
 
 
 def _report_problems(report: CalibrationReport, out: Path) -> int:
     """Say on stderr what a person should look at; returns the exit code."""
-    datasets.report_remarks(report.remarks)
+    input_files.report_remarks(report.remarks)
     if report.open:
         echo(
-            f"note: {count_words(len(report.open), 'camera is', 'cameras are')} hardly determined"
+            f"note: {pluralize(len(report.open), 'camera is', 'cameras are')} hardly determined"
             f" ({ILL_CONDITIONED_LIMITS}; column hardly_determined): {first_names(report.open)}",
             err=True,
         )
@@ -332,8 +331,8 @@ def _report_problems(report: CalibrationReport, out: Path) -> int:
         )
     if report.stale:
         echo(
-            f"note: {out} holds {count_words(len(report.stale), 'other camera')}, not written now and"
+            f"note: {out} holds {pluralize(len(report.stale), 'other camera')}, not written now and"
             f" not touched: {first_names(report.stale)}",
             err=True,
         )
-    return datasets.report_unreadable(report.errors)
+    return input_files.report_unreadable(report.errors)

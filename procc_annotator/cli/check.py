@@ -8,26 +8,26 @@ from typing import Annotated
 
 import typer
 
+from procc_annotator.batch.execution.executor import make_executor
+from procc_annotator.batch.label_check import CheckRun
+from procc_annotator.batch.set_run import WORTH_WORKERS
+from procc_annotator.calibration.fitting import require_known_model
+from procc_annotator.calibration.label_check.finding import Severity, severity_from_name
 from procc_annotator.cli import options, outputs
 from procc_annotator.cli.console import stdout_console, with_progress
-from procc_annotator.cli.datasets import (
+from procc_annotator.cli.echo import echo
+from procc_annotator.cli.input_files import (
     report_camera_names,
     report_mismatch,
     report_remarks,
     report_unreadable,
 )
-from procc_annotator.cli.echo import echo
-from procc_annotator.cli.field_option import chosen_field
-from procc_annotator.cli.together import fit_sizes
-from procc_annotator.fit.fitting import require_known_model
-from procc_annotator.fit.labels.finding import Severity, severity_from_name
-from procc_annotator.report import findings
-from procc_annotator.report.findings import CheckReport
-from procc_annotator.session.dataset.annotation_source import open_annotations
-from procc_annotator.session.dataset.dataset_folder import annotations_of
-from procc_annotator.session.runs.check_run import CheckRun
-from procc_annotator.session.runs.execution.executor import make_executor
-from procc_annotator.session.runs.set_run import WORTH_WORKERS
+from procc_annotator.cli.options import chosen_field
+from procc_annotator.cli.set_fits import fit_sizes
+from procc_annotator.dataset.annotation_source import open_annotations
+from procc_annotator.dataset.layout import annotations_of
+from procc_annotator.report import label_check
+from procc_annotator.report.label_check import CheckReport
 
 HELP = """\
 DATASET is a dataset folder, or a folder or zip archive of annotations. A camera is fitted to every
@@ -112,7 +112,7 @@ def check(
     failing = None if fail_on is None else severity_from_name(fail_on)
     written_to = outputs.each_once(output or [])
     for path in written_to:
-        findings.check_findings_suffix(path)
+        label_check.check_findings_suffix(path)
         outputs.check_output_folder(path)
     place = annotations_of(dataset)
     known = chosen_field(field, dataset, lines=lines)
@@ -143,17 +143,17 @@ def _check_set(
 ) -> CheckReport:
     with make_executor(workers, dask, frames=run.total, worth_from=WORTH_WORKERS) as executor:
         run.executor = executor
-        return findings.check_set(
+        return label_check.check_set(
             run, with_progress, outputs=written_to, least=least, wrong_field=wrong_field
         )
 
 
 def _print_report(report: CheckReport, written_to: Sequence[Path]) -> None:
     console = stdout_console()
-    console.print(findings.counts_table(report))
+    console.print(label_check.counts_table(report))
     if report.worth_listing:
-        console.print(findings.findings_table(report, in_file=bool(written_to)))
-    for line in findings.frames_without_camera_words(report):
+        console.print(label_check.findings_table(report, in_file=bool(written_to)))
+    for line in label_check.frames_without_camera_words(report):
         echo(line)
     for path in written_to:
         echo(f"written: {path}")

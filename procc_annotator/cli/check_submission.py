@@ -10,13 +10,13 @@ import typer
 
 from procc_annotator.cli import options
 from procc_annotator.cli.echo import echo
-from procc_annotator.cli.field_option import chosen_field
-from procc_annotator.field.fingerprint import field_fingerprint
-from procc_annotator.io.camera_files import submission as submissions
-from procc_annotator.io.camera_files.polyline_submission import check_polylines, holds_manifest
-from procc_annotator.io.collections import list_annotations
-from procc_annotator.session.dataset.annotation_source import open_files
-from procc_annotator.session.dataset.dataset_folder import annotations_of
+from procc_annotator.cli.options import chosen_field
+from procc_annotator.dataset.annotation_source import open_files
+from procc_annotator.dataset.layout import annotations_of
+from procc_annotator.field.load import field_fingerprint
+from procc_annotator.formats.cameras import submissions
+from procc_annotator.formats.cameras.submissions import check_polylines, holds_manifest
+from procc_annotator.formats.file_listing import list_annotations
 
 HELP = """\
 ZIP is a submission: SPLIT/camera_FRAME.json for each frame, or polylines with a manifest.json, as

@@ -10,27 +10,37 @@ from typing import Annotated
 
 import typer
 
-from procc_annotator.cli import chance_options, options, outputs
+from procc_annotator.batch.comparison import ComparisonRun
+from procc_annotator.batch.execution.executor import make_executor
+from procc_annotator.batch.grouping import Clusters
+from procc_annotator.batch.set_run import ambiguous_folders
+from procc_annotator.cli import inference_options, options, outputs
 from procc_annotator.cli.console import stdout_console, with_progress
-from procc_annotator.cli.datasets import (
+from procc_annotator.cli.echo import echo
+from procc_annotator.cli.input_files import (
     report_camera_names,
     report_mismatch,
     report_notices,
     report_remarks,
     report_unreadable,
 )
-from procc_annotator.cli.echo import echo
-from procc_annotator.cli.field_option import chosen_field
+from procc_annotator.cli.method_arguments import parse_sources
+from procc_annotator.cli.options import chosen_field
 from procc_annotator.cli.painters import pair_painter
-from procc_annotator.cli.sources import parse_sources
+from procc_annotator.dataset.annotation_source import open_annotations
+from procc_annotator.dataset.camera_set import CameraSet
+from procc_annotator.dataset.diagnostics import classes_of_source, mismatch_of
+from procc_annotator.dataset.layout import annotations_or_path, has_pictures_below, pictures_in
+from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
-from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, FitCounts
-from procc_annotator.io.collections import ANNOTATIONS_FOLDER, list_annotations
-from procc_annotator.io.frame_names import FrameTable
-from procc_annotator.io.source import open_source
-from procc_annotator.metric.chance.sampling import BootstrapSettings
+from procc_annotator.formats.annotations.soccernet import read_annotation
+from procc_annotator.formats.cameras.fit_record import NOT_FITTED, FitCounts
+from procc_annotator.formats.file_listing import ANNOTATIONS_FOLDER, list_annotations
+from procc_annotator.formats.file_source import open_source
+from procc_annotator.formats.frame_names import FrameTable
+from procc_annotator.messages import list_names, pluralize
+from procc_annotator.metrics.statistics.bootstrap import BootstrapSettings
 from procc_annotator.report import comparison
 from procc_annotator.report.comparison import (
     ComparisonReport,
@@ -38,19 +48,11 @@ from procc_annotator.report.comparison import (
     paint_frames,
     write_comparison,
 )
-from procc_annotator.report.comparison_chance import comparison_intervals_table, closer_method_table
-from procc_annotator.report.sheet.sheet import MetricTable
-from procc_annotator.session.dataset.annotation_source import open_annotations
-from procc_annotator.session.dataset.camera_set import CameraSet
-from procc_annotator.session.dataset.dataset_folder import annotations_or_path, has_pictures_below
-from procc_annotator.session.dataset.field_match import classes_of_source, mismatch_of
-from procc_annotator.session.dataset.picture_tree import pictures_in
-from procc_annotator.session.dataset.workspace import Workspace
-from procc_annotator.session.runs.clusters import Clusters
-from procc_annotator.session.runs.comparison_run import ComparisonRun
-from procc_annotator.session.runs.execution.executor import make_executor
-from procc_annotator.session.runs.set_run import ambiguous_folders
-from procc_annotator.words import count_words, list_names
+from procc_annotator.report.comparison_statistics import (
+    closer_method_table,
+    comparison_intervals_table,
+)
+from procc_annotator.report.tables.table import MetricTable
 
 HELP = """\
 A and B are PATH, NAME=PATH or NAME:FORMAT=PATH: folders, zip archives or files of cameras, paired
@@ -149,15 +151,17 @@ class CompareOptions:
     worst: Worst = 10
     intervals: Intervals = False
     versus: Versus = None
-    alike: chance_options.ClusterOptions
-    seed: chance_options.Seed = chance_options.USUAL_SEED
+    alike: inference_options.ClusterOptions
+    seed: inference_options.Seed = inference_options.USUAL_SEED
     workers: Workers = None
     dask: Dask = None
 
 
 def compare(given: CompareOptions) -> None:
     by_chance = given.intervals or given.versus is not None or given.alike.cluster is not None
-    if not by_chance and (given.alike.tags is not None or given.seed != chance_options.USUAL_SEED):
+    if not by_chance and (
+        given.alike.tags is not None or given.seed != inference_options.USUAL_SEED
+    ):
         raise UsageError("--tags and --seed need --intervals, --cluster or --versus")
     written_to = outputs.figure_files(given.output)
     shown_field = chosen_field(given.field, given.dataset, lines=given.lines)
@@ -194,7 +198,9 @@ def compare(given: CompareOptions) -> None:
     for report, fitted in zip((compared, *versus_others), of_others, strict=True):
         report.fitted = of_a, fitted
     if by_chance:
-        compared.chance = _inference_tables(compared, versus_others, alike, BootstrapSettings(seed=given.seed))
+        compared.chance = _inference_tables(
+            compared, versus_others, alike, BootstrapSettings(seed=given.seed)
+        )
     told = [f"written: {path}" for path in written_to]
     for path in written_to:  # before the tables: whoever reads them may stop after the first
         write_comparison(compared, comparison, path)
@@ -370,7 +376,7 @@ def _draw(
     painted = paint_frames(compared, comparison, out, painter, pictures=images, count=count)
     total = min(count or compared.summary.frames, compared.summary.frames)
     drawn = sum(1 for _ in with_progress(painted, total, "drawing"))
-    return [f"{count_words(drawn, 'disagreement picture')} written to {out}"]
+    return [f"{pluralize(drawn, 'disagreement picture')} written to {out}"]
 
 
 def _report_frames(comparison: ComparisonRun, compared: ComparisonReport) -> None:

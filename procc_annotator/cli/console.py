@@ -22,8 +22,8 @@ from rich.table import Column, Table
 from rich.text import Text
 
 from procc_annotator.errors import printable
-from procc_annotator.report.sheet.as_terminal import terminal_table
-from procc_annotator.report.sheet.sheet import MetricTable
+from procc_annotator.report.tables.table import MetricTable
+from procc_annotator.report.tables.terminal import terminal_table
 
 # A longer word (a path, a frame's name) may be cut.
 _LONGEST_WORD = 24

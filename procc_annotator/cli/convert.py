@@ -10,26 +10,24 @@ from typing import Annotated
 
 import typer
 
-from procc_annotator.cli import datasets, options
+from procc_annotator.cli import input_files, options
 from procc_annotator.cli.console import progress_bar
 from procc_annotator.cli.echo import echo
-from procc_annotator.cli.field_option import chosen_field
+from procc_annotator.cli.options import chosen_field
+from procc_annotator.dataset.annotation_source import open_files, own_label_map
+from procc_annotator.dataset.layout import annotations_of
 from procc_annotator.errors import UsageError
-from procc_annotator.io.annotation_files.annotation_formats import NAMES
-from procc_annotator.io.annotation_files.exchange import SIZE_UNKNOWN
-from procc_annotator.io.camera_files.camera_collection import CameraCollection
-from procc_annotator.io.camera_files.camera_writers import OFFICIAL_SIZE
-from procc_annotator.io.camera_files.polyline_submission import POLYLINES
-from procc_annotator.io.collections import list_annotations
-from procc_annotator.metric.folds import fold_back_warnings
-from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.report.camera_export import export_cameras
-from procc_annotator.report.conversion import convert_annotations
+from procc_annotator.formats.annotations.exchange import SIZE_UNKNOWN
+from procc_annotator.formats.annotations.registry import NAMES
+from procc_annotator.formats.cameras.collection import CameraCollection
+from procc_annotator.formats.cameras.submissions import POLYLINES
+from procc_annotator.formats.cameras.writers import OFFICIAL_SIZE
+from procc_annotator.formats.file_listing import list_annotations
+from procc_annotator.messages import pluralize
+from procc_annotator.metrics.official import fold_back_warnings
+from procc_annotator.metrics.setup import EvaluationSetup
+from procc_annotator.report.conversion import convert_annotations, export_cameras, export_polylines
 from procc_annotator.report.conversion_output import ConversionRequest
-from procc_annotator.report.polyline_export import export_polylines
-from procc_annotator.session.dataset.annotation_source import open_files, own_label_map
-from procc_annotator.session.dataset.dataset_folder import annotations_of
-from procc_annotator.words import count_words
 
 HELP = """\
 IN is a dataset, a folder or zip of files, or one file. OUT is a folder, an archive if it ends in
@@ -182,19 +180,19 @@ def _convert_annotations(given: ConvertOptions) -> int:
             size=size,
             progress=progress,
         )
-    datasets.report_mismatch_of(done.classes, known, source, unknown=done.unknown)
-    datasets.report_remarks(done.losses)
+    input_files.report_mismatch_of(done.classes, known, source, unknown=done.unknown)
+    input_files.report_remarks(done.losses)
     if not done.frames and done.problems and all(SIZE_UNKNOWN in one for one in done.problems):
         raise UsageError(
             f"nothing to do: {done.title} is in pixels, and the size of no picture of {source} is"
             " known; put the pictures beside the annotations, or name their size: --size WxH"
         )
-    unreadable = datasets.report_unreadable(done.problems, "left out")
+    unreadable = input_files.report_unreadable(done.problems, "left out")
     if not done.frames:
         raise UsageError(f"nothing to do: no frame of {source} could be written to {given.out}")
     echo(
-        f"{count_words(done.frames, 'frame')}, {count_words(done.elements, 'element')},"
-        f" {count_words(done.points, 'point')}"
+        f"{pluralize(done.frames, 'frame')}, {pluralize(done.elements, 'element')},"
+        f" {pluralize(done.points, 'point')}"
         f" written to {given.out} ({done.title})"
     )
     return unreadable
@@ -213,11 +211,11 @@ def _convert_to_polylines(given: ConvertOptions) -> int:
         done = export_polylines(
             cameras, given.out, setup, method, names, camera_size=own, progress=progress
         )
-        datasets.report_remarks(cameras.notices)
-    datasets.report_notices(done.losses)
-    unreadable = datasets.report_unreadable(done.problems, "left out")
+        input_files.report_remarks(cameras.notices)
+    input_files.report_notices(done.losses)
+    unreadable = input_files.report_unreadable(done.problems, "left out")
     echo(
-        f"polylines of {count_words(done.written, 'frame')} written to {given.out}"
+        f"polylines of {pluralize(done.written, 'frame')} written to {given.out}"
         f" ({setup.describe()}, method {method})"
     )
     return unreadable
@@ -231,18 +229,18 @@ def _convert_cameras(given: ConvertOptions) -> int:
             cameras, given.out, CAMERA_TARGETS[given.to], size=size, camera_size=own,
             split=given.split or "test", progress=progress,
         )  # fmt: skip
-        datasets.report_remarks(cameras.notices)
-    datasets.report_notices(done.losses)
-    datasets.report_remarks(fold_back_warnings(done.folded))
-    unreadable = datasets.report_unreadable(done.problems, "left out")
+        input_files.report_remarks(cameras.notices)
+    input_files.report_notices(done.losses)
+    input_files.report_remarks(fold_back_warnings(done.folded))
+    unreadable = input_files.report_unreadable(done.problems, "left out")
     if not done.written:
         raise UsageError(
             f"nothing to do: no camera of {given.source} could be written to {given.out}"
         )
-    echo(f"{count_words(done.written, 'camera')} written to {given.out}")
+    echo(f"{pluralize(done.written, 'camera')} written to {given.out}")
     if given.to == "world":
         told = "nothing in these files tells them from wc14: read them with --camera-format world"
-        datasets.report_remarks([told])
+        input_files.report_remarks([told])
     return unreadable
 
 

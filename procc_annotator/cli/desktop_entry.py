@@ -13,9 +13,9 @@ import typer
 
 from procc_annotator.cli.echo import echo
 from procc_annotator.errors import InputError, SaveError, UsageError
-from procc_annotator.io.atomic import make_folder, write_atomic
+from procc_annotator.formats.atomic import make_folder, write_atomic
+from procc_annotator.messages import pluralize
 from procc_annotator.resources import resources_dir
-from procc_annotator.words import count_words
 
 HELP = """\
 With --install the program is in the menus of your Linux desktop, with its icon, and offered for
@@ -58,12 +58,12 @@ def desktop_entry(
         for name, data in files.items():
             make_folder((home / name).parent)
             write_atomic(home / name, data)
-        echo(f"{count_words(len(files), 'file')} written below {home}")
+        echo(f"{pluralize(len(files), 'file')} written below {home}")
     elif remove:
         there = [home / name for name in files if (home / name).exists()]
         for path in there:
             _remove(path)
-        echo(f"{count_words(len(there), 'file')} removed below {home}")
+        echo(f"{pluralize(len(there), 'file')} removed below {home}")
     else:
         for name in files:
             there_too = " (there)" if (home / name).exists() else ""

@@ -11,31 +11,42 @@ from typing import Annotated
 
 import typer
 
-from procc_annotator.cli import chance_options, options, outputs, over_time
+from procc_annotator.batch.execution.executor import make_executor
+from procc_annotator.batch.grouping import MODEL, Tags
+from procc_annotator.cli import inference_options, options, outputs, temporal_options
 from procc_annotator.cli.console import with_progress
-from procc_annotator.cli.datasets import (
+from procc_annotator.cli.echo import echo
+from procc_annotator.cli.evaluation_plan import (
+    Plan,
+    Submission,
+    print_all,
+    print_inference,
+    report_problems,
+    require_submitted_for,
+    submitted_source,
+)
+from procc_annotator.cli.input_files import (
     report_camera_names,
     report_mismatch,
     report_remarks,
     report_unreadable,
 )
-from procc_annotator.cli.echo import echo
-from procc_annotator.cli.evaluations import Plan
-from procc_annotator.cli.printed_scores import print_all, print_inference, report_problems
-from procc_annotator.cli.recipe_further import FurtherResults
-from procc_annotator.cli.recipes import FieldArguments, ManifestRequest, ManifestOption, manifest_request
-from procc_annotator.cli.submissions import Submission, require_submitted_for, submitted_source
+from procc_annotator.cli.manifest import (
+    FieldArguments,
+    FurtherResults,
+    ManifestOption,
+    ManifestRequest,
+    manifest_request,
+)
 from procc_annotator.errors import ProccError, UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.io.frame_names import FrameTable
-from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.report.over_time import TemporalMetrics
-from procc_annotator.report.scores.chance import InferenceSettings, StatisticalResult
+from procc_annotator.formats.frame_names import FrameTable
+from procc_annotator.messages import first_names, pluralize
+from procc_annotator.metrics.setup import EvaluationSetup
+from procc_annotator.report.scores.inference import InferenceSettings, StatisticalResult
 from procc_annotator.report.scores.score_table import append_rows, check_table
 from procc_annotator.report.scores.scoring import Evaluations, RequestedOutputs, Scored
-from procc_annotator.session.runs.execution.executor import make_executor
-from procc_annotator.session.runs.tags import MODEL, Tags
-from procc_annotator.words import count_words, first_names
+from procc_annotator.report.temporal import TemporalMetrics
 
 HELP = """\
 ANNOTATIONS and CAMERAS are folders or zip archives: 00037.json and camera_00037.json (or a
@@ -130,7 +141,7 @@ class _EvaluateRequest:
     written_to: Sequence[Path]
     tables: Sequence[Path]
     recipe: ManifestRequest | None
-    over_time: over_time.TemporalRequest | None
+    over_time: temporal_options.TemporalRequest | None
     chance: InferenceSettings | None
 
 
@@ -153,19 +164,19 @@ class EvaluateOptions:
     off_plane: options.OffPlane = "missed"
     planar_only: options.PlanarOnly = False
     mirrored: options.Mirrored = False
-    tags: chance_options.TagsFile = None
+    tags: inference_options.TagsFile = None
     by: By = None
-    intervals: chance_options.Intervals = False
-    chance: chance_options.IntervalOptions
-    seed: chance_options.Seed = chance_options.USUAL_SEED
+    intervals: inference_options.Intervals = False
+    chance: inference_options.IntervalOptions
+    seed: inference_options.Seed = inference_options.USUAL_SEED
     submission: Submission = None
     output: options.FigureFiles = None
     table: TableFile = None
     recipe: ManifestOption = None
-    steady: over_time.OverTime = False
-    shots: over_time.Shots = None
-    pictures: over_time.Pictures = None
-    over_time_output: over_time.Output = None
+    steady: temporal_options.OverTime = False
+    shots: temporal_options.Shots = None
+    pictures: temporal_options.Pictures = None
+    over_time_output: temporal_options.Output = None
     workers: options.Workers = None
     dask: options.Dask = None
 
@@ -181,7 +192,7 @@ def evaluate(context: typer.Context, given: EvaluateOptions) -> None:
     if call.over_time is not None:
         call.over_time.tell(steadiness, unwritten)
         known = {error for one in scored for error in one.errors}
-        code = max(code, report_unreadable(over_time.errors(steadiness, known)))
+        code = max(code, report_unreadable(temporal_options.errors(steadiness, known)))
     for failure in unwritten.values():
         echo(f"procc-annotator: {failure}", err=True)
     raise typer.Exit(2 if unwritten else code)
@@ -203,14 +214,16 @@ def _request_of(context: typer.Context, given: EvaluateOptions) -> _EvaluateRequ
         require_submitted_for(given.submission, setups[0], plan.frames(fields))
     thresholds = options.thresholds_or_default(given.threshold)
     tags = None if given.tags is None else Tags.read(given.tags)
-    groups, derived = chance_options.groups_asked(given.by, tags, given.chance.cluster)
+    groups, derived = inference_options.groups_asked(given.by, tags, given.chance.cluster)
     chance = _chance(given, plan, tags, (*groups, *derived), asked=bool(derived))
-    noise = chance_options.noise_file(given.chance.click_noise)
+    noise = inference_options.noise_file(given.chance.click_noise)
     beside = {"tags": given.tags, "click noise": noise, "shots": given.shots}
     outputs.check_not_inputs(written_to, filter(None, beside.values()))
     shown = options.shown_size(given.camera_size)
-    recipe = manifest_request(given.recipe, context, FieldArguments(given.field, given.lines), beside)
-    steady = over_time.TemporalRequest.of(
+    recipe = manifest_request(
+        given.recipe, context, FieldArguments(given.field, given.lines), beside
+    )
+    steady = temporal_options.TemporalRequest.of(
         given.steady, given.shots, given.pictures, given.over_time_output
     )
     return _EvaluateRequest(
@@ -242,7 +255,7 @@ def _chance(
     chance = given.chance
     told = chance.click_noise is not None or chance.cluster is not None
     if not (asked or told or given.intervals or chance.power):
-        if (chance.interval_method, chance.draws, given.seed) != chance_options.USUAL:
+        if (chance.interval_method, chance.draws, given.seed) != inference_options.USUAL:
             raise UsageError("--interval-method, --draws and --seed need --intervals or the like")
         return None
     parts = [name for name in by if name != MODEL]
@@ -254,7 +267,9 @@ def _score(
 ) -> tuple[list[Scored], Sequence[StatisticalResult], list[TemporalMetrics]]:
     """Do the work; what could not be written goes to ``unwritten``."""
     named = call.plan.named or len(call.setups) > 1
-    outcome = RequestedOutputs(call.written_to, named=named, rows=bool(call.tables), chance=call.chance)
+    outcome = RequestedOutputs(
+        call.written_to, named=named, rows=bool(call.tables), chance=call.chance
+    )
     with ExitStack() as files:
         asked = call.plan.open(
             files, call.fields, call.setups, call.by, call.tags, camera_size=call.camera_size
@@ -313,7 +328,7 @@ def _tags_of_no_frame(tags: Tags, frames: Mapping[str, tuple[str, ...]]) -> list
     strange = [frame for of_set, frame in tags.rows if frame not in there.get(of_set, ())]
     if not strange:
         return []
-    rows = count_words(len(strange), "row")
+    rows = pluralize(len(strange), "row")
     return [f"{tags.path}: {rows} of no annotated frame ({first_names(strange)})"]
 
 
@@ -325,4 +340,4 @@ def _add_to_table(table: Path, scored: list[Scored]) -> str:
     """Add the rows to the table; returns what to say about it."""
     rows = [row for one in scored for row in one.rows]
     append_rows(table, rows)
-    return f"added: {count_words(len(rows), 'row')} to {table}"
+    return f"added: {pluralize(len(rows), 'row')} to {table}"

@@ -7,11 +7,12 @@ from typing import Annotated
 
 import typer
 
-from procc_annotator.cli import datasets, options, outputs
+from procc_annotator.cli import input_files, options, outputs
 from procc_annotator.cli.echo import echo
 from procc_annotator.errors import UsageError
-from procc_annotator.io.frame_names import is_file_name
-from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.formats.frame_names import is_file_name
+from procc_annotator.messages import first_names, pluralize
+from procc_annotator.metrics.setup import EvaluationSetup
 from procc_annotator.report.export import (
     JAC_FILES,
     Exported,
@@ -20,8 +21,7 @@ from procc_annotator.report.export import (
     export_split,
     split_scores,
 )
-from procc_annotator.report.targets import is_archive
-from procc_annotator.words import count_words, first_names
+from procc_annotator.report.outputs import is_archive
 
 HELP = """\
 DATASET has pictures and annotations, or annotations alone (of any format that is read, also an
@@ -46,10 +46,10 @@ Example:
 
 
 def export(
-    dataset: datasets.Dataset,
+    dataset: input_files.Dataset,
     out: Annotated[Path, typer.Argument(help="Folder or .zip to write.")],
-    annotations: datasets.Annotations = None,
-    cameras: datasets.Cameras = None,
+    annotations: input_files.Annotations = None,
+    cameras: input_files.Cameras = None,
     threshold: options.Thresholds = None,
     protocol: options.Protocol = "soccernet",
     size: options.Size = "960x540",
@@ -76,8 +76,11 @@ def export(
         field, size, protocol, off_plane, mirrored, datasets=[dataset], lines=lines
     )
     thresholds = options.thresholds_or_default(threshold)
-    with datasets.annotated_frames(dataset, setup.field, annotations, labels) as (frames, source):
-        camera_set = datasets.open_cameras(
+    with input_files.annotated_frames(dataset, setup.field, annotations, labels) as (
+        frames,
+        source,
+    ):
+        camera_set = input_files.open_cameras(
             cameras, camera_format, options.shown_size(camera_size), setup.field
         )
         scoring = Scoring(setup, thresholds, camera_set)
@@ -95,7 +98,7 @@ def export(
             else:
                 exported = export_dataset(frames, out, scoring, keep_optional=keep_optional)
     _print_summary(exported, setup, scored=camera_set is not None, split=split)
-    raise typer.Exit(datasets.report_unreadable(exported.problems))
+    raise typer.Exit(input_files.report_unreadable(exported.problems))
 
 
 def _check_split(split: str, keep_optional: bool) -> None:
@@ -110,15 +113,15 @@ def _check_split(split: str, keep_optional: bool) -> None:
 
 def _print_summary(exported: Exported, setup: EvaluationSetup, *, scored: bool, split: str) -> None:
     """Say what was written, the figures, and what was left out."""
-    written = count_words(exported.annotations, "annotation")
-    without = count_words(exported.unannotated, "frame has", "frames have")
+    written = pluralize(exported.annotations, "annotation")
+    without = pluralize(exported.unannotated, "frame has", "frames have")
     place = f"{exported.path}, split {split}" if split else str(exported.path)
     echo(f"{written} written to {place} ({without} none)")
     if scored:
         for tau, figures in (exported.summary or {}).items():
             jac = "-" if figures.mean_jac is None else f"{100 * figures.mean_jac:.2f}"
             echo(
-                f"JaC@{tau:g} {jac} over {count_words(exported.scored, 'frame')}"
+                f"JaC@{tau:g} {jac} over {pluralize(exported.scored, 'frame')}"
                 f" ({setup.describe(exported.ground_only)})"
             )
         if split:
@@ -126,10 +129,10 @@ def _print_summary(exported: Exported, setup: EvaluationSetup, *, scored: bool, 
     elif not split:
         echo("no --cameras given: jac.csv and jac.json name the frames and hold no scores")
     if exported.others:
-        held = count_words(len(exported.others), "other annotation")
+        held = pluralize(len(exported.others), "other annotation")
         words = f"{exported.path} holds {held}, not written now and not touched"
-        datasets.report_remarks([f"{words}: {first_names(exported.others)}"])
-    datasets.report_notices(exported.notices)
-    datasets.report_remarks(
-        f"{what} ({count_words(frames, 'frame')})" for what, frames in exported.left_out.items()
+        input_files.report_remarks([f"{words}: {first_names(exported.others)}"])
+    input_files.report_notices(exported.notices)
+    input_files.report_remarks(
+        f"{what} ({pluralize(frames, 'frame')})" for what, frames in exported.left_out.items()
     )

@@ -10,19 +10,22 @@ import typer
 
 from procc_annotator.cli.console import stdout_console
 from procc_annotator.cli.echo import echo
-from procc_annotator.cli.field_option import chosen_field, named_field
-from procc_annotator.cli.open import display_available
+from procc_annotator.cli.open import display_available, require_qt_libraries
+from procc_annotator.cli.options import chosen_field, named_field
 from procc_annotator.cli.outputs import check_not_inputs, check_output_folder
-from procc_annotator.cli.qt_libraries import require_qt_libraries
 from procc_annotator.errors import FieldError, UsageError
-from procc_annotator.field.checks import WarningSeverity, validate_field
 from procc_annotator.field.load import field_names, load_field, place_in_file
 from procc_annotator.field.model import Field
-from procc_annotator.io.atomic import write_atomic
+from procc_annotator.field.validation import WarningSeverity, validate_field
+from procc_annotator.formats.atomic import write_atomic
+from procc_annotator.messages import pluralize
 from procc_annotator.report import field_tables
-from procc_annotator.report.field_picture import FlatField, check_picture_suffix, field_picture
-from procc_annotator.report.field_tables import list_table
-from procc_annotator.words import count_words
+from procc_annotator.report.field_tables import (
+    FlatField,
+    check_picture_suffix,
+    field_picture,
+    list_table,
+)
 
 LIST_HELP = "List the fields that come with the program."
 LIST_EXAMPLE = """
@@ -89,9 +92,8 @@ def check(field: FieldText) -> None:
     for remark in remarks:
         echo(remark.with_location(place_in_file(read, remark.place)))
     doubtful = sum(remark.severity is not WarningSeverity.NOTE for remark in remarks)
-    found = (
-        f"{count_words(len(read.elements), 'element')}, {count_words(len(read.dimensions), 'dimension')}"
-    )
+    elements = pluralize(len(read.elements), "element")
+    found = f"{elements}, {pluralize(len(read.dimensions), 'dimension')}"
     verdict = "nothing to mend" if not doubtful else f"{doubtful} to look at"
     echo(f"{read.title}: {found}: {verdict}")
     raise typer.Exit(1 if doubtful else 0)

@@ -8,35 +8,35 @@ from typing import Annotated
 
 import typer
 
+from procc_annotator.batch.joint_calibration import FieldSize, find_field_sizes
+from procc_annotator.calibration.fitting import require_known_model
+from procc_annotator.calibration.joint.field_dimensions import fittable_dimensions
 from procc_annotator.cli import options
 from procc_annotator.cli.console import progress_bar, stdout_console
-from procc_annotator.cli.datasets import (
+from procc_annotator.cli.echo import echo
+from procc_annotator.cli.input_files import (
     report_camera_names,
     report_mismatch,
     report_remarks,
     report_unreadable,
 )
-from procc_annotator.cli.echo import echo
-from procc_annotator.cli.together import FittedFrames, fit_set, fit_sizes
-from procc_annotator.errors import SaveError, UsageError
-from procc_annotator.field.model import Field, Stadiums
-from procc_annotator.field.stadiums import with_stadiums
-from procc_annotator.fit.fitting import require_known_model
-from procc_annotator.fit.together.stadium import fittable_dimensions
-from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.report import together
-from procc_annotator.session.database.database import WorkspaceDatabase
-from procc_annotator.session.dataset.annotation_source import open_annotations
-from procc_annotator.session.dataset.dataset_field import add_dimensions, store_field
-from procc_annotator.session.dataset.dataset_folder import (
-    STADIUMS_FILE,
-    annotations_of,
-    folder_of_dataset,
+from procc_annotator.cli.set_fits import FittedFrames, fit_set, fit_sizes
+from procc_annotator.dataset.annotation_source import open_annotations
+from procc_annotator.dataset.database.database import WorkspaceDatabase
+from procc_annotator.dataset.dataset_field import (
+    add_dimensions,
+    read_stadiums,
+    store_field,
+    write_stadiums,
 )
-from procc_annotator.session.dataset.stadiums_file import read_stadiums, write_stadiums
-from procc_annotator.session.facts.origins import default_author
-from procc_annotator.session.runs.together_run import FieldSize, find_field_sizes
-from procc_annotator.words import count_words, first_names
+from procc_annotator.dataset.layout import STADIUMS_FILE, annotations_of, folder_of_dataset
+from procc_annotator.dataset.records import default_author
+from procc_annotator.errors import SaveError, UsageError
+from procc_annotator.field.load import with_stadiums
+from procc_annotator.field.model import Field, Stadiums
+from procc_annotator.messages import first_names, pluralize
+from procc_annotator.metrics.setup import EvaluationSetup
+from procc_annotator.report import joint_calibration
 
 HELP = """\
 DATASET is a dataset folder, or a folder or zip archive of annotations; its frames are of one
@@ -123,10 +123,10 @@ def _print_sizes(sizes: list[FieldSize], fitted: FittedFrames, setup: Evaluation
     used = fitted.fits.sizes_of(fitted.frames)
     conditions = setup.describe(sizes=used.describe())
     described = f"{fitted.fits.describe(fitted.frames)}, {conditions}"
-    stdout_console().print(together.field_sizes_table(sizes, described))
+    stdout_console().print(joint_calibration.field_sizes_table(sizes, described))
     report_remarks(used.remarks())
     for found in sizes:
-        for remark in together.remarks(found):
+        for remark in joint_calibration.remarks(found):
             echo(f"note: {remark}", err=True)
     if fitted.fits.groups is not None:
         lonely = sum(fitted.fits.groups.get(f.name) is None for f in fitted.frames)
@@ -242,7 +242,7 @@ def _save_stadiums(
     stadiums = Stadiums(frames, dimensions)
     with_stadiums(field, stadiums)  # a field can have them, or nothing is written
     write_stadiums(path, stadiums)
-    counted = f"{count_words(len(found), 'stadium')}, {count_words(len(frames), 'frame')}"
+    counted = f"{pluralize(len(found), 'stadium')}, {pluralize(len(frames), 'frame')}"
     left_out = sorted({s.group for s in sizes} - found.keys())
     if left_out:
         echo(

@@ -9,27 +9,34 @@ from typing import Annotated
 
 import typer
 
-from procc_annotator.cli import chance_options, options, outputs
+from procc_annotator.batch.agreement import AgreementRun
+from procc_annotator.batch.agreement_statistics import ReferenceErrors, reference_errors
+from procc_annotator.batch.set_run import ambiguous_folders
+from procc_annotator.cli import inference_options, options, outputs
 from procc_annotator.cli.console import stdout_console, with_progress
-from procc_annotator.cli.datasets import report_remarks, report_unreadable
 from procc_annotator.cli.echo import echo
-from procc_annotator.cli.field_option import chosen_field
+from procc_annotator.cli.input_files import report_remarks, report_unreadable
+from procc_annotator.cli.options import chosen_field
+from procc_annotator.dataset.annotation_source import (
+    REFERENCE_FRAMES_FILE,
+    open_annotations,
+    read_reference_frames,
+)
+from procc_annotator.dataset.database.location import read_times
+from procc_annotator.dataset.layout import annotations_of, folder_of_dataset
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.io.collections import list_annotations, qualify_by_folder
-from procc_annotator.io.source import FileSource
-from procc_annotator.metric.chance.sampling import BootstrapSettings
-from procc_annotator.report.agreement_figures import intervals_described
+from procc_annotator.formats.file_listing import list_annotations, qualify_by_folder
+from procc_annotator.formats.file_source import FileSource
+from procc_annotator.messages import list_names
+from procc_annotator.metrics.statistics.bootstrap import BootstrapSettings
+from procc_annotator.report.agreement import intervals_described
 from procc_annotator.report.consensus import short_names
-from procc_annotator.report.gold import ReferenceComparison, reference_tables, write_reference_comparison
-from procc_annotator.session.database.places import read_times
-from procc_annotator.session.dataset.annotation_source import open_annotations
-from procc_annotator.session.dataset.dataset_folder import annotations_of, folder_of_dataset
-from procc_annotator.session.dataset.gold_file import REFERENCE_FRAMES_FILE, read_reference_frames
-from procc_annotator.session.runs.agreement_run import AgreementRun
-from procc_annotator.session.runs.gold_run import ReferenceErrors, reference_errors
-from procc_annotator.session.runs.set_run import ambiguous_folders
-from procc_annotator.words import list_names
+from procc_annotator.report.reference_agreement import (
+    ReferenceComparison,
+    reference_tables,
+    write_reference_comparison,
+)
 
 HELP = """\
 DATASET holds the answers: the annotations of the frames that its gold.csv (or --gold) names in a
@@ -80,7 +87,7 @@ class GoldOptions:
     size: options.Size = "960x540"
     field: options.FieldName = None
     labels: options.LabelsFile = None
-    alike: chance_options.ClusterOptions
+    alike: inference_options.ClusterOptions
     output: options.FigureFiles = None
 
 
@@ -129,7 +136,8 @@ def _reference_frames(dataset: Path, gold_file: Path | None) -> tuple[str, ...]:
         path = folder / REFERENCE_FRAMES_FILE
     if path is None:
         raise UsageError(
-            f"nothing to do: {dataset} has no {REFERENCE_FRAMES_FILE}; write one with a column 'frame', or name"
+            f"nothing to do: {dataset} has no {REFERENCE_FRAMES_FILE}; write one with a column"
+            " 'frame', or name"
             " a file with --gold"
         )
     return read_reference_frames(path)
@@ -141,7 +149,7 @@ def _compared(
     places: list[Path],
     marked: tuple[str, ...],
     terms: tuple[Field, tuple[int, int], tuple[float, ...]],
-    alike: chance_options.ClusterOptions,
+    alike: inference_options.ClusterOptions,
 ) -> ReferenceComparison:
     """All annotators against the answers to the frames ``marked``, by the names of these."""
     clusters_of = alike.of([answers.path])

@@ -7,17 +7,17 @@ from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
+from procc_annotator.batch.checkpoint import checkpoint_path
+from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.errors import InputError, SaveError, UsageError
 from procc_annotator.field.load import load_field
-from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
-from procc_annotator.io.atomic import make_folder, write_atomic
-from procc_annotator.io.camera_files.camera_collection import CameraCollection
-from procc_annotator.io.collections import CAMERA_PREFIX, list_annotations
-from procc_annotator.io.source import FileSource, open_source
+from procc_annotator.formats.annotations.soccernet import read_annotation
+from procc_annotator.formats.atomic import make_folder, write_atomic
+from procc_annotator.formats.cameras.collection import CameraCollection
+from procc_annotator.formats.file_listing import CAMERA_PREFIX, list_annotations
+from procc_annotator.formats.file_source import FileSource, open_source
+from procc_annotator.report.outputs import is_archive
 from procc_annotator.report.scores.score_files import score_format
-from procc_annotator.report.targets import is_archive
-from procc_annotator.session.dataset.camera_set import CameraSet
-from procc_annotator.session.runs.unfinished import checkpoint_path
 
 Input = FileSource | CameraCollection | CameraSet | Path
 

@@ -11,10 +11,10 @@ import numpy as np
 
 from procc_annotator.cli.echo import echo
 from procc_annotator.errors import SaveError
-from procc_annotator.interact.overlay import OverlayBuilder, OverlayContent
-from procc_annotator.interact.overlay_figure import draw_overlay
+from procc_annotator.interaction.overlay import OverlayBuilder, OverlayContent
+from procc_annotator.interaction.overlay_figure import draw_overlay
 from procc_annotator.report.comparison import Paint as PaintPair
-from procc_annotator.report.scenes import (
+from procc_annotator.report.overlay_scene import (
     OverlayLook,
     Paint,
     Scene,

@@ -9,14 +9,27 @@ from typing import Annotated
 
 import typer
 
-from procc_annotator.cli import datasets, options, outputs
+from procc_annotator.batch.camera_proposals import (
+    ProposalRun,
+    Proposer,
+    WithPlugin,
+    chosen_proposer,
+    read_positions,
+)
+from procc_annotator.batch.checkpoint import Checkpoint, checkpoint_path, field_settings
+from procc_annotator.batch.execution.executor import make_executor
+from procc_annotator.calibration.single_image.propose import propose_camera
+from procc_annotator.cli import input_files, options, outputs
 from procc_annotator.cli.console import stdout_console, with_progress
 from procc_annotator.cli.echo import echo
-from procc_annotator.cli.field_option import chosen_field
+from procc_annotator.cli.options import chosen_field
+from procc_annotator.dataset.annotation_source import FrameAnnotations
+from procc_annotator.dataset.frames import Frame
+from procc_annotator.dataset.sequence import open_pictures
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.fit.from_picture.proposing import propose_camera
-from procc_annotator.report.proposals import (
+from procc_annotator.messages import pluralize
+from procc_annotator.report.camera_proposals import (
     TABLE_FILE,
     UNSURE_FOLDER,
     ProposedSet,
@@ -26,16 +39,7 @@ from procc_annotator.report.proposals import (
     proposed_words,
     states_table,
 )
-from procc_annotator.report.targets import Interrupted
-from procc_annotator.session.dataset.frame_annotations import FrameAnnotations
-from procc_annotator.session.dataset.frames import Frame
-from procc_annotator.session.dataset.picture_source import open_pictures
-from procc_annotator.session.runs.execution.executor import make_executor
-from procc_annotator.session.runs.known_positions import read_positions
-from procc_annotator.session.runs.proposal_run import ProposalRun, Proposer
-from procc_annotator.session.runs.proposer_plugins import WithPlugin, chosen_proposer
-from procc_annotator.session.runs.unfinished import Checkpoint, field_settings, checkpoint_path
-from procc_annotator.words import count_words
+from procc_annotator.report.outputs import Interrupted
 
 HELP = """\
 DATASET is a folder of pictures, one picture, or a video, whose frames are named as the window names
@@ -122,7 +126,7 @@ class ProposeOptions:
     every_frame: All = False
     every: Every = 1
     detector: With = None
-    annotations: datasets.Annotations = None
+    annotations: input_files.Annotations = None
     labels: options.LabelsFile = None
     field: options.FieldName = None
     lines: options.Lines = None
@@ -144,7 +148,7 @@ def propose(given: ProposeOptions) -> None:
     shown = chosen_field(given.field, given.dataset, lines=given.lines)
     names = options.label_map(given.labels, shown)
     pictures = open_pictures(given.dataset, given.annotations)
-    datasets.report_remarks(pictures.notices)
+    input_files.report_remarks(pictures.notices)
     left = checkpoint_path(given.out, "propose")
     going_on = options.is_resuming(
         left, given.out / TABLE_FILE, given.out, resume=given.resume, overwrite=given.overwrite
@@ -204,7 +208,9 @@ class _FramesToPropose:
     damaged: tuple[str, ...] = ()
 
 
-def _frames_to_propose(frames: tuple[Frame, ...], field: Field, annotated: FrameAnnotations | None) -> _FramesToPropose:
+def _frames_to_propose(
+    frames: tuple[Frame, ...], field: Field, annotated: FrameAnnotations | None
+) -> _FramesToPropose:
     """The frames to look at: those that nobody put a point in, or all.
 
     Raises:
@@ -212,7 +218,7 @@ def _frames_to_propose(frames: tuple[Frame, ...], field: Field, annotated: Frame
     """
     if annotated is None:
         return _FramesToPropose(list(frames))
-    datasets.report_remarks(annotated.notices)
+    input_files.report_remarks(annotated.notices)
     chosen, damaged = [], []
     for frame in frames:
         try:
@@ -222,7 +228,7 @@ def _frames_to_propose(frames: tuple[Frame, ...], field: Field, annotated: Frame
         except InputError as error:
             damaged.append(str(error))
     if not chosen:
-        datasets.report_unreadable(damaged)
+        input_files.report_unreadable(damaged)
         raise UsageError("nothing to do: all frames are annotated (--all looks at them too)")
     return _FramesToPropose(chosen, len(frames) - len(chosen) - len(damaged), tuple(damaged))
 
@@ -233,12 +239,15 @@ def _interrupted_message(stopped: Interrupted, out: Path) -> str:
     if not stopped.written:
         return f"no sure camera was written; {go_on}"
     return (
-        f"{count_words(stopped.written, 'sure camera')} of {count_words(stopped.total, 'frame')} written"
+        f"{pluralize(stopped.written, 'sure camera')} of {pluralize(stopped.total, 'frame')}"
+        " written"
         f" to {out}, {TABLE_FILE} not; {go_on}"
     )
 
 
-def _report(found: ProposedSet, wanted: _FramesToPropose, problems: tuple[str, ...], out: Path) -> int:
+def _report(
+    found: ProposedSet, wanted: _FramesToPropose, problems: tuple[str, ...], out: Path
+) -> int:
     """Print what was found; returns the exit code."""
     console = stdout_console()
     console.print(states_table(found))
@@ -247,9 +256,9 @@ def _report(found: ProposedSet, wanted: _FramesToPropose, problems: tuple[str, .
     if words := positions_words(found):
         echo(words)
     if wanted.annotated:
-        echo(f"passed over: {count_words(wanted.annotated, 'annotated frame')} (--all)")
+        echo(f"passed over: {pluralize(wanted.annotated, 'annotated frame')} (--all)")
     if wanted.damaged:
-        frames = count_words(len(wanted.damaged), "frame")
+        frames = pluralize(len(wanted.damaged), "frame")
         echo(f"passed over: {frames} whose annotation cannot be read (--all)")
     echo(f"{proposed_words(found)}; written to {out}, with {TABLE_FILE}")
-    return datasets.report_unreadable([*problems, *found.errors, *wanted.damaged])
+    return input_files.report_unreadable([*problems, *found.errors, *wanted.damaged])

@@ -7,22 +7,25 @@ from typing import Annotated
 
 import typer
 
-from procc_annotator.cli import datasets, options, outputs
+from procc_annotator.assist.label_matching import cameras_of, labelled_frames
+from procc_annotator.assist.label_proposal import (
+    LabelProposal,
+    better_field,
+    propose_labels,
+    proposed_text,
+)
+from procc_annotator.cli import input_files, options, outputs
 from procc_annotator.cli.echo import echo
-from procc_annotator.cli.field_option import chosen_field
+from procc_annotator.cli.options import chosen_field
+from procc_annotator.dataset.annotation_source import read_labels
+from procc_annotator.dataset.diagnostics import mismatch_of
+from procc_annotator.dataset.layout import annotations_of
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.io.annotation_files.label_map import LABELS_FILE, OrderedClasses, Rule
-from procc_annotator.io.atomic import write_atomic
-from procc_annotator.io.json_text import printable
-from procc_annotator.session.dataset.annotation_source import read_labels
-from procc_annotator.session.dataset.dataset_folder import annotations_of
-from procc_annotator.session.dataset.field_match import mismatch_of
-from procc_annotator.session.labels.label_places import cameras_of
-from procc_annotator.session.labels.label_proposal import LabelProposal, propose_labels
-from procc_annotator.session.labels.label_shapes import labelled_frames
-from procc_annotator.session.labels.proposed_file import better_field, proposed_text
-from procc_annotator.words import count_words
+from procc_annotator.formats.annotations.label_map import LABELS_FILE, OrderedClasses, Rule
+from procc_annotator.formats.atomic import write_atomic
+from procc_annotator.formats.strict_json import printable
+from procc_annotator.messages import pluralize
 
 HELP = """\
 ANNOTATIONS are of any format that is read. Every label that is no class of the field is compared
@@ -55,7 +58,7 @@ Overwrite = Annotated[bool, typer.Option("--overwrite", help="Replace the file i
 
 def propose_map(
     annotations: options.AnnotatedSet,
-    cameras: datasets.Cameras = None,
+    cameras: input_files.Cameras = None,
     output: Out = Path(LABELS_FILE),
     field: options.FieldName = None,
     camera_format: options.CameraFormat = "auto",
@@ -67,18 +70,18 @@ def propose_map(
     outputs.check_output_folder(output)
     known = chosen_field(field, annotations)
     found = read_labels(annotations_of(annotations), known)
-    code = datasets.report_unreadable(found.problems)
+    code = input_files.report_unreadable(found.problems)
     frames = labelled_frames(found, known)
     if not any(frame.shapes for frame in frames):
         every = f"every label of {annotations} is a class of the field {known.title}"
         said = f"; {'; '.join(found.losses)}" if found.losses else ""
         none = f"no frame of {annotations} could be read"
         raise UsageError(f"nothing to do: {every if frames else none}{said}")
-    shown = datasets.open_cameras(cameras, camera_format, options.shown_size(camera_size), known)
+    shown = input_files.open_cameras(cameras, camera_format, options.shown_size(camera_size), known)
     unusable: list[str] = []
     given = None if shown is None else cameras_of(shown, unusable.append)
     proposals = propose_labels(frames, known, given)
-    code = max(code, datasets.report_unreadable(unusable))
+    code = max(code, input_files.report_unreadable(unusable))
     _print_proposals(proposals, known, annotations)
     text = proposed_text(proposals, annotations.name, known, given_cameras=shown is not None)
     write_atomic(output, text.encode())
@@ -93,7 +96,7 @@ def _print_proposals(proposals: list[LabelProposal], field: Field, place: Path) 
     if other is not None:
         echo(f"note: {place}: these names are more like those of --field {other}", err=True)
     for one in proposals:
-        shapes = f"{printable(one.count.label)} ({count_words(one.count.shapes, 'shape')})"
+        shapes = f"{printable(one.count.label)} ({pluralize(one.count.shapes, 'shape')})"
         echo(f"{one.surety:6} {shapes}: {_words(one.rule)}; {one.why}")
         if one.like:
             echo(f"       may be {', '.join(name.strip() for name in one.like)}")

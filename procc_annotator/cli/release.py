@@ -12,56 +12,52 @@ from typing import Annotated, TypeVar
 
 import typer
 
-from procc_annotator.cli import datasets, options, outputs
+from procc_annotator.batch.agreement import AgreementRun
+from procc_annotator.batch.checkpoint import checkpoint_path
+from procc_annotator.batch.label_check import CheckRun
+from procc_annotator.cli import input_files, options, outputs
 from procc_annotator.cli.console import progress_bar, with_progress
 from procc_annotator.cli.echo import echo
-from procc_annotator.cli.field_option import chosen_field
-from procc_annotator.cli.together import fit_sizes
-from procc_annotator.errors import InputError, UsageError
-from procc_annotator.field.fingerprint import field_fingerprint
-from procc_annotator.field.model import Field
-from procc_annotator.io.collections import list_annotations
-from procc_annotator.io.csv_text import read_frame_table
-from procc_annotator.io.frame_names import FrameTable
-from procc_annotator.io.source import RELEASE_FILE, FileSource, read_file
-from procc_annotator.report import agreement, findings
-from procc_annotator.report.provenance import export_provenance
-from procc_annotator.report.release.publishing import (
-    gather_frames,
-    origins_of,
-    severities,
-    write_release,
+from procc_annotator.cli.options import chosen_field
+from procc_annotator.cli.set_fits import fit_sizes
+from procc_annotator.dataset.annotation_source import open_annotations
+from procc_annotator.dataset.database.database import WorkspaceDatabase
+from procc_annotator.dataset.database.location import database_path, fallback_path_of, read_settings
+from procc_annotator.dataset.layout import (
+    FIELD_FILE,
+    STADIUMS_FILE,
+    annotations_of,
+    folder_of_dataset,
 )
-from procc_annotator.report.release.released import (
+from procc_annotator.dataset.picture_sizes import PictureSizes, picture_folders, picture_tree
+from procc_annotator.dataset.records import default_author
+from procc_annotator.dataset.review import ignored_keys
+from procc_annotator.dataset.workspace import Workspace
+from procc_annotator.errors import InputError, UsageError
+from procc_annotator.field.load import field_fingerprint
+from procc_annotator.field.model import Field
+from procc_annotator.formats.csv_tables import read_frame_table
+from procc_annotator.formats.file_listing import list_annotations
+from procc_annotator.formats.file_source import RELEASE_FILE, FileSource, read_file
+from procc_annotator.formats.frame_names import FrameTable
+from procc_annotator.messages import list_names, pluralize
+from procc_annotator.report import agreement, label_check
+from procc_annotator.report.outputs import is_archive
+from procc_annotator.report.release.contents import (
     AGREEMENT_FILE,
     FIELD_COPY,
     FINDINGS_FILE,
     PROVENANCE_FILE,
     Release,
     ReleaseDescription,
+    export_provenance,
 )
-from procc_annotator.report.targets import is_archive
-from procc_annotator.session.database.database import WorkspaceDatabase
-from procc_annotator.session.database.places import database_path, fallback_path_of, read_settings
-from procc_annotator.session.dataset.annotation_source import open_annotations
-from procc_annotator.session.dataset.dataset_folder import (
-    FIELD_FILE,
-    STADIUMS_FILE,
-    annotations_of,
-    folder_of_dataset,
+from procc_annotator.report.release.publish import (
+    gather_frames,
+    origins_of,
+    severities,
+    write_release,
 )
-from procc_annotator.session.dataset.picture_sizes import (
-    PictureSizes,
-    picture_folders,
-    picture_tree,
-)
-from procc_annotator.session.dataset.workspace import Workspace
-from procc_annotator.session.facts.ignored_findings import ignored_keys
-from procc_annotator.session.facts.origins import default_author
-from procc_annotator.session.runs.agreement_run import AgreementRun
-from procc_annotator.session.runs.check_run import CheckRun
-from procc_annotator.session.runs.unfinished import checkpoint_path
-from procc_annotator.words import count_words, list_names
 
 HELP = """\
 OUT, a folder or a .zip, gets the annotations as they are, splits, the SHA-256 of every annotation
@@ -165,7 +161,7 @@ def release(given: ReleaseOptions) -> None:
         given.licence, tuple(given.by or ()), given.url, given.description, said,
     )  # fmt: skip
     with open_annotations(place, known) as source:
-        datasets.report_remarks(source.notices)
+        input_files.report_remarks(source.notices)
         _check_out(given.out, source, given.dataset, overwrite=given.overwrite)
         sizes = PictureSizes(
             picture_folders(given.dataset, place), tree=picture_tree(given.dataset)
@@ -191,14 +187,14 @@ def release(given: ReleaseOptions) -> None:
         ):
             changes = write_release(whole, given.out, given.before, sizes.path, progress)
     for split, names in whole.splits.items():
-        echo(f"{split}: {count_words(len(names), 'frame')}")
+        echo(f"{split}: {pluralize(len(names), 'frame')}")
     if changes is not None:
         counted = (len(changes.added), len(changes.removed), len(changes.changed))
         said = "since {}: {} added, {} removed, {} changed".format(changes.before, *counted)
         pictures = len(changes.pictures)
         echo(said + (f", {pictures} with another picture" if pictures else ""))
     echo(f"release {given.version} of {called} written to {given.out}")
-    raise typer.Exit(datasets.report_unreadable(found.problems, "left out"))
+    raise typer.Exit(input_files.report_unreadable(found.problems, "left out"))
 
 
 def _check_out(out: Path, source: FileSource, dataset: Path, *, overwrite: bool) -> None:
@@ -272,12 +268,12 @@ class _ReleaseBuilder:
         sizes = fit_sizes(self._source, self._source.path, self._dataset, None)
         run = CheckRun(self._source, self._known, sizes, "R", looks=True)
         run.frames = [frame for frame in run.frames if frame.name in self._released]
-        report = findings.check_set(run, with_progress)
+        report = label_check.check_set(run, with_progress)
         ignored = {} if self._folder is None else ignored_keys(read_settings(self._folder)[0])
         report.found = [
             told for told in report.found if told.key not in ignored.get(told.frame, frozenset())
         ]
-        files[FINDINGS_FILE] = findings.findings_csv(report)
+        files[FINDINGS_FILE] = label_check.findings_csv(report)
         return severities(told.finding.severity.value for told in report.found)
 
     def agreement(self, second: Path, files: dict[str, bytes]) -> str:

@@ -8,13 +8,13 @@ from typing import Annotated
 
 import typer
 
-from procc_annotator.cli import datasets, options, outputs
+from procc_annotator.cli import input_files, options, outputs
 from procc_annotator.cli.console import with_progress
 from procc_annotator.cli.echo import echo
 from procc_annotator.cli.painters import overlay_painter
-from procc_annotator.report.pictures import Rendered, render_pictures
-from procc_annotator.report.scenes import OverlayLook
-from procc_annotator.words import count_words, list_names
+from procc_annotator.messages import list_names, pluralize
+from procc_annotator.report.overlay_pictures import Rendered, render_pictures
+from procc_annotator.report.overlay_scene import OverlayLook
 
 HELP = """\
 Colours and dashes are those of the window: they say which elements agree at --threshold; --legend
@@ -65,11 +65,11 @@ Legend = Annotated[
 
 
 def render(
-    dataset: datasets.Dataset,
+    dataset: input_files.Dataset,
     out: Out,
-    annotations: datasets.Annotations = None,
+    annotations: input_files.Annotations = None,
     labels: options.LabelsFile = None,
-    cameras: datasets.Cameras = None,
+    cameras: input_files.Cameras = None,
     threshold: Threshold = options.DEFAULT_THRESHOLD,
     protocol: options.Protocol = "soccernet",
     size: options.Size = "960x540",
@@ -91,10 +91,10 @@ def render(
         field, size, protocol, off_plane, mirrored, datasets=[dataset], lines=lines
     )
     (tau,) = options.thresholds_or_default([threshold])
-    workspace = datasets.open_dataset(
+    workspace = input_files.open_dataset(
         dataset, setup.field, annotations, options.label_map(labels, setup.field)
     )
-    camera_set = datasets.open_cameras(
+    camera_set = input_files.open_cameras(
         cameras, camera_format, options.shown_size(camera_size), setup.field
     )
     outputs.check_folder_apart(
@@ -111,9 +111,9 @@ def render(
     with outputs.replacing_nothing(out, names, "render", overwrite=overwrite):
         for done in with_progress(steps, len(workspace.frames), "drawing"):
             rendered = done
-    echo(f"{count_words(len(rendered.pictures), 'overlay picture')} written to {out}")
-    datasets.report_notices(rendered.notices)
+    echo(f"{pluralize(len(rendered.pictures), 'overlay picture')} written to {out}")
+    input_files.report_notices(rendered.notices)
     if rendered.bare:
         frames = list_names(rendered.bare, "frame")
-        datasets.report_remarks([f"neither annotation nor camera, nothing is drawn: {frames}"])
-    raise typer.Exit(datasets.report_unreadable(rendered.problems))
+        input_files.report_remarks([f"neither annotation nor camera, nothing is drawn: {frames}"])
+    raise typer.Exit(input_files.report_unreadable(rendered.problems))

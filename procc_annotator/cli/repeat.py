@@ -9,32 +9,39 @@ from typing import Annotated
 
 import typer
 
+from procc_annotator.batch.execution.executor import make_executor
 from procc_annotator.cli import options, outputs
 from procc_annotator.cli.console import with_progress
 from procc_annotator.cli.echo import echo
-from procc_annotator.cli.recipe_further import temporal_again, inference_settings_again
-from procc_annotator.cli.recipes import evaluated_here, reopen_field, hashed_input, reopen_label_map
+from procc_annotator.cli.manifest import (
+    evaluated_here,
+    hashed_input,
+    inference_settings_again,
+    reopen_field,
+    reopen_label_map,
+    temporal_again,
+)
+from procc_annotator.dataset.annotation_source import open_annotations
 from procc_annotator.errors import InputError, UsageError
-from procc_annotator.io.atomic import write_atomic
-from procc_annotator.io.camera_files.camera_collection import CameraCollection
-from procc_annotator.io.source import read_file
-from procc_annotator.report.recipe import (
-    RunManifest,
+from procc_annotator.formats.atomic import write_atomic
+from procc_annotator.formats.cameras.collection import CameraCollection
+from procc_annotator.formats.file_source import read_file
+from procc_annotator.messages import pluralize
+from procc_annotator.report.run_manifest import (
     ManifestEvaluation,
     ManifestInput,
+    RunManifest,
     differing_figures,
     differing_files,
+    differing_inference,
+    differing_over_time,
     hashed,
     read_manifest,
     setup_of,
 )
-from procc_annotator.report.recipe_further import differing_inference, differing_over_time
 from procc_annotator.report.scores.scoring import EvaluationRequest, Evaluations, RequestedOutputs
-from procc_annotator.report.sheet.as_json import json_bytes
-from procc_annotator.session.dataset.annotation_source import open_annotations
-from procc_annotator.session.runs.execution.executor import make_executor
+from procc_annotator.report.tables.data_files import json_bytes
 from procc_annotator.version import __version__
-from procc_annotator.words import count_words
 
 HELP = """\
 RECIPE is what evaluate or report wrote with --recipe. Its inputs are looked for by their relative
@@ -124,7 +131,9 @@ def _other_version(known: RunManifest) -> list[str]:
     return [] if known.version == own else [f"other version: {own}, was {known.version}"]
 
 
-def _open(known: RunManifest, root: Path, opened: ExitStack) -> tuple[list[EvaluationRequest], list[str]]:
+def _open(
+    known: RunManifest, root: Path, opened: ExitStack
+) -> tuple[list[EvaluationRequest], list[str]]:
     """The evaluations with what is here, and which files differ.
 
     Raises:
@@ -169,7 +178,11 @@ def _single(wanted: ManifestInput, root: Path) -> ManifestInput:
 
 
 def _reevaluate(
-    known: RunManifest, root: Path, asked: Sequence[EvaluationRequest], workers: int | None, dask: str | None
+    known: RunManifest,
+    root: Path,
+    asked: Sequence[EvaluationRequest],
+    workers: int | None,
+    dask: str | None,
 ) -> tuple[list[ManifestEvaluation], list[str]]:
     """The evaluations as they are here, and what of the other figures differs."""
     different: list[str] = []
@@ -209,7 +222,7 @@ def _print_differences(known: RunManifest, differences: Sequence[str]) -> None:
     for line in differences[:_LISTED]:
         echo(line)
     if (more := len(differences) - _LISTED) > 0:
-        echo(f"... and {count_words(more, 'more difference')}")
+        echo(f"... and {pluralize(more, 'more difference')}")
     files = sum(len(one.files) for one in known.inputs)
     figures = sum(len(f) for one in known.evaluations for f in one.figures.values())
     if known.chance is not None:
@@ -219,6 +232,6 @@ def _print_differences(known: RunManifest, differences: Sequence[str]) -> None:
         figures += sum(len(row) for row in known.over_time.rows)
     if not differences:
         echo(
-            f"the same: {count_words(files, 'file')} and {count_words(figures, 'figure')} of"
-            f" {count_words(len(known.evaluations), 'evaluation')}"
+            f"the same: {pluralize(files, 'file')} and {pluralize(figures, 'figure')} of"
+            f" {pluralize(len(known.evaluations), 'evaluation')}"
         )

@@ -11,43 +11,53 @@ from typing import Annotated
 
 import typer
 
-from procc_annotator.cli import chance_options, datasets, options, outputs, over_time
+from procc_annotator.batch.execution.executor import make_executor
+from procc_annotator.batch.grouping import Tags
+from procc_annotator.cli import inference_options, input_files, options, outputs, temporal_options
 from procc_annotator.cli.console import with_progress
 from procc_annotator.cli.echo import echo
+from procc_annotator.cli.manifest import (
+    FieldArguments,
+    FurtherResults,
+    ManifestOption,
+    ManifestRequest,
+    manifest_request,
+)
+from procc_annotator.cli.method_arguments import SourceSpec, parse_sources
 from procc_annotator.cli.painters import overlay_painter, pair_painter
-from procc_annotator.cli.recipe_further import FurtherResults
-from procc_annotator.cli.recipes import FieldArguments, ManifestRequest, ManifestOption, manifest_request
-from procc_annotator.cli.sources import SourceSpec, parse_sources
+from procc_annotator.dataset.annotation_source import open_annotations
+from procc_annotator.dataset.camera_set import CameraSet
+from procc_annotator.dataset.layout import annotations_of, annotations_or_path
+from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.interact.palette import SOURCE_COLOURS
-from procc_annotator.io.annotation_files.label_map import LabelMap
-from procc_annotator.io.camera_files.camera_collection import CameraCollection
-from procc_annotator.io.collections import ANNOTATIONS_FOLDER, list_annotations
-from procc_annotator.io.frame_names import FrameTable
-from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.report.page.audit_report import AuditReport, NamedCameras, ReportWork, gather_report
-from procc_annotator.report.page.html_report import is_foreign_file
-from procc_annotator.report.page.report_pairs import PairPainters
-from procc_annotator.report.page.report_pictures import Painters
-from procc_annotator.report.page.reporting import (
-    ReportPainters,
+from procc_annotator.formats.annotations.label_map import LabelMap
+from procc_annotator.formats.cameras.collection import CameraCollection
+from procc_annotator.formats.file_listing import ANNOTATIONS_FOLDER, list_annotations
+from procc_annotator.formats.frame_names import FrameTable
+from procc_annotator.interaction.palette import SOURCE_COLOURS
+from procc_annotator.metrics.setup import EvaluationSetup
+from procc_annotator.report.overlay_scene import OverlayLook
+from procc_annotator.report.page.html import is_foreign_file
+from procc_annotator.report.page.overlays import Painters
+from procc_annotator.report.page.pairs import PairPainters
+from procc_annotator.report.page.report import (
     ReportInputs,
+    ReportPainters,
     ReportRequest,
     check_request,
     report_kind,
     write_report,
 )
-from procc_annotator.report.scenes import OverlayLook
-from procc_annotator.report.scores.chance import InferenceSettings
+from procc_annotator.report.page.report_data import (
+    AuditReport,
+    NamedCameras,
+    ReportWork,
+    gather_report,
+)
+from procc_annotator.report.scores.inference import InferenceSettings
 from procc_annotator.report.scores.scoring import EvaluationRequest
-from procc_annotator.report.sheet.as_latex import COLUMN_PT
-from procc_annotator.session.dataset.annotation_source import open_annotations
-from procc_annotator.session.dataset.camera_set import CameraSet
-from procc_annotator.session.dataset.dataset_folder import annotations_of, annotations_or_path
-from procc_annotator.session.dataset.workspace import Workspace
-from procc_annotator.session.runs.execution.executor import make_executor
-from procc_annotator.session.runs.tags import Tags
+from procc_annotator.report.tables.latex import COLUMN_PT
 
 HELP = """\
 DATASET is a folder of pictures and annotations, or a folder or zip of annotations alone: overlay
@@ -160,7 +170,7 @@ class ReportOptions:
     dataset: Dataset
     cameras: options.Sources = None
     output: Output = None
-    annotations: datasets.Annotations = None
+    annotations: input_files.Annotations = None
     threshold: Thresholds = None
     protocol: options.Protocol = "soccernet"
     size: options.Size = "960x540"
@@ -172,9 +182,9 @@ class ReportOptions:
     off_plane: options.OffPlane = "missed"
     planar_only: options.PlanarOnly = False
     mirrored: options.Mirrored = False
-    tags: chance_options.TagsFile = None
+    tags: inference_options.TagsFile = None
     by: By = None
-    chance: chance_options.IntervalOptions
+    chance: inference_options.IntervalOptions
     title: Title = None
     date: Date = None
     worst: Worst = 4
@@ -185,8 +195,8 @@ class ReportOptions:
     picture_width: PictureWidth = 960
     latex_width: LatexWidth = COLUMN_PT
     recipe: ManifestOption = None
-    steady: over_time.OverTime = False
-    shots: over_time.Shots = None
+    steady: temporal_options.OverTime = False
+    shots: temporal_options.Shots = None
     workers: options.Workers = None
     dask: options.Dask = None
 
@@ -215,18 +225,20 @@ def report(context: typer.Context, given: ReportOptions) -> None:
     check_request(request, [spec.name for spec in specs])
     place = annotation_place(given.dataset, setup.field, given.annotations)
     read_tags = None if given.tags is None else Tags.read(given.tags)
-    groups, derived = chance_options.groups_asked(given.by, read_tags, given.chance.cluster)
+    groups, derived = inference_options.groups_asked(given.by, read_tags, given.chance.cluster)
     parts = (*groups, *derived)
     chance = given.chance.terms(read_tags, {name: place[0]}, parts, given.seed, given.shots)
     if given.recipe is not None:
         outputs.check_output_folder(given.recipe)
-    noise = chance_options.noise_file(given.chance.click_noise)
+    noise = inference_options.noise_file(given.chance.click_noise)
     beside = {"tags": given.tags, "click noise": noise, "shots": given.shots}
-    asked = manifest_request(given.recipe, context, FieldArguments(given.field, given.lines), beside)
+    asked = manifest_request(
+        given.recipe, context, FieldArguments(given.field, given.lines), beside
+    )
     call = _ReportRequest(
         name, specs, setup, thresholds, request, written, given.picture_width, chance,
         options.label_map(given.labels, setup.field), asked,
-        over_time.TemporalRequest.of(given.steady, given.shots, None, None),
+        temporal_options.TemporalRequest.of(given.steady, given.shots, None, None),
     )  # fmt: skip
     gathered, problems = _make(
         call, *place, options.shown_size(given.camera_size), given.workers, given.dask
@@ -249,7 +261,7 @@ class _ReportRequest:
     chance: InferenceSettings
     labels: LabelMap | None
     recipe: ManifestRequest | None
-    over_time: over_time.TemporalRequest | None
+    over_time: temporal_options.TemporalRequest | None
 
 
 def _written(cameras: list[str] | None, output: list[Path] | None) -> list[Path]:
@@ -283,17 +295,19 @@ def _make(
     with ExitStack() as opened:
         source = opened.enter_context(open_annotations(folder, call.setup.field, call.labels))
         collections = [opened.enter_context(_open(spec, call.setup.field)) for spec in call.specs]
-        datasets.report_mismatch(source, call.setup.field)
+        input_files.report_mismatch(source, call.setup.field)
         named = list(zip(call.specs, collections, strict=True))
         for spec, collection in named:
-            datasets.report_remarks(f"{spec.name}: {notice}" for notice in collection.notices)
+            input_files.report_remarks(f"{spec.name}: {notice}" for notice in collection.notices)
         files = (*call.written, *([call.recipe.path] if call.recipe else []))
         outputs.check_not_inputs(files, [source, *collections])
         work_ahead = len(list_annotations(source)) * _frame_cost(call.request, len(call.specs))
         executor = opened.enter_context(make_executor(workers, dask, frames=work_ahead))
         work = ReportWork(executor, camera_size, with_progress)
         asked = [
-            EvaluationRequest(call.name, spec.name, source, cameras, call.setup, camera_size=camera_size)
+            EvaluationRequest(
+                call.name, spec.name, source, cameras, call.setup, camera_size=camera_size
+            )
             for spec, cameras in named
         ]
         steady = call.over_time
@@ -318,11 +332,11 @@ def _print_summary(call: _ReportRequest, gathered: AuditReport, problems: list[s
     for path in (*call.written, *([call.recipe.path] if call.recipe else [])):
         echo(f"written: {path}")
     notes = dict.fromkeys(note for s in gathered.sources for note in s.annotation_notes)
-    datasets.report_remarks(notes)
+    input_files.report_remarks(notes)
     failures = list(dict.fromkeys(gathered.failures()))
     # Drawing a frame meets what scoring it has met, without knowing the source's name.
     failures += [p for p in problems if not any(said.endswith(p) for said in failures)]
-    return datasets.report_unreadable(failures)
+    return input_files.report_unreadable(failures)
 
 
 def _frame_cost(request: ReportRequest, sources: int) -> int:

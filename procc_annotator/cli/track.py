@@ -10,21 +10,28 @@ from typing import Annotated
 
 import typer
 
-from procc_annotator.cli import datasets, options, outputs
+from procc_annotator.assist.track_anchors import TrackAnchors
+from procc_annotator.batch.execution.executor import Executor, make_executor
+from procc_annotator.batch.tracking import ShotToTrack, TrackRun, damaged_pictures
+from procc_annotator.calibration.single_image.propose import warm_up_caches
+from procc_annotator.calibration.tracking.shot_tracker import track_shot as follow_shot
+from procc_annotator.cli import input_files, options, outputs
 from procc_annotator.cli.console import progress_bar, stdout_console
 from procc_annotator.cli.echo import echo
-from procc_annotator.cli.field_option import chosen_field
+from procc_annotator.cli.options import chosen_field
+from procc_annotator.dataset.annotation_source import FrameAnnotations
+from procc_annotator.dataset.picture_sizes import picture_size
+from procc_annotator.dataset.sequence import PictureSource, find_shots, open_pictures
 from procc_annotator.errors import ImageError, InputError, UsageError
+from procc_annotator.field.load import field_for_stadium, stadium_of
 from procc_annotator.field.model import Field
-from procc_annotator.field.stadiums import field_for_stadium, stadium_of
-from procc_annotator.fit.from_picture.proposing import warm_up_caches
-from procc_annotator.fit.through_shot.following_shot import track_shot as follow_shot
-from procc_annotator.io.camera_files.camera_collection import CameraCollection
-from procc_annotator.report.targets import Interrupted
-from procc_annotator.report.track_places import find_positions
-from procc_annotator.report.tracks import (
+from procc_annotator.formats.cameras.collection import CameraCollection
+from procc_annotator.messages import pluralize
+from procc_annotator.report.outputs import Interrupted
+from procc_annotator.report.tracking import (
     TABLE_FILE,
     TrackTable,
+    find_positions,
     gaps_of,
     gaps_table,
     read_table,
@@ -32,14 +39,6 @@ from procc_annotator.report.tracks import (
     tracked_words,
     write_tracks,
 )
-from procc_annotator.session.dataset.frame_annotations import FrameAnnotations
-from procc_annotator.session.dataset.picture_sizes import picture_size
-from procc_annotator.session.dataset.picture_source import PictureSource, open_pictures
-from procc_annotator.session.runs.execution.executor import Executor, make_executor
-from procc_annotator.session.runs.shots import find_shots
-from procc_annotator.session.runs.track_anchors import TrackAnchors
-from procc_annotator.session.runs.track_run import ShotToTrack, TrackRun, damaged_pictures
-from procc_annotator.words import count_words
 
 HELP = """\
 SOURCE is a video, whose frames are named as the window names them (match_000123), or a folder of
@@ -126,7 +125,7 @@ def track(
     shown = chosen_field(field, source, lines=lines)
     names = options.label_map(labels, shown)
     pictures = open_pictures(source, annotations)
-    datasets.report_remarks(pictures.notices)
+    input_files.report_remarks(pictures.notices)
     start = None if begin is None else _number_of(begin, pictures)
     called = tuple(frame.name for frame in pictures.frames)
     outputs.check_camera_folder(out, [source, annotations, cameras])
@@ -246,13 +245,13 @@ def _anchors(
 ) -> TrackAnchors:
     found = TrackAnchors()
     if clicked is not None:
-        datasets.report_remarks(clicked.notices)
+        input_files.report_remarks(clicked.notices)
         found.add_annotated(pictures.frames, clicked, field)
     if cameras is not None:
         with CameraCollection.open(cameras, camera_format, field=field) as collection:
-            datasets.report_remarks(collection.notices)
+            input_files.report_remarks(collection.notices)
             found.add_cameras(pictures.frames, collection, camera_size)
-    datasets.report_remarks(found.remarks)
+    input_files.report_remarks(found.remarks)
     return found
 
 
@@ -286,7 +285,8 @@ def _shots(pictures: PictureSource, anchors: TrackAnchors, start: int | None) ->
 def _interrupted_message(stopped: Interrupted, out: Path) -> str:
     """What an interrupted run left, and how to go on."""
     return (
-        f"{stopped.written} of {count_words(stopped.total, 'frame')} are in {out}/{TABLE_FILE}; run it"
+        f"{stopped.written} of {pluralize(stopped.total, 'frame')} are in {out}/{TABLE_FILE};"
+        " run it"
         " again: shots that are done stay, the others are followed from their beginning"
     )
 
@@ -298,6 +298,6 @@ def _report(table: TrackTable, problems: list[str], kept: int, out: Path) -> int
     if gaps := gaps_of(table):
         console.print(gaps_table(gaps))
     if kept:
-        echo(f"followed before: {count_words(kept, 'shot')} (--overwrite follows them again)")
+        echo(f"followed before: {pluralize(kept, 'shot')} (--overwrite follows them again)")
     echo(f"{tracked_words(table)}; written to {out}, with {TABLE_FILE}")
-    return datasets.report_unreadable([*problems, *table.errors])
+    return input_files.report_unreadable([*problems, *table.errors])

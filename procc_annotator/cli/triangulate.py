@@ -1,74 +1,241 @@
-"""``procc-annotator triangulate``: landmarks of a dataset from clicks in several views."""
+"""Command ``triangulate``: triangulate landmarks from clicks in several views."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
+from typing import Annotated
 
 import typer
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.cli import datasets, options
+from procc_annotator.calibration.fitting import require_known_model
+from procc_annotator.cli import input_files, options, outputs
 from procc_annotator.cli.console import progress_bar, stdout_console
 from procc_annotator.cli.echo import echo
-from procc_annotator.cli.field_option import chosen_field
-from procc_annotator.cli.landmark_options import (
-    Cameras,
-    ClickPx,
-    Model,
-    Moving,
-    Output,
-    Pattern,
-    Surveyed,
-    ViewsFile,
-    chosen_cameras,
-    check_values,
-    chosen_view_groups,
-    named_in_options,
-    target_file,
-    add_surveyed,
-)
-from procc_annotator.errors import UsageError
-from procc_annotator.field.landmarks import with_landmarks
-from procc_annotator.field.model import Field
-from procc_annotator.field.words import did_you_mean
-from procc_annotator.io.annotation_files.annotation_formats import read_plain
-from procc_annotator.io.collections import list_annotations
-from procc_annotator.io.landmark_file import LANDMARKS_FILE, LandmarkFile, save_landmarks
-from procc_annotator.io.source import FileSource
-from procc_annotator.report.landmarks import frames_without_camera, landmarks_table, surveyed_astray
-from procc_annotator.session.dataset.annotation_source import open_annotations
-from procc_annotator.session.dataset.camera_set import CameraSet
-from procc_annotator.session.dataset.dataset_folder import (
-    VIEWS_FILE,
-    annotations_of,
-    folder_of_dataset,
-)
-from procc_annotator.session.dataset.field_match import classes_of_source
-from procc_annotator.session.dataset.picture_sizes import PictureSizes
-from procc_annotator.session.landmarks.dataset_landmarks import read_dataset_landmarks
-from procc_annotator.session.landmarks.landmark_clicks import LocatedLandmark, with_positions
-from procc_annotator.session.landmarks.landmark_scan import (
-    FoundInDataset,
+from procc_annotator.cli.input_files import report_remarks
+from procc_annotator.cli.method_arguments import parse_source
+from procc_annotator.cli.options import chosen_field
+from procc_annotator.dataset.annotation_source import open_annotations
+from procc_annotator.dataset.camera_set import CameraSet
+from procc_annotator.dataset.diagnostics import classes_of_source, found_instead_of_cameras
+from procc_annotator.dataset.landmarks import dataset_landmarks
+from procc_annotator.dataset.landmarks.clicks import LocatedLandmark, with_positions
+from procc_annotator.dataset.landmarks.dataset_landmarks import read_dataset_landmarks
+from procc_annotator.dataset.landmarks.triangulation import (
     DatasetPaths,
+    FoundInDataset,
     TriangulationSettings,
     locate_in_dataset,
 )
-from procc_annotator.session.landmarks.view_groups import ViewGroups, load_views, save_views
-from procc_annotator.words import count_words
+from procc_annotator.dataset.landmarks.view_groups import (
+    ViewGroups,
+    groups_by_name,
+    load_views,
+    save_views,
+)
+from procc_annotator.dataset.layout import VIEWS_FILE, annotations_of, folder_of_dataset
+from procc_annotator.dataset.picture_sizes import PictureSizes
+from procc_annotator.errors import UsageError
+from procc_annotator.field.formulas import did_you_mean
+from procc_annotator.field.landmarks import with_landmarks
+from procc_annotator.field.model import Field
+from procc_annotator.formats.annotations.registry import read_plain
+from procc_annotator.formats.file_listing import list_annotations
+from procc_annotator.formats.file_source import FileSource
+from procc_annotator.formats.landmark_file import LANDMARKS_FILE, LandmarkFile, save_landmarks
+from procc_annotator.messages import pluralize
+from procc_annotator.report.landmarks import frames_without_camera, landmarks_table, surveyed_astray
+
+Cameras = Annotated[
+    str | None,
+    typer.Option(
+        "--cameras",
+        metavar="[NAME[:FORMAT]=]PATH",
+        show_default=False,
+        help="Cameras of the frames: folder, zip or file.  [default: fitted to the annotations]",
+    ),
+]
+ViewsFile = Annotated[
+    Path | None,
+    typer.Option(
+        "--views",
+        metavar="FILE.csv",
+        show_default=False,
+        help="When each frame was taken, and by which camera.  [default: the dataset's views.csv]",
+    ),
+]
+Pattern = Annotated[
+    str | None,
+    typer.Option(
+        "--pattern",
+        metavar="TEXT",
+        show_default=False,
+        help="The same from the frames' names: {instant}_{view}, or a regular expression with"
+        " (?P<instant>...).",
+    ),
+]
+Moving = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--moving", metavar="NAME", help="A landmark that moves; repeat for several.",
+        show_default=False,
+    ),
+]  # fmt: skip
+Surveyed = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--surveyed",
+        metavar="NAME=X,Y,Z",
+        show_default=False,
+        help="A landmark whose place was measured, metres from the field's centre (z down); repeat"
+        " for several.",
+    ),
+]
+ClickPx = Annotated[
+    float | None,
+    typer.Option(
+        "--click-px",
+        metavar="PX",
+        show_default=False,
+        help="Standard deviation of a click and its camera together, px of --size.  [default: 1.5"
+        " at 960 px, corrected by the residuals]",
+    ),
+]
+Output = Annotated[
+    Path | None,
+    typer.Option(
+        "--output",
+        "-o",
+        metavar="FILE.json",
+        show_default=False,
+        help="Write the landmarks here, and leave the dataset as it is, without a views.csv."
+        "  [default: landmarks.json in the dataset's folder]",
+    ),
+]
+Model = Annotated[
+    str,
+    typer.Option("--model", "-m", metavar="P|R|R+|R2|F|auto", help="Camera to fit to each frame."),
+]
+
+
+def check_values(model: str, click_px: float | None) -> None:
+    """Raise UsageError for what no camera can be fitted or no place be found with."""
+    require_known_model(model)
+    if model == "H":
+        raise UsageError("a homography tells no place in space: choose P, R, R+ or auto, not H")
+    if click_px is not None and not click_px > 0:
+        raise UsageError(f"--click-px must be a positive number of pixels, not {click_px:g}")
+
+
+def add_surveyed(known: LandmarkFile, measured: Iterable[str], field: Field) -> LandmarkFile:
+    """With measured positions; what else is known of the landmarks stays.
+
+    Raises:
+        UsageError: one that is not written as ``NAME=X,Y,Z``, cannot be, moves, or is a class of
+            the field.
+    """
+    for text in measured:
+        try:
+            name, position = dataset_landmarks.parse_surveyed(text)
+            dataset_landmarks.require_free(name, field)
+            known = dataset_landmarks.with_surveyed_position(known, name, position)
+        except UsageError as error:
+            raise UsageError(f"--surveyed {text}: {error}") from error
+    return known
+
+
+def named_in_options(
+    surveyed: Sequence[str], moving: Sequence[str], field: Field
+) -> dict[str, str]:
+    """The landmarks that options name, and the option that does.
+
+    Raises:
+        UsageError: one that has two places, or one and moves; one that is a class of the field.
+    """
+    named: dict[str, str] = {}
+    for text in surveyed:
+        name, _ = dataset_landmarks.parse_surveyed(text)
+        if name in named:
+            raise UsageError(
+                f"--surveyed {text}: {name} has a place already: leave one of them out"
+            )
+        named[name] = "--surveyed"
+    for name in map(str.strip, moving):
+        if named.get(name) == "--surveyed":
+            raise UsageError(
+                f"--moving {name}: --surveyed says where it stays: leave one of them out"
+            )
+        try:
+            dataset_landmarks.require_free(name, field)
+        except UsageError as error:
+            raise UsageError(f"--moving {name}: {error}") from error
+        named[name] = "--moving"
+    return named
+
+
+def target_file(dataset: Path, output: Path | None) -> Path:
+    """Where the landmarks are written to.
+
+    Raises:
+        UsageError: nowhere.
+    """
+    if output is not None:
+        if output.suffix.lower() != ".json":
+            raise UsageError(f"{output}: landmarks are written as .json, end the name so")
+        outputs.check_output_folder(output)
+        return output
+    if not dataset.exists():
+        raise UsageError(f"{dataset}: does not exist")
+    folder = folder_of_dataset(dataset)
+    if folder is None:
+        raise UsageError(f"{dataset}: is an archive, name a file for the landmarks with --output")
+    return folder / LANDMARKS_FILE
+
+
+def chosen_view_groups(
+    own: ViewGroups, source: FileSource, views: Path | None, pattern: str | None
+) -> ViewGroups:
+    if views is not None and pattern is not None:
+        raise UsageError("--views and --pattern both say when frames were taken: choose one")
+    if pattern is not None:
+        return groups_by_name(list_annotations(source), pattern)
+    if views is not None and not views.exists():
+        raise UsageError(f"{views}: does not exist")
+    return own if views is None else load_views(views)
+
+
+def chosen_cameras(
+    cameras: str | None, camera_format: str, camera_size: str | None, field: Field
+) -> CameraSet | None:
+    if cameras is None:
+        return None
+    spec = parse_source(cameras, camera_format)
+    if not spec.path.exists():
+        raise UsageError(f"{spec.path}: does not exist")
+    given = CameraSet.open(
+        spec.path, spec.format, spec.name, options.shown_size(camera_size), field
+    )
+    if not given.frames:
+        raise UsageError(
+            f"nothing to do: no camera (format {spec.format}) in {spec.path}"
+            + found_instead_of_cameras(spec.path)
+        )
+    report_remarks(given.notices)
+    return given
 
 
 def report_strange_rows(groups: ViewGroups, source: FileSource, dataset: Path) -> None:
     folder = folder_of_dataset(dataset)
     pictures = PictureSizes([folder] if folder is not None else [], tree=folder)
     frames = {*list_annotations(source), *pictures.frames()}
-    datasets.report_remarks(groups.unknown_rows(frames))
+    input_files.report_remarks(groups.unknown_rows(frames))
 
 
 def report_not_clicked(named: Mapping[str, str], located: Iterable[LocatedLandmark]) -> None:
     clicked = {one.clicked.name.strip() for one in located}
-    datasets.report_remarks(
+    input_files.report_remarks(
         f"{option} {name}: it is clicked in no frame{did_you_mean(name, clicked)}"
         for name, option in named.items()
         if name not in clicked
@@ -77,16 +244,16 @@ def report_not_clicked(named: Mapping[str, str], located: Iterable[LocatedLandma
 
 def print_landmarks(located: Sequence[LocatedLandmark], described: str) -> None:
     stdout_console().print(landmarks_table(located, f"cameras: {described}"))
-    datasets.report_remarks(
+    input_files.report_remarks(
         f"no camera in {frame}: {why}" for frame, why in frames_without_camera(located).items()
     )
-    datasets.report_remarks(surveyed_astray(located))
+    input_files.report_remarks(surveyed_astray(located))
 
 
 def write_landmarks(target: Path, known: LandmarkFile) -> None:
     save_landmarks(target, known)
     placed = sum(mark.position is not None for mark in known.landmarks)
-    echo(f"written: {count_words(placed, 'position')} to {target}")
+    echo(f"written: {pluralize(placed, 'position')} to {target}")
 
 
 def keep_groups(target: Path, groups: ViewGroups, dataset: Path) -> None:
@@ -158,7 +325,7 @@ def triangulate(
     named = named_in_options(surveyed or (), moving or (), shown)
     shown = with_landmarks(shown, known.landmarks)
     with open_annotations(place, shown, options.label_map(labels, shown)) as source:
-        datasets.report_remarks(list_annotations(source).notices)
+        input_files.report_remarks(list_annotations(source).notices)
         _refuse_classes_of_another_field(source, shown)
         groups = chosen_view_groups(groups, source, views, pattern)
         report_strange_rows(groups, source, dataset)
@@ -181,7 +348,7 @@ def triangulate(
     write_landmarks(target, known)
     if views or pattern:
         keep_groups(target, groups, dataset)
-    raise typer.Exit(datasets.report_unreadable(list(found.problems)))
+    raise typer.Exit(input_files.report_unreadable(list(found.problems)))
 
 
 def _require_cameras_of(found: FoundInDataset, cameras: CameraSet) -> None:
@@ -198,10 +365,10 @@ def _refuse_classes_of_another_field(source: FileSource, field: Field) -> None:
     """Raise UsageError where the set shows another field: its classes would become landmarks, and
     no field can be chosen that has a class of a landmark's name."""
     classes = classes_of_source(source, field)
-    mismatch, _ = datasets.mismatch_at(classes, field, source.path)
+    mismatch, _ = input_files.mismatch_at(classes, field, source.path)
     if mismatch is None or mismatch.better is None:
         return
-    datasets.report_mismatch_of(classes, field, source.path)
+    input_files.report_mismatch_of(classes, field, source.path)
     raise UsageError(
         f"nothing was triangulated: classes of {mismatch.better.title} are no landmarks (one that"
         " is a landmark all the same: name it in landmarks.json)"

@@ -8,9 +8,13 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from itertools import islice, product
 
-from procc_annotator.field.formula import FormulaError, Formulas, UnknownNameError
-from procc_annotator.field.values import FieldFileValues
-from procc_annotator.field.words import did_you_mean
+from procc_annotator.field.formulas import (
+    FieldFileValues,
+    FormulaError,
+    Formulas,
+    UnknownNameError,
+    did_you_mean,
+)
 
 _RELATION_PATTERN = re.compile(r"([^<>=]+)(<=|>=|<|>)([^<>=]+)\Z")
 # What is kept of a dimension and what formulas make of it differ by less; nobody measures as much.

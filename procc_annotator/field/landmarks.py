@@ -13,9 +13,9 @@ from collections.abc import Container, Iterable, Mapping
 from dataclasses import replace
 
 from procc_annotator.errors import FieldError
+from procc_annotator.field.formulas import short_repr
 from procc_annotator.field.geometry import Covariance, Spot
 from procc_annotator.field.model import Element, Field, Landmark, Symmetry
-from procc_annotator.field.words import short_repr
 
 LANDMARK_GROUP = "Landmarks"
 # Hues that are seen on grass, on wood and on ice: all but the greens, from cyan over red to yellow.

@@ -1,10 +1,10 @@
-"""Read a field description (TOML) into a `Field`; every formula is evaluated, every name checked.
-
-What a description holds is told in the user guide, "A sport of your own"; `field.reading` reads it.
+"""Load a field by name or from a TOML file, change its dimensions, and get it per stadium and
+frame.
 """
 
 from __future__ import annotations
 
+import hashlib
 import re
 import tomllib
 from collections.abc import Mapping
@@ -13,12 +13,12 @@ from functools import cache, lru_cache
 from pathlib import Path
 
 from procc_annotator.errors import FieldError
-from procc_annotator.field.landmarks import with_landmarks
-from procc_annotator.field.lines import line_number_of
-from procc_annotator.field.model import LINE_POSITIONS, MIDDLE_LINE, Field
-from procc_annotator.field.painted_middle import with_centred_markings
-from procc_annotator.field.reading import read_field
-from procc_annotator.field.words import did_you_mean
+from procc_annotator.field.file_reader import line_number_of, read_field
+from procc_annotator.field.formulas import did_you_mean
+from procc_annotator.field.landmarks import field_at, with_landmarks
+from procc_annotator.field.markings import with_centred_markings
+from procc_annotator.field.model import LINE_POSITIONS, MIDDLE_LINE, Field, Stadiums
+from procc_annotator.field.sampling import sample_official
 from procc_annotator.regular_file import read_head
 from procc_annotator.resources import resources_dir
 
@@ -135,7 +135,7 @@ def place_in_file(field: Field, place: str) -> str:
 
     Args:
         field: as it was loaded.
-        place: as `field.reading` and `field.checks` name it.
+        place: as `field.file_reader` and `field.validation` name it.
     """
     if field.source is None or is_builtin_field(field.source):
         return f"{field.name}: {place}"
@@ -143,7 +143,9 @@ def place_in_file(field: Field, place: str) -> str:
     return f"{field.source}: {place}" if line is None else f"{field.source}: line {line}: {place}"
 
 
-def _with_distinct_name(field: Field, path: Path, dimensions: Mapping[str, float], related: bool) -> Field:
+def _with_distinct_name(
+    field: Field, path: Path, dimensions: Mapping[str, float], related: bool
+) -> Field:
     """Figures on a field of one's own must not pass for those on the shipped one of its name."""
     if is_builtin_field(path) or field.name not in field_names():
         return field
@@ -154,7 +156,9 @@ def _with_distinct_name(field: Field, path: Path, dimensions: Mapping[str, float
     return field if same else replace(field, own_file=path.name)
 
 
-def with_dimensions(field: Field, dimensions: Mapping[str, float], *, related: bool = True) -> Field:
+def with_dimensions(
+    field: Field, dimensions: Mapping[str, float], *, related: bool = True
+) -> Field:
     """The same field with other dimensions; those that are not named are nominal.
 
     Landmarks and stadiums stay as they are, lines in the middle of their paint or where they are
@@ -187,7 +191,9 @@ def with_lines(field: Field, lines: str) -> Field:
         FieldError: no such choice, or the field's description cannot be read any more.
     """
     if lines not in LINE_POSITIONS:
-        raise FieldError(field.name, f"lines: expected one of {', '.join(LINE_POSITIONS)}, found {lines!r}")
+        raise FieldError(
+            field.name, f"lines: expected one of {', '.join(LINE_POSITIONS)}, found {lines!r}"
+        )
     if lines == field.lines:
         return field
     if field.source is None:
@@ -227,3 +233,65 @@ def _read_text(path: Path) -> str:
                 path, f"has more than {_MAX_KEY_DOTS} dots in a line", place=f"line {number}"
             )
     return text
+
+
+def with_stadiums(field: Field, stadiums: Stadiums | None) -> Field:
+    """The field with stadiums whose dimensions it can have, in place of those it may have had.
+
+    Raises:
+        FieldError: a stadium's dimensions are none of this field.
+    """
+    if stadiums is None or not stadiums.dimensions:
+        return field if field.stadiums is None else replace(field, stadiums=None)
+    sized = replace(field, stadiums=stadiums)
+    for stadium in stadiums.dimensions:
+        field_for_stadium(sized, stadium)
+    return sized
+
+
+def field_for_stadium(field: Field, stadium: str | None) -> Field:
+    """The field with a stadium's dimensions; those that it does not name are the field's own.
+
+    Args:
+        stadium: one of the field's; itself for another one, or None.
+
+    Raises:
+        FieldError: the dimensions are none of this field.
+    """
+    if field.stadiums is None or stadium is None or stadium not in field.stadiums.dimensions:
+        return field
+    known = field.of_stadiums.get(stadium)
+    if known is None:
+        own = {d.name: d.value for d in field.dimensions if d.value != d.nominal}
+        known = with_dimensions(field, {**own, **field.stadiums.dimensions[stadium]})
+        known = field.of_stadiums[stadium] = replace(known, stadiums=None)
+    return known
+
+
+def stadium_of(field: Field, frame: str) -> str | None:
+    """The stadium that a frame was taken in, where its dimensions are known."""
+    return None if field.stadiums is None else field.stadiums.frames.get(frame)
+
+
+def field_for_frame(field: Field, frame: str) -> Field:
+    """The field as it is in a frame: with the dimensions of its stadium, and with its landmarks
+    where they are then; itself where a frame has nothing of its own."""
+    own = field_for_stadium(field, stadium_of(field, frame))
+    return field_at(own, field.instants.get(frame)) if field.instants else own
+
+
+def field_fingerprint(field: Field) -> str:
+    """SHA-256, in hexadecimal, of the elements, their places to a nanometre, and the turns that
+    take the field to itself; the same of each stadium, and which frames are of it."""
+    samples = sample_official(field)
+    digest = hashlib.sha256()
+    for row, element in enumerate(field.elements):
+        digest.update(repr((element.name, element.on_ground, element.optional)).encode())
+        digest.update((samples.of(row).round(9) + 0.0).tobytes())
+    for turn in field.symmetries:
+        digest.update(repr(turn.turn_rad).encode())
+    if field.stadiums is not None:
+        digest.update(repr(sorted(field.stadiums.frames.items())).encode())
+        for stadium in sorted(field.stadiums.dimensions):
+            digest.update(field_fingerprint(field_for_stadium(field, stadium)).encode())
+    return digest.hexdigest()

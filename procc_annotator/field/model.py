@@ -1,13 +1,9 @@
-"""What can be seen: the elements of a sports field, as data.
-
-World frame: metres, origin at the field's centre, x along the length, y across towards the main
-camera, z down (a crossbar lies at z = -2.44).
-"""
+"""The Field: elements, landmarks, symmetries, camera placement and stadiums as data."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from dataclasses import field as dataclass_field
 from functools import cached_property
@@ -19,8 +15,17 @@ from numpy.typing import NDArray
 
 from procc_annotator.field.appearance import ANY_LINE, Appearance
 from procc_annotator.field.dimensions import Dimension, Relation
-from procc_annotator.field.geometry import Covariance, Geometry, Line, Spot, Vector, is_on_ground
-from procc_annotator.words import count_words
+from procc_annotator.field.geometry import (
+    Covariance,
+    Geometry,
+    Line,
+    Spot,
+    Vector,
+    is_on_ground,
+    rotated,
+    same_geometry,
+)
+from procc_annotator.messages import pluralize
 
 # Where the elements of a field lie: where the rules measure them, or in the middle of their paint.
 MEASURED_LINE, MIDDLE_LINE = LINE_POSITIONS = "measured", "middle"
@@ -176,7 +181,7 @@ class Field:
     they are at ``instant``, and ``instants`` says when its frames were taken
     (`field.landmarks.with_landmarks`). ``lines`` is one of `LINES`,
     ``usual_lines`` the one that its file says. ``stadiums`` gives frames dimensions of their own
-    (`field.stadiums`).
+    (`field.load`).
     """
 
     name: str
@@ -229,7 +234,7 @@ class Field:
         if self.lines == MIDDLE_LINE:
             words.append("lines at their middle")
         if self.stadiums is not None:
-            words.append(f"dimensions of {count_words(len(self.stadiums.dimensions), 'stadium')}")
+            words.append(f"dimensions of {pluralize(len(self.stadiums.dimensions), 'stadium')}")
         return ", ".join(words)
 
     def dimension(self, name: str) -> Dimension | None:
@@ -243,7 +248,7 @@ class Field:
 
     @cached_property
     def of_stadiums(self) -> dict[str, Field]:
-        """What `field.stadiums` has made of it for each stadium so far."""
+        """What `field.load` has made of it for each stadium so far."""
         return {}
 
     @cached_property
@@ -289,3 +294,37 @@ class Field:
         """The element of a class, or None when the class has no geometry."""
         i = self.index.get(class_name)
         return None if i is None else self.elements[i]
+
+
+class NoPartnerError(ValueError):
+    """An element that a turn takes to no other; the text says which."""
+
+    def __init__(self, element: Element) -> None:
+        super().__init__(f"the element {element.name.strip()!r} has no partner")
+        self.element = element
+
+
+def find_symmetry(elements: Sequence[Element], turn_degrees: float) -> Symmetry:
+    """The symmetry of a turn, each element's partner found by its place.
+
+    Elements that lie at the same place (one the prolongation of none, but drawn over) are told
+    apart by their order: the first goes to the first that is free.
+
+    Args:
+        elements: of a field.
+        turn_degrees: from +x towards +y.
+
+    Raises:
+        NoPartnerError: the field is not the same after the turn.
+    """
+    turn = math.radians(turn_degrees)
+    free = dict.fromkeys(range(len(elements)))
+    partner: dict[str, str] = {}
+    for element in elements:
+        there = rotated(element.geometry, turn)
+        twin = next((i for i in free if same_geometry(elements[i].geometry, there)), None)
+        if twin is None:
+            raise NoPartnerError(element)
+        del free[twin]
+        partner[element.name] = elements[twin].name
+    return Symmetry(turn, partner)

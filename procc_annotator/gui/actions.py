@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from procc_annotator.language import word
+from procc_annotator.translation import word
 
 MENUS = (
     word("File"), word("Edit"), word("Frame"), word("Element"), word("View"), word("Camera"),

@@ -6,7 +6,7 @@ from PySide6.QtCore import QLocale, Signal
 from PySide6.QtGui import QValidator
 from PySide6.QtWidgets import QDoubleSpinBox, QToolTip, QWidget
 
-from procc_annotator.language import tr
+from procc_annotator.translation import tr
 
 
 class DecimalBox(QDoubleSpinBox):

@@ -12,9 +12,9 @@ from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QLabel, QMainWindow, QSplitter, QStackedWidget, QVBoxLayout, QWidget
 
 from procc_annotator.errors import FieldError
-from procc_annotator.field.checks import FieldWarning, WarningSeverity, validate_field
 from procc_annotator.field.load import load_field, with_dimensions
 from procc_annotator.field.model import Field
+from procc_annotator.field.validation import FieldWarning, WarningSeverity, validate_field
 from procc_annotator.gui.languages import take_up
 from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.messages import Bar
@@ -24,7 +24,7 @@ from procc_annotator.gui.panels.parts import empty_state, note_label, show_note
 from procc_annotator.gui.settings import LANGUAGE, Settings
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.file_watch import FileWatch
-from procc_annotator.language import tr, tr_count
+from procc_annotator.translation import tr, tr_count
 
 _SIZE = (980, 620)
 _MOST_REMARKS = 8

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from procc_annotator.language import word
+from procc_annotator.translation import word
 
 # Keys that mean something while they are held, without Shift and the like.
 HELD_KEYS = ("X", "Z", ",", "Space")  # not shown

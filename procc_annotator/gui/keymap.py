@@ -11,7 +11,7 @@ from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Element
 from procc_annotator.gui.actions import ACTIONS, ActionSpec
 from procc_annotator.gui.gestures import HELD_KEYS
-from procc_annotator.language import tr, word
+from procc_annotator.translation import tr, word
 
 NATIVE = QKeySequence.SequenceFormat.NativeText
 _PORTABLE = QKeySequence.SequenceFormat.PortableText

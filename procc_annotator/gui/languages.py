@@ -6,7 +6,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, QLibraryInfo, QLocale, QTranslator
 
-from procc_annotator import language
+from procc_annotator import translation
 from procc_annotator.resources import resources_dir
 
 CONTEXT = "procc"  # of all texts in the files of translations
@@ -48,7 +48,7 @@ def take_up(app: QCoreApplication, chosen: str) -> None:
     """
     while _taken_up:
         app.removeTranslator(_taken_up.pop())
-    language.set_translator(None)
+    translation.set_translator(None)
     name = of_system() if chosen == SYSTEM else chosen
     if name == ENGLISH:
         return
@@ -58,7 +58,7 @@ def take_up(app: QCoreApplication, chosen: str) -> None:
         if translator.load(str(file)):
             app.installTranslator(translator)
             _taken_up.append(translator)
-    language.set_translator(_look_up)
+    translation.set_translator(_look_up)
 
 
 def _look_up(text: str, about: str, count: int) -> str:

@@ -82,7 +82,7 @@ from procc_annotator.gui.window.status_report import StatusReport
 from procc_annotator.gui.window.telling import Telling
 from procc_annotator.gui.window.top_bar import TopBar
 from procc_annotator.gui.window.welcome import RecentMenu, Welcome
-from procc_annotator.language import tr
+from procc_annotator.translation import tr
 
 
 class MainWindow(QMainWindow):

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.gui.state.notices import Notice, Told
 from procc_annotator.gui.theme import alarm_colours
-from procc_annotator.language import tr, tr_count, word
+from procc_annotator.translation import tr, tr_count, word
 
 
 def as_sentence(text: str) -> str:

@@ -19,16 +19,15 @@ from PySide6.QtCore import QPoint, QSettings, Qt, qVersion
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
+from procc_annotator.dataset.frames import list_frames
+from procc_annotator.dataset.layout import FIELD_FILE, has_pictures
 from procc_annotator.errors import InputError, ProccError, UsageError
 from procc_annotator.field.model import Field
+from procc_annotator.formats.annotations.soccernet import read_annotation
+from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.gui.app import application, build_window, start_lean
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.tasks.files.opening import sample_folder
-from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
-from procc_annotator.io.atomic import write_atomic
-from procc_annotator.session.dataset.dataset_folder import FIELD_FILE
-from procc_annotator.session.dataset.frames import list_frames
-from procc_annotator.session.dataset.picture_tree import has_pictures
 
 _WAIT_MS = 30_000
 # The clicks, in widths and heights of the picture; and how far a whole screen pixel may put them.

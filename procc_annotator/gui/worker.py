@@ -23,9 +23,9 @@ from weakref import WeakKeyDictionary, WeakSet
 import shiboken6
 from PySide6.QtCore import QCoreApplication, QObject, Qt, QTimer, Signal, Slot
 
+from procc_annotator.error_log import one_line
 from procc_annotator.errors import ProccError
-from procc_annotator.io.error_log import one_line
-from procc_annotator.language import tr
+from procc_annotator.translation import tr
 
 T = TypeVar("T")
 

@@ -10,17 +10,22 @@ from pathlib import Path
 import numpy as np
 
 from procc_annotator.errors import ImageError
+from procc_annotator.image.headers import VIDEO_SUFFIXES
+from procc_annotator.image.motion import (
+    FrameSignature,
+    cut_indices,
+    frame_differences,
+    frame_signature,
+)
 from procc_annotator.image.pixels import PixelArray
-from procc_annotator.image.scenes import FrameSignature, cut_indices, frame_signature, frame_differences
-from procc_annotator.image.stream import (
+from procc_annotator.image.video_stream import (
     FloatArray,
     FrameReader,
     PacketIndex,
-    require_video_file,
     probe_stream,
     read_packet_index,
+    require_video_file,
 )
-from procc_annotator.image.suffixes import VIDEO_SUFFIXES
 
 _SQUARE_PIXEL_TOLERANCE = 0.01  # as far as encoders round
 

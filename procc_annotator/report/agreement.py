@@ -1,4 +1,4 @@
-"""The agreement of two annotators: tables for the terminal, JSON and CSV for the rest."""
+"""Inter-annotator agreement of two annotators: tables and files; columns shared with consensus."""
 
 from __future__ import annotations
 
@@ -9,27 +9,20 @@ from typing import Any
 
 import numpy as np
 
+from procc_annotator.batch.agreement import AgreementRun, ConsensusResult
+from procc_annotator.batch.agreement_statistics import AgreementInference, agreement_inference
+from procc_annotator.batch.grouping import Clusters, clusters_of
 from procc_annotator.errors import UsageError
-from procc_annotator.io.atomic import open_replacing
-from procc_annotator.metric.agreement import AgreementSummary, sorted_quantile
-from procc_annotator.metric.chance.sampling import BootstrapSettings
-from procc_annotator.report.agreement_figures import (
-    ELEMENT_COLUMNS,
-    WORST,
-    element_rows,
-    farthest,
-    inter_annotator_entry,
-    frame_entry,
-    intervals_described,
-    status_row,
-)
-from procc_annotator.report.field_terms import field_terms
-from procc_annotator.report.scores.score_files import score_format
-from procc_annotator.report.scores.tables import pixels, worst_words
-from procc_annotator.report.sheet.as_csv import csv_bytes
-from procc_annotator.report.sheet.as_json import encoded, metric_entry
-from procc_annotator.report.sheet.figure import shortest_number, metric_values
-from procc_annotator.report.sheet.figures import (
+from procc_annotator.formats.atomic import open_replacing
+from procc_annotator.messages import pluralize
+from procc_annotator.metrics.agreement import AgreementSummary, FrameAgreement, sorted_quantile
+from procc_annotator.metrics.statistics.bootstrap import BootstrapSettings
+from procc_annotator.metrics.statistics.intervals import Interval
+from procc_annotator.report.scores.inference_tables import interval_columns, interval_ends
+from procc_annotator.report.scores.score_files import field_terms, score_format
+from procc_annotator.report.scores.score_tables import pixels, worst_words
+from procc_annotator.report.tables.data_files import csv_bytes, encoded, metric_entry
+from procc_annotator.report.tables.metrics import (
     APART,
     COMMON,
     DISTANCES,
@@ -40,14 +33,179 @@ from procc_annotator.report.sheet.figures import (
     OF_AGREEMENT,
     ONLY_A,
     ONLY_B,
+    P95_PX,
     POINTS,
-)  # fmt: skip
-from procc_annotator.report.sheet.sheet import TAU, Column, Row, MetricTable, metric_column, count_column
-from procc_annotator.session.runs.agreement_run import AgreementRun
-from procc_annotator.session.runs.clusters import Clusters, clusters_of
-from procc_annotator.session.runs.consensus_run import ConsensusResult
-from procc_annotator.session.runs.sure_agreement import AgreementInference, agreement_inference
-from procc_annotator.words import count_words
+)
+from procc_annotator.report.tables.table import (
+    TAU,
+    Column,
+    MetricTable,
+    Row,
+    Value,
+    count_column,
+    metric_column,
+    metric_values,
+    shortest_number,
+)
+
+WORST = 10  # frames that tables of the worst show
+ELEMENT_COLUMNS = (
+    Column("class"),
+    Column("status"),
+    count_column("points"),
+    count_column("left_out"),
+    *map(metric_column, DISTANCES),
+    Column("mirrored_hint", kind="yes_no"),
+    Column("error"),
+)
+_POINTS = (0.01, 0.02, 0.05)  # of JaC
+_SHARES = (0.05, 0.1, 0.2)  # of a distance
+
+
+def element_rows(frame: FrameAgreement, lone: tuple[str, str]) -> list[Row]:
+    """One row of `ELEMENT_COLUMNS` an element.
+
+    Args:
+        lone: the status of elements of the first annotation alone, and of the second alone.
+    """
+    hint = frame.mirrored_hint
+    rows: list[Row] = [
+        (own.class_name, "apart" if own.apart else "common", len(own.distances), own.left_out,
+         *metric_values(DISTANCES, own), hint, None)
+        for own in frame.by_class.values()
+    ]  # fmt: skip
+    for status, names in zip(lone, (frame.only_a, frame.only_b), strict=True):
+        rows += [status_row(status, name, hint=hint) for name in names]
+    return rows
+
+
+def status_row(
+    status: str, name: str | None = None, *, hint: bool | None = None, error: str | None = None
+) -> Row:
+    """A row of `ELEMENT_COLUMNS` without distances."""
+    return (name, status, *(None,) * (2 + len(DISTANCES)), hint, error)
+
+
+def frame_entry(
+    frame: FrameAgreement, thresholds: Sequence[float], lone: tuple[str, str]
+) -> dict[str, Any]:
+    """The agreement of two annotations of one frame in files; ``lone`` as of `element_rows`."""
+    return {
+        "jac": {shortest_number(tau): frame.jac(tau) for tau in thresholds},
+        lone[0]: list(frame.only_a),
+        lone[1]: list(frame.only_b),
+        "mirrored_hint": frame.mirrored_hint,
+        "elements": {
+            name: metric_entry(DISTANCES, own)
+            | {"left_out": own.left_out, "distances": own.distances.tolist()}
+            for name, own in frame.by_class.items()
+        },
+    }
+
+
+def farthest(frame: FrameAgreement) -> tuple[float | None, str]:
+    """The largest distance, px, and the class of its element."""
+    by_size = [(c.largest, n) for n, c in frame.by_class.items() if c.largest is not None]
+    largest, name = max(by_size, default=(None, ""))
+    return largest, name.strip()
+
+
+def agreement_columns() -> list[Column]:
+    """JaC, median and 95 %, each with its interval."""
+    figures = (JAC, MEDIAN_PX, P95_PX)
+    return [c for figure in figures for c in (metric_column(figure), *interval_columns(figure))]
+
+
+def agreement_values(found: AgreementInference, tau: float) -> tuple[Value, ...]:
+    """The values of `agreement_columns` at a threshold, px."""
+    overall, known = found.summary.overall, found.known
+    low, high = interval_ends(known.jac[tau])
+    ends = (None if low is None else max(0.0, low), None if high is None else min(1.0, high))
+    return (
+        found.summary.mean_jac[tau], *ends,
+        overall.median, *interval_ends(known.median), overall.p95, *interval_ends(known.p95),
+    )  # fmt: skip
+
+
+def intervals_described(draws: BootstrapSettings, clusters: Clusters) -> str:
+    """What the intervals of an agreement rest on, in words."""
+    said = f"{100 * draws.level:g} % intervals (t, jackknife of clusters); {clusters.described}"
+    return f"{said}. {clusters.caution.rstrip('.')}" if clusters.caution else said
+
+
+def inter_annotator_words(floor: AgreementInference) -> str:
+    """The noise floor with its intervals, in words."""
+    found, known = floor.summary.overall, floor.known
+
+    def told(value: float | None, interval: Interval | None) -> str:
+        around = ""
+        if interval is not None:
+            around = f" [{pixels(interval.low)}, {pixels(interval.high)}]"
+        return f"{pixels(value)} px{around}"
+
+    return f"median {told(found.median, known.median)}, 95 % {told(found.p95, known.p95)}"
+
+
+def inter_annotator_entry(floor: AgreementInference, described: str) -> dict[str, Any]:
+    """The noise floor in files: the figures, and the intervals of median and 95 %.
+
+    Args:
+        described: what the intervals rest on.
+    """
+    known = floor.known
+    ends = {
+        f"{figure.key}_interval": None if found is None else [found.low, found.high]
+        for figure, found in ((MEDIAN_PX, known.median), (P95_PX, known.p95))
+    }
+    return metric_entry(OF_AGREEMENT, floor.summary.overall) | ends | {"intervals": described}
+
+
+def sample_size_table(found: AgreementInference, described: str, known: str) -> MetricTable:
+    """How many frames such a study needs before JaC is known to 1, 2 and 5 points and distances to
+    5, 10 and 20 %.
+
+    Args:
+        found: the pilot. described: field and size. known: what intervals rest on.
+    """
+    columns = (
+        Column("figure", "figure"),
+        TAU,
+        count_column("frames", "frames now"),
+        Column("known_to", "known to ±", "number", written=".3g"),
+        Column("wanted", "wanted ±", "number", written=".3g"),
+        count_column("needed", "frames needed"),
+    )
+    rows: list[Row] = []
+    overall = found.summary.overall
+    for tau, interval in found.known.jac.items():
+        rows += [
+            ("JaC, points", tau, found.frames, _half(interval, 100.0), 100 * points,
+             found.frames_for(interval, points))
+            for points in _POINTS
+        ]  # fmt: skip
+    for title, value, interval in (
+        ("median, px", overall.median, found.known.median),
+        ("95 %, px", overall.p95, found.known.p95),
+    ):
+        if not value:
+            continue
+        if interval is not None and interval.high >= (overall.largest or 0.0):
+            interval = None  # it ends because the distances do
+        rows += [
+            (title, None, found.frames, _half(interval, 1.0), share * value,
+             found.frames_for(interval, share * value))
+            for share in _SHARES
+        ]  # fmt: skip
+    note = (
+        "Frames of the same kind, in clusters like these. No answer where an interval ends with the"
+        f" largest distance: how far it would reach is not known. {known}."
+    )
+    return MetricTable("power", "Frames needed", columns, tuple(rows), described, (note,))
+
+
+def _half(interval: Interval | None, times: float) -> float | None:
+    return None if interval is None else times * (interval.high - interval.low) / 2
+
 
 _LONE = ("only_a", "only_b")
 
@@ -121,8 +279,8 @@ def inter_annotator_line(agreed: AgreementReport) -> str:
     found = agreed.summary.overall
     return (
         f"Noise floor: median {pixels(found.median)} px, 95 % {pixels(found.p95)} px,"
-        f" max {pixels(found.largest)} px, over {count_words(found.points, 'distance')}"
-        f" of {count_words(found.common, 'element')} ({agreed.described})"
+        f" max {pixels(found.largest)} px, over {pluralize(found.points, 'distance')}"
+        f" of {pluralize(found.common, 'element')} ({agreed.described})"
     )
 
 
@@ -130,10 +288,14 @@ def jac_table(agreed: AgreementReport) -> MetricTable:
     """One row a threshold: the JaC one annotator would score if the other were a camera."""
     summary = agreed.summary
     counts = (COMMON, ONLY_A, ONLY_B)
-    columns = (TAU, metric_column(JAC), *(count_column(figure.key, figure.title) for figure in counts))
+    columns = (
+        TAU,
+        metric_column(JAC),
+        *(count_column(figure.key, figure.title) for figure in counts),
+    )
     found = metric_values(counts, summary.overall)
     rows = tuple((tau, jac, *found) for tau, jac in summary.mean_jac.items())
-    title = f"Agreement of {count_words(summary.frames, 'frame')} both annotated"
+    title = f"Agreement of {pluralize(summary.frames, 'frame')} both annotated"
     return MetricTable("agreement", title, columns, rows, agreed.described)
 
 
@@ -163,10 +325,16 @@ def worst_agreement_table(agreed: AgreementReport) -> MetricTable:
     ]
     found.sort(key=lambda one: (one[1].jac(tau), -(one[2] or 0.0)))
     columns = (
-        Column("frame", "frame"), metric_column(JAC), count_column("common", "in common"), count_column("only_a", "only A"),
-        count_column("only_b", "only B"), metric_column(MEDIAN_PX), metric_column(LARGEST_PX),
-        Column("farthest", "farthest element"), Column("labels", "labels"),
-    )  # fmt: skip
+        Column("frame", "frame"),
+        metric_column(JAC),
+        count_column("common", "in common"),
+        count_column("only_a", "only A"),
+        count_column("only_b", "only B"),
+        metric_column(MEDIAN_PX),
+        metric_column(LARGEST_PX),
+        Column("farthest", "farthest element"),
+        Column("labels", "labels"),
+    )
     rows = tuple(
         (
             name, frame.jac(tau), len(frame.by_class), len(frame.only_a), len(frame.only_b),
@@ -217,7 +385,13 @@ def _frames_sheet(agreed: AgreementReport, run: AgreementRun) -> MetricTable:
     The status of a class is ``common``, ``apart``, ``only_a`` or ``only_b``; that of a row without
     class ``empty``, ``unreadable``, ``frame_only_a`` or ``frame_only_b``.
     """
-    columns = (Column("name"), Column("field"), count_column("width"), count_column("height"), *ELEMENT_COLUMNS)
+    columns = (
+        Column("name"),
+        Column("field"),
+        count_column("width"),
+        count_column("height"),
+        *ELEMENT_COLUMNS,
+    )
     terms = (run.field.described, *run.size)
     found: list[tuple[str, Row]] = []
     for one in agreed.results:
@@ -228,4 +402,6 @@ def _frames_sheet(agreed: AgreementReport, run: AgreementRun) -> MetricTable:
         found += [(one.name, row) for row in own]
     for status, names in (("frame_only_a", run.only_a), ("frame_only_b", run.only_b)):
         found += [(name, status_row(status)) for name in names]
-    return MetricTable("frames", "Frames", columns, tuple((name, *terms, *row) for name, row in found))
+    return MetricTable(
+        "frames", "Frames", columns, tuple((name, *terms, *row) for name, row in found)
+    )

@@ -1,7 +1,8 @@
-"""Cameras of a calibrated set as files, its figures as CSV and as tables on the terminal."""
+"""Calibrated cameras as files, CSV and terminal tables."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -10,32 +11,52 @@ from typing import Protocol
 import numpy as np
 from natsort import natsorted
 
-from procc_annotator.io.camera_files.fitted_on import DIGEST, TABLE_FILE
-from procc_annotator.io.camera_files.held_out_table import (
+from procc_annotator.batch.calibration import Calibrated
+from procc_annotator.batch.scoring import passed
+from procc_annotator.calibration.result import PoseStandardDeviations
+from procc_annotator.dataset.picture_sizes import SizesUsed
+from procc_annotator.formats.cameras.fit_record import (
     COLUMNS,
+    DIGEST,
     LEFT_OUT_FILE,
+    TABLE_FILE,
     LeftOutElement,
     camera_hash,
 )
-from procc_annotator.io.collections import CAMERA_PREFIX, camera_names
-from procc_annotator.metric.folds import fold_back_warnings
-from procc_annotator.metric.sets import SetSummary
-from procc_annotator.report.camera_tables import DEVIATION_COLUMNS, deviation_values
-from procc_annotator.report.scores.tables import FrameRow, WorstFrames
-from procc_annotator.report.sheet.as_csv import csv_bytes
-from procc_annotator.report.sheet.figures import (
+from procc_annotator.formats.file_listing import CAMERA_PREFIX, camera_names
+from procc_annotator.messages import pluralize
+from procc_annotator.metrics.official import fold_back_warnings
+from procc_annotator.metrics.sets import SetSummary
+from procc_annotator.report.outputs import Interrupted, is_archive, open_target
+from procc_annotator.report.scores.score_tables import FrameRow, WorstFrames
+from procc_annotator.report.tables.data_files import csv_bytes
+from procc_annotator.report.tables.metrics import (
+    DEVIATIONS,
     FRAME_ERROR,
     FRAME_ERROR_COUNTED,
-    LEFT_OUT_SCORE,
     IN_SAMPLE,
     JAC,
+    LEFT_OUT_SCORE,
 )
-from procc_annotator.report.sheet.sheet import TAU, Column, Row, MetricTable, metric_column, count_column
-from procc_annotator.report.targets import Interrupted, is_archive, open_target
-from procc_annotator.session.dataset.fit_sizes import SizesUsed
-from procc_annotator.session.runs.calibration_run import Calibrated
-from procc_annotator.session.runs.held_out import passed
-from procc_annotator.words import count_words
+from procc_annotator.report.tables.table import (
+    TAU,
+    Column,
+    MetricTable,
+    Row,
+    count_column,
+    metric_column,
+)
+
+DEVIATION_COLUMNS = tuple(map(metric_column, DEVIATIONS))
+
+
+def deviation_values(deviations: PoseStandardDeviations | None) -> tuple[float | None, ...]:
+    """Standard deviations in the order of `DEVIATION_COLUMNS`: degrees, px, metres."""
+    if deviations is None:
+        return (None,) * len(DEVIATION_COLUMNS)
+    angles = (deviations.pan_rad, deviations.tilt_rad, deviations.roll_rad)
+    return (*map(math.degrees, angles), deviations.focal_px, *deviations.position_m)
+
 
 _FAILURES_SHOWN = 20
 
@@ -182,12 +203,22 @@ def _stale(out: Path, names: Iterable[str], written: set[str]) -> Iterator[str]:
 
 def _columns(thresholds: tuple[float, ...]) -> tuple[Column, ...]:
     return (
-        Column("name"), Column("model"), count_column("elements"), Column("left_out"),
+        Column("name"),
+        Column("model"),
+        count_column("elements"),
+        Column("left_out"),
         *(metric_column(JAC, key=f"jac_{threshold:g}") for threshold in thresholds),
-        metric_column(FRAME_ERROR_COUNTED), metric_column(FRAME_ERROR), *DEVIATION_COLUMNS, Column("camera"),
-        Column("failure"), Column("position"), count_column("width"), count_column("height"),
-        Column("hardly_determined"), Column(DIGEST),
-    )  # fmt: skip
+        metric_column(FRAME_ERROR_COUNTED),
+        metric_column(FRAME_ERROR),
+        *DEVIATION_COLUMNS,
+        Column("camera"),
+        Column("failure"),
+        Column("position"),
+        count_column("width"),
+        count_column("height"),
+        Column("hardly_determined"),
+        Column(DIGEST),
+    )
 
 
 def _row(result: Calibrated, thresholds: tuple[float, ...]) -> Row:
@@ -250,8 +281,15 @@ def held_out_table(report: CalibrationReport) -> MetricTable:
             passed((e.explained_px for e in report.held_out), tau),
         )
         rows.append((tau, count, *(n / count if count else None for n in found)))
-    columns = (TAU, count_column("elements", "elements"), metric_column(LEFT_OUT_SCORE), metric_column(IN_SAMPLE))
-    return MetricTable("held_out", "Elements left out in turn", columns, tuple(rows), report.described)
+    columns = (
+        TAU,
+        count_column("elements", "elements"),
+        metric_column(LEFT_OUT_SCORE),
+        metric_column(IN_SAMPLE),
+    )
+    return MetricTable(
+        "held_out", "Elements left out in turn", columns, tuple(rows), report.described
+    )
 
 
 def deviations_table(report: CalibrationReport) -> MetricTable:
@@ -261,14 +299,14 @@ def deviations_table(report: CalibrationReport) -> MetricTable:
         (label, *np.percentile(values, share, axis=0).tolist())
         for label, share in (("median", 50), ("95 % of them below", 95))
     )
-    title = f"Standard deviations of {count_words(len(report.deviations), 'camera')}"
+    title = f"Standard deviations of {pluralize(len(report.deviations), 'camera')}"
     columns = (Column("share"), *DEVIATION_COLUMNS)
     return MetricTable("deviations", title, columns, rows, notes=(report.described,))
 
 
 def failures_table(report: CalibrationReport) -> MetricTable:
     """Frames without a camera and the reason, the first ones of many."""
-    title = f"{count_words(len(report.failures), 'frame')} without a camera"
+    title = f"{pluralize(len(report.failures), 'frame')} without a camera"
     columns = (Column("frame", "frame"), Column("why", "why"))
     more = len(report.failures) - _FAILURES_SHOWN
     notes = (f"{more} more in {TABLE_FILE}",) if more > 0 else ()

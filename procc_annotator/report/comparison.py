@@ -8,30 +8,33 @@ from dataclasses import asdict, astuple, dataclass, field, fields
 from pathlib import Path
 from typing import Any
 
-from procc_annotator.errors import ImageError, InputError, UsageError
-from procc_annotator.field.model import Field
-from procc_annotator.field.stadiums import field_for_frame
-from procc_annotator.io.atomic import make_folder, write_atomic
-from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, FitCounts, name_with_mark
-from procc_annotator.io.frame_names import file_of_frame
-from procc_annotator.metric.contours import OFFSIDE_ACCURACY_M
-from procc_annotator.metric.disagreement import Disagreement
-from procc_annotator.metric.legacy import MetricAverage, LegacyMetrics
-from procc_annotator.report.field_terms import field_terms
-from procc_annotator.report.scores.score_files import score_format
-from procc_annotator.report.sheet.as_csv import csv_bytes
-from procc_annotator.report.sheet.as_json import json_bytes, table_entry
-from procc_annotator.report.sheet.figure import metric_values
-from procc_annotator.report.sheet.figures import LEGACY, METRES, PIXELS, WITHIN
-from procc_annotator.report.sheet.sheet import Column, Row, MetricTable, metric_column, count_column
-from procc_annotator.session.runs.comparison_run import (
+from procc_annotator.batch.comparison import (
     CameraPair,
     ComparedFrame,
     ComparisonRun,
     ComparisonSummary,
     worst_frames,
 )
-from procc_annotator.words import count_words
+from procc_annotator.errors import ImageError, InputError, UsageError
+from procc_annotator.field.load import field_for_frame
+from procc_annotator.field.model import Field
+from procc_annotator.formats.atomic import make_folder, write_atomic
+from procc_annotator.formats.cameras.fit_record import NOT_FITTED, FitCounts, name_with_mark
+from procc_annotator.formats.frame_names import file_of_frame
+from procc_annotator.messages import pluralize
+from procc_annotator.metrics.error_maps import OFFSIDE_ACCURACY_M, Disagreement
+from procc_annotator.metrics.legacy import LegacyMetrics, MetricAverage
+from procc_annotator.report.scores.score_files import field_terms, score_format
+from procc_annotator.report.tables.data_files import csv_bytes, json_bytes, table_entry
+from procc_annotator.report.tables.metrics import LEGACY, METRES, PIXELS, WITHIN
+from procc_annotator.report.tables.table import (
+    Column,
+    MetricTable,
+    Row,
+    count_column,
+    metric_column,
+    metric_values,
+)
 
 WORST = 10
 
@@ -184,7 +187,7 @@ def disagreement_table(compared: ComparisonReport) -> MetricTable:
         ("on the ground, m", *metric_values(METRES, summary.metres), summary.within),
         ("in the picture, px", *metric_values(PIXELS, summary.pixels), None),
     )
-    title = f"Disagreement of {a} and {b} in {count_words(summary.frames, 'frame')}"
+    title = f"Disagreement of {a} and {b} in {pluralize(summary.frames, 'frame')}"
     of_rows = (METRES[0], PIXELS[0])
     return MetricTable("disagreement", title, columns, rows, compared.described, of_rows=of_rows)
 
@@ -210,9 +213,12 @@ def worst_comparison_table(compared: ComparisonReport, count: int = WORST) -> Me
     worst = worst_frames(compared.frames, count)
     told = LEGACY[:3]
     columns = (
-        Column("frame", "frame"), *map(metric_column, METRES), metric_column(WITHIN), *map(metric_column, PIXELS[1:]),
+        Column("frame", "frame"),
+        *map(metric_column, METRES),
+        metric_column(WITHIN),
+        *map(metric_column, PIXELS[1:]),
         *map(metric_column, told),
-    )  # fmt: skip
+    )
     rows = tuple(
         (
             frame.name, *metric_values(METRES, frame.statistics.metres), frame.within,
@@ -221,7 +227,7 @@ def worst_comparison_table(compared: ComparisonReport, count: int = WORST) -> Me
         for frame in worst
         if frame.statistics is not None and frame.legacy is not None
     )  # fmt: skip
-    title = f"Largest disagreement, {count_words(len(worst), 'frame')}"
+    title = f"Largest disagreement, {pluralize(len(worst), 'frame')}"
     return MetricTable("worst_frames", title, columns, rows, compared.described)
 
 

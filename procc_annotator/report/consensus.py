@@ -11,32 +11,34 @@ from typing import Any
 
 import numpy as np
 
+from procc_annotator.batch.agreement import ConsensusResult, ConsensusRun
+from procc_annotator.batch.agreement_statistics import AgreementInference, agreement_inference
+from procc_annotator.batch.grouping import Clusters
 from procc_annotator.errors import UsageError
-from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation
-from procc_annotator.io.atomic import open_replacing
-from procc_annotator.metric.agreement import ClassAgreement, FrameAgreement
-from procc_annotator.metric.chance.sampling import BootstrapSettings
-from procc_annotator.metric.polylines import FloatArray
-from procc_annotator.report.agreement_figures import (
+from procc_annotator.formats.annotations.soccernet import write_annotation
+from procc_annotator.formats.atomic import open_replacing
+from procc_annotator.messages import pluralize
+from procc_annotator.metrics.agreement import ClassAgreement, FrameAgreement
+from procc_annotator.metrics.polylines import FloatArray
+from procc_annotator.metrics.statistics.bootstrap import BootstrapSettings
+from procc_annotator.report.agreement import (
     ELEMENT_COLUMNS,
     WORST,
-    element_rows,
-    farthest,
-    inter_annotator_entry,
-    inter_annotator_words,
-    frame_entry,
-    intervals_described,
-    status_row,
     agreement_columns,
     agreement_values,
+    element_rows,
+    farthest,
+    frame_entry,
+    inter_annotator_entry,
+    inter_annotator_words,
+    intervals_described,
+    status_row,
 )
-from procc_annotator.report.field_terms import field_terms
-from procc_annotator.report.scores.score_files import score_format
-from procc_annotator.report.scores.tables import worst_words
-from procc_annotator.report.sheet.as_csv import csv_bytes
-from procc_annotator.report.sheet.as_json import json_bytes, table_entry
-from procc_annotator.report.sheet.figure import Metric, metric_values
-from procc_annotator.report.sheet.figures import (
+from procc_annotator.report.outputs import open_target
+from procc_annotator.report.scores.score_files import field_terms, score_format
+from procc_annotator.report.scores.score_tables import worst_words
+from procc_annotator.report.tables.data_files import csv_bytes, json_bytes, table_entry
+from procc_annotator.report.tables.metrics import (  # fmt: skip
     ADDED,
     APART,
     COMMON,
@@ -48,16 +50,17 @@ from procc_annotator.report.sheet.figures import (
     ONLY_A,
     ONLY_B,
     POINTS,
-)  # fmt: skip
-from procc_annotator.report.sheet.sheet import TAU, Column, Row, MetricTable, metric_column, count_column
-from procc_annotator.report.targets import open_target
-from procc_annotator.session.runs.clusters import Clusters
-from procc_annotator.session.runs.consensus_run import (
-    ConsensusRun,
-    ConsensusResult,
 )
-from procc_annotator.session.runs.sure_agreement import AgreementInference, agreement_inference
-from procc_annotator.words import count_words
+from procc_annotator.report.tables.table import (
+    TAU,
+    Column,
+    Metric,
+    MetricTable,
+    Row,
+    count_column,
+    metric_column,
+    metric_values,
+)
 
 _COUNTS = (COMMON, APART, ADDED, MISSED, LEFT_OUT)
 _LONE = ("added", "missed")
@@ -175,7 +178,7 @@ def _write_consensus(results: Iterable[ConsensusResult], out: Path) -> None:
 
 def consensus_line(agreed: ConsensusReport) -> str:
     """The one line a paper would quote."""
-    points = count_words(agreed.floor.summary.overall.points, "distance")
+    points = pluralize(agreed.floor.summary.overall.points, "distance")
     return (
         f"Noise floor: {inter_annotator_words(agreed.floor)}, over {points} of every two annotators"
         f" ({agreed.described})"
@@ -184,7 +187,12 @@ def consensus_line(agreed: ConsensusReport) -> str:
 
 def consensus_tables(agreed: ConsensusReport) -> tuple[MetricTable, ...]:
     """All tables, in the order they are read."""
-    return (others_table(agreed), pairs_table(agreed), worst_consensus_table(agreed), consensus_classes_table(agreed))
+    return (
+        others_table(agreed),
+        pairs_table(agreed),
+        worst_consensus_table(agreed),
+        consensus_classes_table(agreed),
+    )
 
 
 def others_table(agreed: ConsensusReport) -> MetricTable:
@@ -202,7 +210,7 @@ def others_table(agreed: ConsensusReport) -> MetricTable:
     ]  # fmt: skip
     notes = [f"In brackets {agreed.known}."]
     if agreed.of_one_other:
-        alone = count_words(agreed.of_one_other, "frame")
+        alone = pluralize(agreed.of_one_other, "frame")
         notes.append(f"Of {alone} with two annotators each is compared with the other one.")
     return MetricTable(
         "annotators", "Each annotator against the consensus of the others", columns, tuple(rows),
@@ -273,10 +281,14 @@ def worst_consensus_table(agreed: ConsensusReport) -> MetricTable:
             )  # fmt: skip
     rows.sort(key=lambda row: (row[2], -(row[5] or 0.0)))
     columns = (
-        Column("frame", "frame"), Column("annotator", "annotator"), metric_column(JAC),
-        *_counts((ADDED, MISSED)), metric_column(LARGEST_PX), Column("farthest", "farthest element"),
+        Column("frame", "frame"),
+        Column("annotator", "annotator"),
+        metric_column(JAC),
+        *_counts((ADDED, MISSED)),
+        metric_column(LARGEST_PX),
+        Column("farthest", "farthest element"),
         Column("labels", "labels"),
-    )  # fmt: skip
+    )
     shown = tuple(rows[:WORST])
     title = f"{worst_words(len(shown))} and annotators at {tau:g} px"
     return MetricTable("worst_frames", title, columns, shown, agreed.described)
@@ -315,9 +327,13 @@ def consensus_frames_table(agreed: ConsensusReport, run: ConsensusRun) -> Metric
     class ``empty``, ``unreadable`` or ``alone``.
     """
     columns = (
-        Column("name"), Column("field"), count_column("width"), count_column("height"), Column("annotator"),
+        Column("name"),
+        Column("field"),
+        count_column("width"),
+        count_column("height"),
+        Column("annotator"),
         *ELEMENT_COLUMNS,
-    )  # fmt: skip
+    )
     terms = (run.field.described, *run.size)
     rows: list[Row] = []
     for result in agreed.results:

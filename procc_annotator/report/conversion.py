@@ -1,4 +1,4 @@
-"""Annotations from one format to another, for the command line and the window."""
+"""Convert annotations and cameras to another format."""
 
 from __future__ import annotations
 
@@ -7,35 +7,48 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from procc_annotator.errors import ImageError
-from procc_annotator.field.model import Field
-from procc_annotator.image.suffixes import PICTURE_SUFFIXES
-from procc_annotator.io.annotation_files.annotation_formats import format_named
-from procc_annotator.io.annotation_files.exchange import (
-    ExchangedFrame,
-    ReadContext,
-    Size,
-)
-from procc_annotator.io.annotation_files.label_map import LabelMap
-from procc_annotator.io.annotation_files.read_set import ReadSet, SetReader, read_set
-from procc_annotator.io.source import FileSource
-from procc_annotator.report.conversion_output import (
-    Converted,
-    ConversionRequest,
-    check_paths_apart,
-    write_converted,
-)
-from procc_annotator.session.dataset.annotation_source import open_files
-from procc_annotator.session.dataset.dataset_folder import annotations_or_path
-from procc_annotator.session.dataset.picture_names import PicturesByName
-from procc_annotator.session.dataset.picture_sizes import (
+from procc_annotator.dataset.annotation_source import open_files
+from procc_annotator.dataset.diagnostics import refuse_other_content
+from procc_annotator.dataset.layout import annotations_or_path
+from procc_annotator.dataset.picture_sizes import (
+    PicturesByName,
     PictureSizes,
     picture_folders,
     picture_size,
     picture_tree,
 )
-from procc_annotator.session.dataset.what_lies_there import refuse_other_content
-from procc_annotator.session.dataset.workspace import Workspace
+from procc_annotator.dataset.workspace import Workspace
+from procc_annotator.errors import CameraError, ImageError, UsageError
+from procc_annotator.field.load import field_fingerprint
+from procc_annotator.field.model import Field
+from procc_annotator.formats.annotations.exchange import ExchangedFrame, ReadContext, Size
+from procc_annotator.formats.annotations.label_map import LabelMap
+from procc_annotator.formats.annotations.registry import ReadSet, SetReader, format_named, read_set
+from procc_annotator.formats.cameras.collection import CameraCollection
+from procc_annotator.formats.cameras.fit_record import SIDECAR_SUFFIX, sidecar_content
+from procc_annotator.formats.cameras.loaded_camera import LoadedCamera
+from procc_annotator.formats.cameras.registry import fit_to_size
+from procc_annotator.formats.cameras.submissions import (
+    FORMAT,
+    Manifest,
+    encode_manifest,
+    encode_polylines,
+    names_sha256,
+)
+from procc_annotator.formats.cameras.writers import ConvertedCameras, write_cameras
+from procc_annotator.formats.file_listing import MANIFEST_FILE
+from procc_annotator.formats.file_source import FileSource
+from procc_annotator.image.headers import PICTURE_SUFFIXES
+from procc_annotator.metrics.projection import project_measured
+from procc_annotator.metrics.setup import EvaluationSetup
+from procc_annotator.report.conversion_output import (
+    ConversionRequest,
+    Converted,
+    check_paths_apart,
+    write_converted,
+)
+from procc_annotator.report.outputs import is_archive, open_target
+from procc_annotator.version import __version__
 
 Progress = Callable[[int, int], None]
 
@@ -215,3 +228,113 @@ def _picture_in(workspace: Workspace, name: str) -> Path | None:
 def _input_files(source: FileSource, read: Sequence[str]) -> set[str]:
     files = {os.path.realpath(source.display(name)) for name in (*source.files(), *read)}
     return files | {os.path.realpath(source.path)}
+
+
+def export_cameras(
+    cameras: CameraCollection,
+    out: Path,
+    to: str,
+    *,
+    size: tuple[int, int] | None = None,
+    camera_size: tuple[int, int] | None = None,
+    split: str = "test",
+    progress: Progress | None = None,
+) -> ConvertedCameras:
+    """Write every camera of a collection in another format.
+
+    Args:
+        cameras: where they are.
+        out: a folder (made if needed), or an archive if it ends in ``.zip``.
+        to: one of `io.camera_writers.CAMERA_TARGETS`.
+        size: (width, height) px the cameras shall be written for; by default their own.
+        camera_size: the picture size their pixels belong to, where their files do not say.
+        split: the folder inside a submission.
+        progress: called with cameras done and cameras in all.
+
+    Raises:
+        UsageError: no such format, or ``out`` is where the cameras are.
+        SaveError: writing failed; an archive is then not there, or the old one.
+    """
+    _check_apart_from_source(cameras.path, out)
+    return write_cameras(
+        _read(cameras, camera_size),
+        out,
+        to,
+        size=size,
+        split=split,
+        total=len(cameras.frames),
+        progress=progress,
+    )
+
+
+def _read(
+    cameras: CameraCollection, camera_size: tuple[int, int] | None
+) -> Iterator[tuple[str, LoadedCamera | CameraError]]:
+    for frame in cameras.frames:
+        try:
+            loaded = cameras.read(frame)
+        except CameraError as error:
+            yield frame, error
+        else:
+            yield frame, replace(loaded, size=loaded.size_where(camera_size))
+
+
+def _check_apart_from_source(source: Path, out: Path) -> None:
+    """What is read must never be replaced by what is written."""
+    target = os.path.realpath(out)
+    own = os.path.realpath(source)
+    if target == own or (os.path.isfile(own) and target == os.path.dirname(own)):
+        raise UsageError(f"{out}: this is where the cameras are, write to another place")
+
+
+def export_polylines(
+    cameras: CameraCollection,
+    out: Path,
+    setup: EvaluationSetup,
+    method: str,
+    frames: Collection[str] | None = None,
+    *,
+    camera_size: tuple[int, int] | None = None,
+    progress: Callable[[int, int], None] = lambda done, total: None,
+) -> ConvertedCameras:
+    """Write where cameras show the elements, with a manifest.
+
+    Args:
+        cameras: of any model.
+        out: a ``.zip``.
+        setup: field, protocol and size it is to be evaluated with.
+        method: its name in tables.
+        frames: names of the frames that are to be judged; those of the cameras unless given.
+        camera_size: the picture size pixels belong to, where camera files do not say.
+
+    Raises:
+        UsageError: no ``.zip``.
+        SaveError: writing failed; the archive is then not there, or the old one.
+    """
+    if not is_archive(out):
+        raise UsageError(f"{out}: a submission is an archive, its name must end in .zip")
+    wanted = list(cameras.frames if frames is None else frames)
+    done = ConvertedCameras(out)
+    with open_target(out) as archive:
+        manifest = Manifest(
+            FORMAT, method, setup.protocol, setup.field.described, field_fingerprint(setup.field),
+            setup.size, len(wanted), names_sha256(wanted), __version__,
+        )  # fmt: skip
+        archive.write(MANIFEST_FILE, encode_manifest(manifest))
+        for number, frame in enumerate(wanted, 1):
+            progress(number, len(wanted))
+            if frame not in cameras.frames:
+                continue
+            try:
+                loaded = cameras.read(frame, setup.field)
+                camera, notice = fit_to_size(loaded, setup.size, camera_size)
+            except CameraError as error:
+                done.problems.append(str(error))
+                continue
+            done.losses.update([*loaded.notices, *([notice] if notice else [])])
+            pieces = project_measured(camera, setup.of_frame(frame))
+            archive.write(f"{frame}.json", encode_polylines(pieces, setup.size))
+            if loaded.fitted_on is not None:
+                archive.write(f"{frame}{SIDECAR_SUFFIX}", sidecar_content(loaded.fitted_on))
+            done.written += 1
+    return done

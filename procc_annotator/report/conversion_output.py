@@ -1,11 +1,11 @@
-"""Writing a converted set: where it may go, and what is never overwritten."""
+"""Write a converted set, per game if the format needs it, without overwriting."""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from dataclasses import field as attribute
 from functools import partial
 from itertools import chain
@@ -13,25 +13,78 @@ from pathlib import Path, PurePath
 from typing import Any
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.dataset.diagnostics import classes_in, mismatch_of
 from procc_annotator.errors import AnnotationError, ImageError, UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.io.annotation_files.annotation_formats import (
-    FORMATS,
-    LABELME,
-    AnnotationFormat,
-)
-from procc_annotator.io.annotation_files.exchange import ExchangedFrame, WriteContext
-from procc_annotator.io.annotation_files.masks import check_line_width
-from procc_annotator.io.annotation_files.soccernet_classes import (
-    official_frames,
-    require_soccernet,
-)
-from procc_annotator.io.frame_names import is_file_name
-from procc_annotator.io.json_text import printable
-from procc_annotator.io.source import read_file
-from procc_annotator.report.games import Game, games_of, write_game
-from procc_annotator.report.targets import Target, is_archive, open_target
-from procc_annotator.session.dataset.field_match import classes_in, mismatch_of
+from procc_annotator.formats.annotations.exchange import ExchangedFrame, Remarks, WriteContext
+from procc_annotator.formats.annotations.masks import check_line_width
+from procc_annotator.formats.annotations.registry import FORMATS, LABELME, AnnotationFormat
+from procc_annotator.formats.annotations.soccernet_set import official_frames, require_soccernet
+from procc_annotator.formats.file_source import read_file
+from procc_annotator.formats.frame_names import is_file_name
+from procc_annotator.formats.strict_json import printable
+from procc_annotator.report.outputs import Target, is_archive, open_target
+
+
+@dataclass
+class Game:
+    """The frames of one folder.
+
+    Attributes:
+        folder: below the output; empty for its top.
+        frames: called without the folder, as the file of the game calls them.
+        whole: how each is called in the set, by its name here.
+    """
+
+    folder: str
+    frames: list[ExchangedFrame] = attribute(default_factory=list)
+    whole: dict[str, ExchangedFrame] = attribute(default_factory=dict)
+
+    def called(self, name: str) -> str:
+        """How a frame of this game is called in the set."""
+        return self.whole[name].name if name in self.whole else name
+
+
+def games_of(frames: Iterable[ExchangedFrame], pictures: str) -> list[Game]:
+    """The frames by their folders, in the order they come in.
+
+    Args:
+        frames: of a set, which may be in a tree.
+        pictures: the folder that the format has the pictures of a game in (``img1``): it is no
+            part of the game's name.
+    """
+    games: dict[str, Game] = {}
+    for frame in frames:
+        folder, _, name = frame.name.rpartition("/")
+        if folder == pictures or folder.endswith(f"/{pictures}"):
+            folder = folder[: -len(pictures)].rstrip("/")
+        game = games.setdefault(folder, Game(folder))
+        picture = None if frame.picture is None else frame.picture.rpartition("/")[2]
+        game.frames.append(replace(frame, name=name, picture=picture))
+        game.whole[name] = frame
+    return list(games.values())
+
+
+def write_game(game: Game, writing: WriteContext, write: Callable[[WriteContext], None]) -> None:
+    """Write a game into its folder, and count and tell what became of it with the whole set.
+
+    Args:
+        game: its frames.
+        writing: of the whole set.
+        write: writes the game's frames by what it is given.
+    """
+
+    def put(name: str, data: bytes) -> bool:
+        return writing.put(f"{game.folder}/{name}" if game.folder else name, data)
+
+    own = replace(writing, put=put, problems=[], remarks=Remarks(), frames=0, elements=0, points=0)
+    write(own)
+    prefix = f"{game.folder}/" if game.folder else ""
+    writing.problems += [prefix + problem for problem in own.problems]
+    writing.remarks.take(own.remarks, game.called)
+    writing.frames += own.frames
+    writing.elements += own.elements
+    writing.points += own.points
 
 
 @dataclass(frozen=True)

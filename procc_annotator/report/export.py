@@ -15,35 +15,35 @@ from pathlib import Path
 from typing import IO
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.batch.scoring import FrameInput, FrameResult, Tally, score_frames
+from procc_annotator.dataset.camera_set import CameraForFrame, CameraSet
+from procc_annotator.dataset.workspace import AnnotatedFrames
 from procc_annotator.errors import CameraError, InputError, UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation
-from procc_annotator.io.annotation_files.soccernet_classes import (
+from procc_annotator.formats.annotations.soccernet import write_annotation
+from procc_annotator.formats.annotations.soccernet_set import (
     left_out_words,
     official_only,
     require_soccernet,
     without_unknown_to_official,
 )
-from procc_annotator.io.atomic import make_folder, open_replacing
-from procc_annotator.io.camera_files.assumed_field import NAME_THE_FORMAT, field_mismatch
-from procc_annotator.io.camera_files.fitted_on import FitCounts
-from procc_annotator.io.collections import list_annotations
-from procc_annotator.io.source import open_source
-from procc_annotator.metric.clicked import annotated_extent
-from procc_annotator.metric.project import clipped_projection_error
-from procc_annotator.metric.sets import SetAccumulator, SetSummary
-from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.report.scores.score_csv import CsvScores, csv_fragment
+from procc_annotator.formats.atomic import make_folder, open_replacing
+from procc_annotator.formats.cameras.fit_record import FitCounts
+from procc_annotator.formats.cameras.loaded_camera import NAME_THE_FORMAT, field_mismatch
+from procc_annotator.formats.file_listing import list_annotations
+from procc_annotator.formats.file_source import open_source
+from procc_annotator.metrics.projection import clipped_projection_error
+from procc_annotator.metrics.sets import SetAccumulator, SetSummary, annotated_extent
+from procc_annotator.metrics.setup import EvaluationSetup
+from procc_annotator.report.outputs import Target, is_archive, open_target
 from procc_annotator.report.scores.score_files import (
+    CsvScores,
     JsonScores,
     ScoreWriter,
+    csv_fragment,
     json_fragment,
     score_format,
 )
-from procc_annotator.report.targets import Target, is_archive, open_target
-from procc_annotator.session.dataset.annotated_frames import AnnotatedFrames
-from procc_annotator.session.dataset.camera_set import CameraForFrame, CameraSet
-from procc_annotator.session.runs.score_chunk import FrameInput, FrameResult, Tally, score_frames
 
 NO_CAMERAS = "no cameras were given: nothing to score against"
 JAC_FILES = ("jac.csv", "jac.json")

@@ -4,9 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from procc_annotator.report.sheet.figure import Metric
-from procc_annotator.report.sheet.sheet import Column, MetricTable, metric_column, count_column
-from procc_annotator.session.landmarks.landmark_clicks import LocatedLandmark
+from procc_annotator.dataset.landmarks.clicks import LocatedLandmark
+from procc_annotator.report.tables.table import (
+    Column,
+    Metric,
+    MetricTable,
+    count_column,
+    metric_column,
+)
 
 
 def landmarks_table(located: Sequence[LocatedLandmark], described: str) -> MetricTable:
@@ -17,11 +22,16 @@ def landmarks_table(located: Sequence[LocatedLandmark], described: str) -> Metri
         described: where the cameras come from.
     """
     columns = (
-        Column("landmark", "landmark"), Column("instant", "instant"), count_column("views"),
-        count_column("clicked", joined=" of {}"), *_axes("position"), *_axes("sd"),
-        metric_column(Metric("angle", "angle,", "deg", digits=1)), metric_column(Metric("off", "off,", "px", digits=1)),
+        Column("landmark", "landmark"),
+        Column("instant", "instant"),
+        count_column("views"),
+        count_column("clicked", joined=" of {}"),
+        *_axes("position"),
+        *_axes("sd"),
+        metric_column(Metric("angle", "angle,", "deg", digits=1)),
+        metric_column(Metric("off", "off,", "px", digits=1)),
         Column("remark", "remark"),
-    )  # fmt: skip
+    )
     rows = []
     for one in located:
         found, clicked = one.found, len(one.clicked.clicks)

@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 
 from drawing.sport import Sport
 from drawing.views import EVALUATION_SIZE, PICTURE_SIZE, View, late, perturbed, turned
-from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.field.model import Field
-from procc_annotator.field.sample import sample_evenly
-from procc_annotator.io.camera_files.soccernet_camera import write_camera
+from procc_annotator.field.sampling import sample_evenly
+from procc_annotator.formats.cameras.soccernet import write_camera
 
 FloatArray = NDArray[np.float64]
 

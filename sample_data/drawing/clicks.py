@@ -10,9 +10,9 @@ from drawing.views import PICTURE_SIZE, View
 from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px
 from procc_annotator.field.geometry import Spot
 from procc_annotator.field.model import Element, Field
-from procc_annotator.field.sample import sample_evenly
-from procc_annotator.metric.project import project_field
-from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.field.sampling import sample_evenly
+from procc_annotator.metrics.projection import project_field
+from procc_annotator.metrics.setup import EvaluationSetup
 
 FloatArray = NDArray[np.float64]
 

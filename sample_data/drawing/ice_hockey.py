@@ -14,7 +14,7 @@ from drawing.solids import PixelArray, Thing, blend, draw_bar, draw_thread
 from drawing.sport import Sport
 from drawing.surroundings import Side, Stands
 from drawing.views import View, looking_at
-from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.field.geometry import Arc, Line, Spot
 from procc_annotator.field.load import load_field
 

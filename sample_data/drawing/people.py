@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from drawing.solids import Colour, PixelArray, Thing, fill, near_picture
-from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.camera.models import PinholeCamera
 
 FloatArray = NDArray[np.float64]
 

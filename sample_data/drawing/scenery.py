@@ -13,7 +13,7 @@ from drawing.paint import Area, Colour, Stroke, cover_with_areas, cover_with_str
 from drawing.rays import Sight
 from drawing.rink import Rink, draw_rink
 from drawing.surroundings import Side, Stands, draw_side
-from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.camera.models import PinholeCamera
 
 FloatArray = NDArray[np.float32]
 # (H, W, 2) metres on the ground and a seed -> (H, W, 3) BGR

@@ -12,7 +12,7 @@ from drawing.solids import Colour, PixelArray, Thing, blend, draw_bar, draw_thre
 from drawing.sport import Sport
 from drawing.surroundings import Side, Stands
 from drawing.views import View, looking_at
-from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.field.geometry import Spot
 from procc_annotator.field.load import load_field
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from drawing.scenery import Arena
 from drawing.solids import Thing
 from drawing.views import View
-from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Element, Field
 

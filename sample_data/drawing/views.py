@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.camera.models import PinholeCamera
 
 EVALUATION_SIZE = (960, 540)
 PICTURE_SIZE = (1280, 720)

@@ -21,7 +21,7 @@ from drawing.solids import (
 from drawing.sport import Sport
 from drawing.surroundings import Side, Stands
 from drawing.views import View, looking_at
-from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.field.load import load_field
 
 _ORANGE, _TEAL, _GREY = (52, 108, 204), (122, 112, 34), (74, 70, 68)

@@ -7,9 +7,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from procc_annotator.camera.backproject import ground_from_px
-from procc_annotator.camera.fisheye import FisheyeCamera
-from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.camera.backprojection import ground_from_px
+from procc_annotator.camera.models import FisheyeCamera, PinholeCamera
 
 BASE = (0.1, 1.28, 0.01, (2.0, 60.0, -15.0), (1400.0, 1410.0), (640.0, 360.0))
 CAMERAS = {

@@ -14,12 +14,20 @@ import numpy as np
 import pytest
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.calibration.fitting import fit_camera
+from procc_annotator.calibration.optimization.observations import (
+    FloatArray,
+    ImageFrame,
+    build_observations,
+)
+from procc_annotator.calibration.optimization.residuals import (
+    Residuals,
+    homography_residuals,
+    pinhole_residuals,
+)
+from procc_annotator.calibration.result import FitResult
 from procc_annotator.field.load import load_field
-from procc_annotator.fit.fitting import fit_camera
-from procc_annotator.fit.result import FitResult
-from procc_annotator.fit.solving.observations import FloatArray, ImageFrame, build_observations
-from procc_annotator.fit.solving.residual import Residuals, homography_residuals, pinhole_residuals
-from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
+from procc_annotator.formats.annotations.soccernet import read_annotation
 
 FIELD = load_field("soccer")
 FRAME = ImageFrame((960, 540))
@@ -62,7 +70,9 @@ def _held_out(annotation: FrameAnnotation, model: str) -> Iterator[tuple[FitResu
     """Of every element: the fit to the others, and the residuals of its points."""
     start = fit_camera(annotation, FIELD, model=model).camera
     for polyline in annotation:
-        own = build_observations(FrameAnnotation((polyline,)), FIELD, FRAME, ground_only=model == "H")
+        own = build_observations(
+            FrameAnnotation((polyline,)), FIELD, FRAME, ground_only=model == "H"
+        )
         fit = fit_camera(annotation.without(polyline.class_name), FIELD, model=model, start=start)
         if own is None or fit.vector is None or fit.covariance is None:
             continue

@@ -12,12 +12,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from procc_annotator.metric.chance.intervals import INTERVAL_METHODS, IntervalMethodName
-from procc_annotator.metric.chance.sampling import BootstrapSettings
-from procc_annotator.session.runs.audit import TAU_GRID
-from procc_annotator.session.runs.certainty import Inference
-from procc_annotator.session.runs.clusters import clusters_of
-from procc_annotator.session.runs.frame_sums import FrameSums, SourceSums
+from procc_annotator.batch.audit import TAU_GRID
+from procc_annotator.batch.frame_sums import FrameSums, SourceSums
+from procc_annotator.batch.grouping import clusters_of
+from procc_annotator.batch.inference import Inference
+from procc_annotator.metrics.statistics.bootstrap import BootstrapSettings
+from procc_annotator.metrics.statistics.intervals import INTERVAL_METHODS, IntervalMethodName
 
 TAUS = (2.0, 5.0, 10.0, 20.0)
 FRAMES, SOURCES = 1454, 3

@@ -8,15 +8,15 @@ from typing import Any
 
 import pytest
 
-from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.field.load import load_field
-from procc_annotator.metric.contours import (
+from procc_annotator.metrics.error_maps import (
     DISAGREEMENT_LEVELS_M,
     OFFSIDE_ACCURACY_M,
     contour_lines,
+    disagreement,
     filled_contours,
 )
-from procc_annotator.metric.disagreement import disagreement
 
 FIELD = load_field("soccer")
 SIZE = (1280, 720)

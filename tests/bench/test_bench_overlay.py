@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 
 from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px
-from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.field.load import load_field
-from procc_annotator.interact.overlay import OverlayBuilder, OverlayContent
-from procc_annotator.metric.measure import Measurement, measure
-from procc_annotator.metric.score import score
-from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.interaction.overlay import OverlayBuilder, OverlayContent
+from procc_annotator.metrics.measurement import Measurement, measure
+from procc_annotator.metrics.score import score
+from procc_annotator.metrics.setup import EvaluationSetup
 
 FIELD = load_field()
 SETUP = EvaluationSetup(FIELD, protocol="procc")

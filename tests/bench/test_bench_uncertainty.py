@@ -8,10 +8,10 @@ from typing import Any
 
 import pytest
 
+from procc_annotator.calibration.fitting import fit_camera
 from procc_annotator.field.load import load_field
-from procc_annotator.fit.fitting import fit_camera
+from procc_annotator.formats.annotations.soccernet import read_annotation
 from procc_annotator.gui.state.uncertainty import know_ground
-from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
 
 FIELD = load_field("soccer")
 LIMIT_S = 0.040

@@ -10,14 +10,14 @@ import numpy as np
 import pytest
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
+from procc_annotator.calibration.fitting import fit_camera
+from procc_annotator.calibration.optimization.observations import ImageFrame, build_observations
+from procc_annotator.calibration.optimization.residuals import pinhole_residuals
 from procc_annotator.field.load import load_field
-from procc_annotator.fit.fitting import fit_camera
-from procc_annotator.fit.solving.observations import ImageFrame, build_observations
-from procc_annotator.fit.solving.residual import pinhole_residuals
-from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
-from procc_annotator.metric.measure import measure
-from procc_annotator.metric.score import score
-from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.formats.annotations.soccernet import read_annotation
+from procc_annotator.metrics.measurement import measure
+from procc_annotator.metrics.score import score
+from procc_annotator.metrics.setup import EvaluationSetup
 
 FIELD = load_field("soccer")
 SETUP = EvaluationSetup(FIELD, off_plane="left_out")

@@ -15,11 +15,11 @@ import pytest
 from typer.main import get_command
 from typer.testing import CliRunner, Result
 
-from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.cli.main import app
 from procc_annotator.field.load import load_field
-from procc_annotator.metric.project import project_field
-from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.metrics.projection import project_field
+from procc_annotator.metrics.setup import EvaluationSetup
 
 SIZE = (960, 540)
 PANS = {"1": -35.0, "2": -20.0, "3": 0.0, "10": 20.0, "11": 35.0}
@@ -152,4 +152,4 @@ def cli() -> Iterator[Cli]:
 @pytest.fixture
 def no_charts(monkeypatch: pytest.MonkeyPatch) -> None:
     """Pages without charts, which take longer than all the rest: for tests of what else is told."""
-    monkeypatch.setattr("procc_annotator.report.page.reporting.draw_charts", lambda *_: [])
+    monkeypatch.setattr("procc_annotator.report.page.report.draw_charts", lambda *_: [])

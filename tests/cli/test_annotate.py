@@ -9,10 +9,10 @@ from pathlib import Path
 import pytest
 
 from procc_annotator import evaluate, load_annotation
-from procc_annotator.io.camera_files.soccernet_camera import write_camera
-from procc_annotator.session.database.database import WorkspaceDatabase
-from procc_annotator.session.facts.origins import Origin, OriginKind, count_points_by_origin
-from procc_annotator.session.runs import annotation_run
+from procc_annotator.batch import auto_annotation
+from procc_annotator.dataset.database.database import WorkspaceDatabase
+from procc_annotator.dataset.records import Origin, OriginKind, count_points_by_origin
+from procc_annotator.formats.cameras.soccernet import write_camera
 from tests.drawn_shots import DrawnShot, soccer_shot
 
 SIZE = (640, 360)
@@ -55,7 +55,9 @@ def kinds_of(dataset: Path, annotation: Path) -> dict[OriginKind, int]:
     """How the points of an annotation came to be, as a dataset's workspace has it."""
     database = WorkspaceDatabase.open(dataset, "somebody")
     try:
-        return count_points_by_origin(load_annotation(annotation), database.origins(annotation.stem))
+        return count_points_by_origin(
+            load_annotation(annotation), database.origins(annotation.stem)
+        )
     finally:
         database.close()
 
@@ -75,8 +77,8 @@ def pictures(shot: DrawnShot, tmp_path_factory: pytest.TempPathFactory) -> dict[
 def looked_at_once() -> Iterator[None]:
     """The same picture under the same camera is looked at once in this process: nearly all the time
     of the tests below would go into that."""
-    known: dict[object, annotation_run.AnnotatedPicture] = {}
-    look = annotation_run.annotate_picture
+    known: dict[object, auto_annotation.AnnotatedPicture] = {}
+    look = auto_annotation.annotate_picture
 
     def painted(name, picture, camera, field):
         key = (name, picture.tobytes(), camera, field.name)
@@ -85,7 +87,7 @@ def looked_at_once() -> Iterator[None]:
         return known[key]
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(annotation_run, "annotate_picture", painted)
+        patch.setattr(auto_annotation, "annotate_picture", painted)
         yield
 
 
@@ -162,8 +164,8 @@ def test_an_annotation_that_appears_meanwhile_stays(cli, match, monkeypatch) -> 
         match.annotations.joinpath(f"{name}.json").write_text("{}")
         return painted(name, *arguments)
 
-    painted = annotation_run.annotate_picture
-    monkeypatch.setattr(annotation_run, "annotate_picture", slow)
+    painted = auto_annotation.annotate_picture
+    monkeypatch.setattr(auto_annotation, "annotate_picture", slow)
     done = cli("annotate", match.pictures, match.annotations, "--cameras", match.cameras)
     assert done.exit_code == 0, done.output
     assert f"not touched: {FRAMES} frames annotated already" in done.stdout
@@ -243,8 +245,8 @@ def test_an_interrupted_run_says_how_to_go_on(cli, match, monkeypatch) -> None:
             raise KeyboardInterrupt
         return painted(name, *arguments)
 
-    painted = annotation_run.annotate_picture
-    monkeypatch.setattr(annotation_run, "annotate_picture", stopped)
+    painted = auto_annotation.annotate_picture
+    monkeypatch.setattr(auto_annotation, "annotate_picture", stopped)
     done = cli("annotate", match.pictures, match.annotations, "--cameras", match.cameras)
     assert done.exit_code == 130
     assert f"interrupted: 2 of {FRAMES} frames looked at, 2 annotations written" in done.stderr

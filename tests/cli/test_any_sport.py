@@ -9,11 +9,11 @@ import cv2
 import numpy as np
 import pytest
 
-from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
-from procc_annotator.metric.project import project_field
-from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.metrics.projection import project_field
+from procc_annotator.metrics.setup import EvaluationSetup
 from tests.cli.conftest import SIZE, Dataset, camera_file
 
 pytestmark = pytest.mark.usefixtures("qapp")

@@ -17,14 +17,14 @@ import numpy as np
 import pytest
 
 from procc_annotator import load_dataset
-from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.batch import calibration, joint_calibration
+from procc_annotator.batch.calibration import leave_one_out
+from procc_annotator.calibration.fitting import fit_camera
+from procc_annotator.calibration.result import FitResult
+from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.field.load import load_field
-from procc_annotator.fit.fitting import fit_camera
-from procc_annotator.fit.result import FitResult
-from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation
-from procc_annotator.io.camera_files.fitted_on import annotation_digest
-from procc_annotator.session.runs import calibration_run, together_run
-from procc_annotator.session.runs.leaving_out import leave_one_out
+from procc_annotator.formats.annotations.soccernet import write_annotation
+from procc_annotator.formats.cameras.fit_record import annotation_digest
 from tests.bench.sports.views import Views
 
 
@@ -339,7 +339,7 @@ def fits_come_from(fit: Callable[..., FitResult], patched: pytest.MonkeyPatch) -
     def of_chunk(given, *, model: str) -> list[FitResult]:
         return [fit(clicks, field, model=model, size=size) for clicks, field, size in given]
 
-    for module in (calibration_run, together_run):
+    for module in (calibration, joint_calibration):
         patched.setattr(module, "fit_cameras", of_chunk)
 
 
@@ -348,7 +348,7 @@ def fits_come_from(fit: Callable[..., FitResult], patched: pytest.MonkeyPatch) -
 def test_a_stopped_run_goes_on_and_writes_the_bytes_of_one_run(
     cli, dataset, tmp_path, monkeypatch, held_out_once, fit_once, more, name
 ) -> None:
-    monkeypatch.setattr(calibration_run, "leave_one_out", held_out_once)
+    monkeypatch.setattr(calibration, "leave_one_out", held_out_once)
     fits_come_from(fit_once, monkeypatch)
     for number in range(15):  # more than one chunk
         copy = dataset.annotations / f"again{number}.json"

@@ -8,9 +8,9 @@ from pathlib import Path
 
 from typer.testing import CliRunner
 
-from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.cli.main import app
-from procc_annotator.io.camera_files.soccernet_camera import write_camera
+from procc_annotator.formats.cameras.soccernet import write_camera
 
 CAMERA = PinholeCamera(0.1, 1.3, 0.01, (2.0, 60.0, -15.0), (1400.0, 1410.0), (479.5, 269.5))
 

@@ -12,8 +12,8 @@ import cv2
 import numpy as np
 import pytest
 
-from procc_annotator.interact.palette import DISAGREEMENT_COLOURS
-from procc_annotator.metric.contours import DISAGREEMENT_LEVELS_M
+from procc_annotator.interaction.palette import DISAGREEMENT_COLOURS
+from procc_annotator.metrics.error_maps import DISAGREEMENT_LEVELS_M
 from tests.cli.conftest import PANS, camera_file
 
 pytestmark = pytest.mark.usefixtures("qapp")

@@ -15,10 +15,10 @@ import pytest
 
 from procc_annotator.cli.convert import CAMERA_TARGETS
 from procc_annotator.field.load import load_field
-from procc_annotator.io.camera_files.camera_writers import CAMERA_TARGETS as WRITTEN
-from procc_annotator.io.camera_files.soccernet_camera import read_camera
-from procc_annotator.metric.project import project_field
-from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.formats.cameras.soccernet import read_camera
+from procc_annotator.formats.cameras.writers import CAMERA_TARGETS as WRITTEN
+from procc_annotator.metrics.projection import project_field
+from procc_annotator.metrics.setup import EvaluationSetup
 from tests.cli.conftest import camera_file
 
 

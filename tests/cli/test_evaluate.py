@@ -18,10 +18,10 @@ from typing import Any
 
 import pytest
 
+from procc_annotator.dataset.database.database import WorkspaceDatabase
+from procc_annotator.dataset.dataset_field import store_field
+from procc_annotator.dataset.layout import folder_of_dataset
 from procc_annotator.field.load import load_field, with_lines
-from procc_annotator.session.database.database import WorkspaceDatabase
-from procc_annotator.session.dataset.dataset_field import store_field
-from procc_annotator.session.dataset.dataset_folder import folder_of_dataset
 from tests.cli.conftest import camera_file
 
 THRESHOLDS = ("-t", "5", "-t", "2.5")

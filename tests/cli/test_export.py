@@ -11,12 +11,12 @@ import numpy as np
 import pytest
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.field.load import load_field
-from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
-from procc_annotator.io.camera_files.fitted_on import annotation_digest
-from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.formats.annotations.soccernet import read_annotation
+from procc_annotator.formats.cameras.fit_record import annotation_digest
+from procc_annotator.metrics.setup import EvaluationSetup
 from procc_annotator.report.export import Scoring, export_scores
-from procc_annotator.session.dataset.camera_set import CameraSet
 
 
 def test_folder_of_soccernet_json_with_scores(cli, dataset, tmp_path: Path) -> None:

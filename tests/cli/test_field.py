@@ -8,10 +8,10 @@ from pathlib import Path
 
 import pytest
 
-from procc_annotator.field.load import load_field, builtin_field_file
-from procc_annotator.session.database.database import WorkspaceDatabase
-from procc_annotator.session.dataset.dataset_field import store_field
-from procc_annotator.session.dataset.dataset_folder import FIELD_FILE
+from procc_annotator.dataset.database.database import WorkspaceDatabase
+from procc_annotator.dataset.dataset_field import store_field
+from procc_annotator.dataset.layout import FIELD_FILE
+from procc_annotator.field.load import builtin_field_file, load_field
 from tests.cli.conftest import Dataset
 
 

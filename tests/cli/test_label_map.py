@@ -7,11 +7,11 @@ from pathlib import Path
 
 import pytest
 
+from procc_annotator.calibration.result import FitResult
+from procc_annotator.calibration.single_image.proposal import Proposal
+from procc_annotator.calibration.tracking import shot_tracker
 from procc_annotator.cli import track
 from procc_annotator.field.load import load_field
-from procc_annotator.fit.from_picture.proposal import Proposal
-from procc_annotator.fit.result import FitResult
-from procc_annotator.fit.through_shot import following_shot
 
 
 @pytest.fixture
@@ -134,7 +134,7 @@ def test_anchors_of_a_track_are_fitted_by_the_map(
         fit = FitResult("R", (picture.shape[1], picture.shape[0]), None, why)
         return Proposal("none", why, fit, 0.0, 0.0, None, 0.0, None)
 
-    monkeypatch.setattr(following_shot, "propose_camera", none)
+    monkeypatch.setattr(shot_tracker, "propose_camera", none)
     monkeypatch.setattr(track, "warm_up_caches", lambda *_: None)
     said = []
     for given in ((), ("--map", labels)):

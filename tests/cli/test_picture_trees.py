@@ -15,11 +15,11 @@ import numpy as np
 import pytest
 
 from procc_annotator import load_dataset
+from procc_annotator.dataset.frames import list_frames
+from procc_annotator.dataset.sequence import FEWEST, sequence_of
+from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.field.load import load_field
 from procc_annotator.report.conversion import read_annotations
-from procc_annotator.session.dataset.frame_sequence import FEWEST, sequence_of
-from procc_annotator.session.dataset.frames import list_frames
-from procc_annotator.session.dataset.workspace import Workspace
 
 MATCHES = ("a/img1", "b/img1")
 FRAMES = ("00001", "00002")

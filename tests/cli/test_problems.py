@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from procc_annotator.cli.problems import condense_problems
+from procc_annotator.cli.echo import condense_problems
 
 
 def test_the_same_problem_of_many_files_is_one_line() -> None:
@@ -25,7 +25,10 @@ def test_the_same_problem_of_many_places_is_one_line() -> None:
 def test_frames_of_a_video_with_the_same_problem_are_counted_and_named_in_one_line() -> None:
     some = [f"/a.mp4: frame {n}: damaged" for n in (20, 21, 22, 40)]
     other = ["/a.mp4: frame 7: its size changes", "/b.mp4: frame 1: damaged"]
-    assert condense_problems([*some, *other]) == ["/a.mp4: 4 frames (20 to 22, 40): damaged", *other]
+    assert condense_problems([*some, *other]) == [
+        "/a.mp4: 4 frames (20 to 22, 40): damaged",
+        *other,
+    ]
 
 
 def test_different_problems_and_few_of_them_stay_as_they_are() -> None:

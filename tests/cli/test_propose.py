@@ -13,9 +13,9 @@ import numpy as np
 import pytest
 
 from procc_annotator import fit_camera, load_annotation
+from procc_annotator.calibration.result import FitResult
+from procc_annotator.calibration.single_image.proposal import KnownPosition, Proposal, ProposalState
 from procc_annotator.field.model import Field
-from procc_annotator.fit.from_picture.proposal import KnownPosition, Proposal, ProposalState
-from procc_annotator.fit.result import FitResult
 from tests.cli.conftest import PANS, SIZE, Dataset, write_dataset
 
 NAMES = ["1", "2", "3", "10", "11"]

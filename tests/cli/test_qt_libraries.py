@@ -10,13 +10,15 @@ from pathlib import Path
 
 import pytest
 
-from procc_annotator.cli import system_packages
-from procc_annotator.cli.qt_libraries import (
+from procc_annotator.cli import open
+from procc_annotator.cli.open import (
+    PACKAGES,
+    how_to_install,
     missing_libraries,
     qt_missing_words,
     require_qt_libraries,
+    stem_of,
 )
-from procc_annotator.cli.system_packages import PACKAGES, how_to_install, stem_of
 from procc_annotator.errors import UsageError
 
 pytestmark = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="of Linux")
@@ -45,7 +47,7 @@ def lacking(tmp_path: Path) -> Path:
 
 def tools(monkeypatch: pytest.MonkeyPatch, *there: str) -> None:
     monkeypatch.setattr(
-        system_packages.shutil, "which", lambda name: f"/bin/{name}" if name in there else None
+        open.shutil, "which", lambda name: f"/bin/{name}" if name in there else None
     )
 
 

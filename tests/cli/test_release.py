@@ -11,13 +11,13 @@ from pathlib import Path
 
 import pytest
 
-from procc_annotator.cli.together import fit_sizes
+from procc_annotator.batch.label_check import CheckRun
+from procc_annotator.cli.set_fits import fit_sizes
+from procc_annotator.dataset.database.database import WorkspaceDatabase
+from procc_annotator.dataset.review import SETTING
 from procc_annotator.field.load import load_field
-from procc_annotator.io.source import open_source
-from procc_annotator.report.findings import check_set
-from procc_annotator.session.database.database import WorkspaceDatabase
-from procc_annotator.session.facts.ignored_findings import SETTING
-from procc_annotator.session.runs.check_run import CheckRun
+from procc_annotator.formats.file_source import open_source
+from procc_annotator.report.label_check import check_set
 
 
 @pytest.fixture

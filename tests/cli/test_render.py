@@ -10,12 +10,12 @@ import cv2
 import numpy as np
 import pytest
 
+from procc_annotator.dataset.camera_set import CameraSet
+from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.field.load import load_field
-from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.report.pictures import render_pictures
-from procc_annotator.report.scenes import Scene, caption
-from procc_annotator.session.dataset.camera_set import CameraSet
-from procc_annotator.session.dataset.workspace import Workspace
+from procc_annotator.metrics.setup import EvaluationSetup
+from procc_annotator.report.overlay_pictures import render_pictures
+from procc_annotator.report.overlay_scene import Scene, caption
 
 PASS = (0x00, 0x9E, 0x73)
 TOO_FAR = (0xD5, 0x5E, 0x00)

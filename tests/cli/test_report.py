@@ -16,7 +16,7 @@ from typing import Any
 import pytest
 from typer.testing import Result
 
-from procc_annotator.io.camera_files.registry import CAMERA_FORMATS
+from procc_annotator.formats.cameras.registry import CAMERA_FORMATS
 from procc_annotator.resources import resources_dir
 
 pytestmark = pytest.mark.usefixtures("qapp")
@@ -465,7 +465,7 @@ def test_an_interruption_leaves_no_half_file(cli, dataset, tmp_path: Path, monke
     def interrupted(*_: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("procc_annotator.report.page.reporting.draw_charts", interrupted)
+    monkeypatch.setattr("procc_annotator.report.page.report.draw_charts", interrupted)
     done = run(cli, dataset, out / "r.html", {"good": dataset.cameras}, "-o", out / "r.csv")
     assert done.exit_code != 0
     assert [p.name for p in out.iterdir()] == ["r.html"]

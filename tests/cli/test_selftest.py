@@ -77,7 +77,7 @@ def test_without_a_terminal_an_error_is_shown_in_a_dialog(tmp_path: Path) -> Non
     code = """
 import sys
 from PySide6.QtWidgets import QMessageBox
-from procc_annotator.cli.window_script import run_window
+from procc_annotator.cli.main import run_window
 
 shown = []
 QMessageBox.critical = lambda *what: shown.append(what[2])

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from procc_annotator.cli.sources import SourceSpec, parse_source, parse_sources
+from procc_annotator.cli.method_arguments import SourceSpec, parse_source, parse_sources
 from procc_annotator.errors import UsageError
 from tests.cli.conftest import camera_file
 

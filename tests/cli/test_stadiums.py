@@ -12,12 +12,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.cli import field_size
+from procc_annotator.dataset.dataset_field import field_of_dataset
 from procc_annotator.field.load import load_field
-from procc_annotator.metric.project import project_field
-from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.dataset.dataset_field import field_of_dataset
+from procc_annotator.metrics.projection import project_field
+from procc_annotator.metrics.setup import EvaluationSetup
 from tests.cli.conftest import PANS, SIZE, camera_file
 
 SIZES = {"old": {"length": 100.0, "width": 64.0}, "new": {"length": 105.0, "width": 68.0}}

@@ -12,10 +12,10 @@ import numpy as np
 import pytest
 
 import procc_annotator
+from procc_annotator.dataset.database.database import WorkspaceDatabase
+from procc_annotator.dataset.records import Origin, OriginKind
 from procc_annotator.field.load import load_field
-from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
-from procc_annotator.session.database.database import WorkspaceDatabase
-from procc_annotator.session.facts.origins import Origin, OriginKind
+from procc_annotator.formats.annotations.soccernet import read_annotation
 
 GOLD = ("2", "3", "10", "11")
 
@@ -107,7 +107,7 @@ def test_the_window_knows_nothing_of_gold() -> None:
         for path in package.rglob("*.py")
         if "gold_file" in path.read_text() or "gold.csv" in path.read_text()
     ]
-    assert set(readers) == {"cli/gold.py", "session/dataset/gold_file.py"}
+    assert set(readers) == {"cli/gold.py", "dataset/annotation_source.py"}
 
 
 def test_what_cannot_be_done_is_one_line(cli, dataset, study, tmp_path) -> None:

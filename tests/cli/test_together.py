@@ -11,17 +11,17 @@ import numpy as np
 import pytest
 from typer.testing import Result
 
-from procc_annotator.camera.pinhole import PinholeCamera
-from procc_annotator.field.load import load_field
-from procc_annotator.field.model import Field
-from procc_annotator.metric.project import project_field
-from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.database.database import WorkspaceDatabase
-from procc_annotator.session.dataset.dataset_field import (
+from procc_annotator.camera.models import PinholeCamera
+from procc_annotator.dataset.database.database import WorkspaceDatabase
+from procc_annotator.dataset.dataset_field import (
     DIMENSIONS_SETTING,
     field_of_dataset,
     store_dimensions,
 )
+from procc_annotator.field.load import load_field
+from procc_annotator.field.model import Field
+from procc_annotator.metrics.projection import project_field
+from procc_annotator.metrics.setup import EvaluationSetup
 
 SIZE = (960, 540)
 PLACES = {"a": (1.0, 66.0, -15.0), "b": (-2.0, 80.0, -11.0)}

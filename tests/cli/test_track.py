@@ -14,16 +14,16 @@ import cv2
 import numpy as np
 import pytest
 
-from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.calibration.result import FitResult
+from procc_annotator.calibration.single_image.proposal import Proposal
+from procc_annotator.calibration.tracking.track import Track, TrackedFrame
+from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.cli import track as command
+from procc_annotator.dataset.sequence import open_pictures
 from procc_annotator.field.load import load_field
-from procc_annotator.fit.from_picture.proposal import Proposal
-from procc_annotator.fit.result import FitResult
-from procc_annotator.fit.through_shot.track import Track, TrackedFrame
-from procc_annotator.image.decode import decode_bgra
-from procc_annotator.io.camera_files.cameras import read_camera_file
-from procc_annotator.io.camera_files.soccernet_camera import write_camera
-from procc_annotator.session.dataset.picture_source import open_pictures
+from procc_annotator.formats.cameras.registry import read_camera_file
+from procc_annotator.formats.cameras.soccernet import write_camera
+from procc_annotator.image.decoding import decode_bgra
 from tests.drawn_shots import DrawnShot, cut_shot, write_video
 
 SIZE = (640, 360)

@@ -14,8 +14,8 @@ from types import ModuleType
 import numpy as np
 import pytest
 
-from procc_annotator.io.camera_files.cameras import read_camera_file
-from procc_annotator.io.landmark_file import load_landmarks
+from procc_annotator.formats.cameras.registry import read_camera_file
+from procc_annotator.formats.landmark_file import load_landmarks
 
 ROOT = Path(__file__).parents[2]
 

@@ -8,16 +8,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from procc_annotator.batch.evaluation import run_digested
+from procc_annotator.batch.frame_sums import ClickNoise, SourceSums, frame_sums
+from procc_annotator.batch.grouping import clusters_of
+from procc_annotator.batch.inference import Inference
 from procc_annotator.field.load import load_field
-from procc_annotator.io.camera_files.camera_collection import CameraCollection
-from procc_annotator.io.source import open_source
-from procc_annotator.metric.chance.intervals import INTERVAL_METHODS
-from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.runs.certainty import Inference
-from procc_annotator.session.runs.clusters import clusters_of
-from procc_annotator.session.runs.evaluation_run import run_digested
-from procc_annotator.session.runs.frame_sums import SourceSums, frame_sums
-from procc_annotator.session.runs.moved_clicks import ClickNoise
+from procc_annotator.formats.cameras.collection import CameraCollection
+from procc_annotator.formats.file_source import open_source
+from procc_annotator.metrics.setup import EvaluationSetup
+from procc_annotator.metrics.statistics.intervals import INTERVAL_METHODS
 
 TAUS = (2.0, 5.0)
 SETUP = EvaluationSetup(load_field("soccer"), (960, 540), "soccernet")

@@ -7,9 +7,9 @@ from pathlib import Path
 import numpy as np
 
 from procc_annotator.annotation import Polyline, points_px
+from procc_annotator.assist.copying import copy_moved
+from procc_annotator.assist.line_evidence import ExpectedLines
 from procc_annotator.image.video import open_shared_video
-from procc_annotator.session.strokes.copying import copy_moved
-from procc_annotator.session.strokes.expected_paint import ExpectedLines
 from tests.bench.paint.truth import TruthFrame, truth_frames
 
 _COPIES = 10

@@ -7,9 +7,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from procc_annotator.calibration.fitting import fit_camera
 from procc_annotator.camera.base import Camera
 from procc_annotator.field.load import load_field
-from procc_annotator.fit.fitting import fit_camera
 from tests.bench.sports.court_cameras import fitted_back, read_cameras
 from tests.bench.sports.views import Views
 

@@ -11,13 +11,21 @@ import numpy as np
 import pytest
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.calibration.fitting import fit_camera
+from procc_annotator.calibration.label_check.check import (
+    check_labels,
+    find_opposite_frames,
+    fitted_position,
+)
+from procc_annotator.calibration.label_check.finding import Rule, Severity
+from procc_annotator.calibration.label_check.orientation import (
+    MIRROR_X,
+    MIRROR_Y,
+    mirrored_names,
+    relabelled,
+)
 from procc_annotator.field.load import load_field
-from procc_annotator.fit.fitting import fit_camera
-from procc_annotator.fit.labels.check import check_labels
-from procc_annotator.fit.labels.finding import Rule, Severity
-from procc_annotator.fit.labels.orientation import MIRROR_Y, MIRROR_X, mirrored_names, relabelled
-from procc_annotator.fit.which_side import find_opposite_frames, fitted_position
-from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
+from procc_annotator.formats.annotations.soccernet import read_annotation
 
 FIELD = load_field("soccer")
 SIZE = (960, 540)

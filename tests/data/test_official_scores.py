@@ -14,14 +14,14 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.camera.base import Camera
 from procc_annotator.errors import CameraError
 from procc_annotator.field.load import load_field
-from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
-from procc_annotator.io.camera_files.soccernet_camera import read_camera
-from procc_annotator.metric.fine import project_curves
-from procc_annotator.metric.measure import measure, measure_projected
-from procc_annotator.metric.project import ProjectedField, project_field
-from procc_annotator.metric.score import jac_curve, score
-from procc_annotator.metric.sets import SetAccumulator
-from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.formats.annotations.soccernet import read_annotation
+from procc_annotator.formats.cameras.soccernet import read_camera
+from procc_annotator.metrics.curve_projection import project_curves
+from procc_annotator.metrics.measurement import measure, measure_projected
+from procc_annotator.metrics.projection import ProjectedField, project_field
+from procc_annotator.metrics.score import jac_curve, score
+from procc_annotator.metrics.sets import SetAccumulator
+from procc_annotator.metrics.setup import EvaluationSetup
 
 THRESHOLDS = (2.0, 5.0, 10.0, 20.0)
 SETS = {

@@ -8,10 +8,9 @@ import numpy as np
 import pytest
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
+from procc_annotator.assist.line_evidence import ExpectedLines, line_evidence_by_class
 from procc_annotator.field.load import load_field
-from procc_annotator.image.decode import decode_bgra
-from procc_annotator.session.strokes.expected_paint import ExpectedLines
-from procc_annotator.session.strokes.paint_evidence import line_evidence_by_class
+from procc_annotator.image.decoding import decode_bgra
 from tests.bench.paint.measures import accepted, regular, snapping
 from tests.bench.paint.truth import TruthFrame, truth_frames
 

@@ -7,9 +7,9 @@ from pathlib import Path
 
 import numpy as np
 
+from procc_annotator.calibration.single_image.propose import propose_camera
 from procc_annotator.field.load import load_field
-from procc_annotator.fit.from_picture.proposing import propose_camera
-from procc_annotator.image.decode import decode_bgra
+from procc_annotator.image.decoding import decode_bgra
 from tests.bench.from_picture.truth import PaintedFrame, is_right
 
 

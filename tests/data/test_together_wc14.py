@@ -8,12 +8,15 @@ import numpy as np
 import pytest
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.calibration.fitting import fit_camera
+from procc_annotator.calibration.joint.field_dimensions import fit_dimensions
+from procc_annotator.calibration.joint.shared_position import (
+    SharedPositionResult,
+    fit_shared_position,
+)
+from procc_annotator.calibration.result import FitResult
 from procc_annotator.field.load import load_field
-from procc_annotator.fit.fitting import fit_camera
-from procc_annotator.fit.result import FitResult
-from procc_annotator.fit.together.stadium import fit_dimensions
-from procc_annotator.fit.together.tripod import SharedPositionResult, fit_shared_position
-from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
+from procc_annotator.formats.annotations.soccernet import read_annotation
 
 FIELD = load_field("soccer")
 # Numbers of frames that follow each other are of one game.

@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from procc_annotator.errors import SaveError
-from procc_annotator.io.atomic import write_atomic
+from procc_annotator.formats.atomic import write_atomic
 
 OLD, NEW = b"old", b"the new content"
 # Every function of the system that is called before the new file has the old one's name.

@@ -10,18 +10,17 @@ from typing import Any
 import numpy as np
 import pytest
 
-from procc_annotator.camera.fisheye import FisheyeCamera
-from procc_annotator.camera.pinhole import PinholeCamera
-from procc_annotator.camera.projections import ElementProjections
+from procc_annotator.camera.base import ElementProjections
+from procc_annotator.camera.models import FisheyeCamera, PinholeCamera
 from procc_annotator.errors import CameraError
 from procc_annotator.field.load import load_field
-from procc_annotator.io.camera_files.camera_collection import CameraCollection
-from procc_annotator.io.camera_files.cameras import fit_to_size, read_camera_file
-from procc_annotator.io.camera_files.krt_camera import krt_content, write_krt
-from procc_annotator.io.camera_files.opencv_camera import write_opencv
-from procc_annotator.io.camera_files.soccernet_camera import write_camera
-from procc_annotator.metric.project import project_field
-from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.formats.cameras.collection import CameraCollection
+from procc_annotator.formats.cameras.krt import krt_content, write_krt
+from procc_annotator.formats.cameras.opencv import write_opencv
+from procc_annotator.formats.cameras.registry import fit_to_size, read_camera_file
+from procc_annotator.formats.cameras.soccernet import write_camera
+from procc_annotator.metrics.projection import project_field
+from procc_annotator.metrics.setup import EvaluationSetup
 
 Damage = Callable[[str, Sequence[bytes], int], Iterator[bytes]]
 SETUP = EvaluationSetup(load_field(), (960, 540), "procc")

@@ -21,10 +21,10 @@ from hypothesis import strategies as st
 
 from procc_annotator.field import load
 from procc_annotator.field.load import load_field
-from procc_annotator.field.sample import sample_evenly, sample_official
-from procc_annotator.image.decode import decode_bgra, decode_thumbnail
-from procc_annotator.io.collections import list_annotations, list_cameras
-from procc_annotator.io.source import open_source
+from procc_annotator.field.sampling import sample_evenly, sample_official
+from procc_annotator.formats.file_listing import list_annotations, list_cameras
+from procc_annotator.formats.file_source import open_source
+from procc_annotator.image.decoding import decode_bgra, decode_thumbnail
 from procc_annotator.resources import resources_dir
 
 Damage = Callable[[str, Sequence[bytes], int], Iterator[bytes]]

@@ -16,23 +16,15 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from procc_annotator.camera.homography import HomographyCamera
-from procc_annotator.camera.pinhole import PinholeCamera
-from procc_annotator.camera.projections import ElementProjections
+from procc_annotator.camera.base import ElementProjections
+from procc_annotator.camera.models import HomographyCamera, PinholeCamera
 from procc_annotator.errors import AnnotationError
 from procc_annotator.field.load import load_field
-from procc_annotator.io.annotation_files.soccernet_annotation import (
-    read_annotation,
-    write_annotation,
-)
-from procc_annotator.io.camera_files.cameras import (
-    CAMERA_FORMATS,
-    LoadedCamera,
-    fit_to_size,
-    read_camera_file,
-)
-from procc_annotator.io.camera_files.homography_file import CONVENTIONS
-from procc_annotator.io.camera_files.soccernet_camera import write_camera
+from procc_annotator.formats.annotations.soccernet import read_annotation, write_annotation
+from procc_annotator.formats.cameras.homography import CONVENTIONS
+from procc_annotator.formats.cameras.loaded_camera import LoadedCamera
+from procc_annotator.formats.cameras.registry import CAMERA_FORMATS, fit_to_size, read_camera_file
+from procc_annotator.formats.cameras.soccernet import write_camera
 
 Damage = Callable[[str, Sequence[bytes], int], Iterator[bytes]]
 ROOT = Path(__file__).resolve().parents[2]

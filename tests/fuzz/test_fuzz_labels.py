@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 
 from procc_annotator.field.load import load_field
-from procc_annotator.io.annotation_files.label_map import OrderedClasses, read_label_map
-from procc_annotator.io.annotation_files.read_set import read_set
-from procc_annotator.io.camera_files.camera_collection import CameraCollection
-from procc_annotator.io.source import open_source
+from procc_annotator.formats.annotations.label_map import OrderedClasses, read_label_map
+from procc_annotator.formats.annotations.registry import read_set
+from procc_annotator.formats.cameras.collection import CameraCollection
+from procc_annotator.formats.file_source import open_source
 
 Damage = Callable[[str, Sequence[bytes], int], Iterator[bytes]]
 FIELD = load_field("soccer")

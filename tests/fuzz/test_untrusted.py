@@ -16,12 +16,9 @@ import pytest
 
 from procc_annotator.errors import AnnotationError, CameraError, FieldError, InputError
 from procc_annotator.field.load import load_field
-from procc_annotator.io.annotation_files.soccernet_annotation import (
-    read_annotation,
-    write_annotation,
-)
-from procc_annotator.io.camera_files.cameras import read_camera_file
-from procc_annotator.io.camera_files.soccernet_camera import write_camera
+from procc_annotator.formats.annotations.soccernet import read_annotation, write_annotation
+from procc_annotator.formats.cameras.registry import read_camera_file
+from procc_annotator.formats.cameras.soccernet import write_camera
 from procc_annotator.resources import resources_dir
 
 ROOT = Path(__file__).resolve().parents[2]

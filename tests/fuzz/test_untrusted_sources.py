@@ -15,6 +15,10 @@ from typing import Any
 
 import pytest
 
+from procc_annotator.dataset.database.database import WorkspaceDatabase
+from procc_annotator.dataset.database.location import read_settings
+from procc_annotator.dataset.records import Status
+from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import (
     AnnotationError,
     CameraError,
@@ -24,15 +28,11 @@ from procc_annotator.errors import (
     ProccError,
 )
 from procc_annotator.field.load import load_field
-from procc_annotator.image.decode import decode_bgra
-from procc_annotator.io.camera_files.cameras import read_camera_file
-from procc_annotator.io.collections import list_annotations
-from procc_annotator.io.source import LARGEST_FILE, open_source, read_file
+from procc_annotator.formats.cameras.registry import read_camera_file
+from procc_annotator.formats.file_listing import list_annotations
+from procc_annotator.formats.file_source import LARGEST_FILE, open_source, read_file
+from procc_annotator.image.decoding import decode_bgra
 from procc_annotator.resources import resources_dir
-from procc_annotator.session.database.database import WorkspaceDatabase
-from procc_annotator.session.database.places import read_settings
-from procc_annotator.session.dataset.workspace import Workspace
-from procc_annotator.session.facts.origins import Status
 
 ROOT = Path(__file__).resolve().parents[2]
 SOCCER = (resources_dir() / "field" / "soccer.toml").read_text(encoding="utf-8")

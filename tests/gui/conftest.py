@@ -22,10 +22,11 @@ from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import FrameAnnotation, Polyline
+from procc_annotator.assist.line_evidence import line_evidence
+from procc_annotator.calibration.label_check.evidence import LineEvidence
+from procc_annotator.calibration.result import FitResult
+from procc_annotator.calibration.single_image.proposal import Proposal
 from procc_annotator.field.model import Field
-from procc_annotator.fit.from_picture.proposal import Proposal
-from procc_annotator.fit.labels.seen_paint import LineEvidence
-from procc_annotator.fit.result import FitResult
 from procc_annotator.gui import worker
 from procc_annotator.gui.app import build_window, collect_now_and_then, start_lean
 from procc_annotator.gui.main_window import MainWindow
@@ -36,7 +37,6 @@ from procc_annotator.gui.state import check_queue, live_fit, paint_watch, propos
 from procc_annotator.gui.state.paint_watch import Evidence
 from procc_annotator.gui.tasks.field import field_dimensions, view_grouping
 from procc_annotator.gui.theme import PlainTextStyle
-from procc_annotator.session.strokes.paint_evidence import line_evidence
 from tests.gui.known_already import hand_out
 from tests.gui.one_window import OneWindow
 

@@ -20,18 +20,18 @@ import numpy as np
 import pytest
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.assist.frame_analysis import FrameAnalysis
+from procc_annotator.calibration.tracking.frame_reader import ReadFrame
+from procc_annotator.calibration.tracking.track import Track, TrackedFrame
 from procc_annotator.camera.base import Camera
+from procc_annotator.dataset.review import FrameCheck
 from procc_annotator.field.model import Field
-from procc_annotator.fit.through_shot.reading import ReadFrame
-from procc_annotator.fit.through_shot.track import Track, TrackedFrame
 from procc_annotator.gui.panels.frames import thumbnails
 from procc_annotator.gui.state import label_check, live_fit
 from procc_annotator.gui.tasks.shot import following
-from procc_annotator.image import cache
-from procc_annotator.image.decode import PixelArray
-from procc_annotator.language import is_english
-from procc_annotator.session.clicks.insight import FrameAnalysis
-from procc_annotator.session.facts.frame_check import FrameCheck
+from procc_annotator.image import decoding
+from procc_annotator.image.pixels import PixelArray
+from procc_annotator.translation import is_english
 
 T = TypeVar("T")
 
@@ -82,7 +82,7 @@ def _may_be_kept(key: Hashable) -> bool:
 
 def hand_out(monkeypatch: pytest.MonkeyPatch) -> None:
     """Have the window ask here first."""
-    decode, decode_small = cache.decode_bgra, thumbnails.decode_thumbnail
+    decode, decode_small = decoding.decode_bgra, thumbnails.decode_thumbnail
     shrink = thumbnails.downscale_to
     gain, check = live_fit.analyse_frame, label_check.check_without_fit
 
@@ -130,7 +130,7 @@ def hand_out(monkeypatch: pytest.MonkeyPatch) -> None:
             return work()
         return _CHECKS.of(key, work, field, *(paint or {}).values())
 
-    monkeypatch.setattr(cache, "decode_bgra", picture)
+    monkeypatch.setattr(decoding, "decode_bgra", picture)
     monkeypatch.setattr(thumbnails, "decode_thumbnail", thumbnail)
     monkeypatch.setattr(thumbnails, "downscale_to", shrunk)
     monkeypatch.setattr(live_fit, "analyse_frame", insight)

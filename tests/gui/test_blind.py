@@ -16,12 +16,12 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtWidgets import QComboBox, QDialogButtonBox, QLabel
 from pytestqt.qtbot import QtBot
 
+from procc_annotator.dataset.records import Status
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.states import ElementState, element_states
 from procc_annotator.gui.plots.curves import TauPage, TimelinePage
-from procc_annotator.interact.overlay_shapes import EMPTY_OVERLAY
-from procc_annotator.report.scenes import OverlayLook
-from procc_annotator.session.facts.origins import Status
+from procc_annotator.interaction.overlay_primitives import EMPTY_OVERLAY
+from procc_annotator.report.overlay_scene import OverlayLook
 from tests.gui.conftest import Hand, MakeWindow, all_done, settle
 
 # The offscreen platform has no window manager to pass these on to.

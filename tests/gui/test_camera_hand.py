@@ -15,23 +15,26 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.calibration.line_alignment.control_points import (
+    control_point_errors,
+    rotated_camera,
+)
+from procc_annotator.calibration.optimization.camera_parameters import vector_from_camera
+from procc_annotator.calibration.optimization.observations import ImageFrame
+from procc_annotator.calibration.result import external_camera_fit
+from procc_annotator.calibration.single_image.proposal import Proposal
+from procc_annotator.calibration.tracking import shot_tracker
+from procc_annotator.camera.models import PinholeCamera
+from procc_annotator.dataset.camera_set import CameraSet
+from procc_annotator.dataset.records import OriginKind
+from procc_annotator.dataset.sequence import open_video
 from procc_annotator.field.model import Field
-from procc_annotator.fit.from_picture.proposal import Proposal
-from procc_annotator.fit.pegs import control_point_errors, rotated_camera
-from procc_annotator.fit.predict.given_camera import external_camera_fit
-from procc_annotator.fit.solving.models import vector_from_camera
-from procc_annotator.fit.solving.observations import ImageFrame
-from procc_annotator.fit.through_shot import following_shot
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state import proposals
 from procc_annotator.gui.tasks.shot import following
 from procc_annotator.image.pixels import PixelArray
-from procc_annotator.interact import palette as tones
-from procc_annotator.interact.wireframe import wireframe_of
-from procc_annotator.session.dataset.camera_set import CameraSet
-from procc_annotator.session.dataset.video_frames import open_video
-from procc_annotator.session.facts.origins import OriginKind
+from procc_annotator.interaction import palette as tones
+from procc_annotator.interaction.camera_view import wireframe_of
 from tests.drawn_shots import DrawnShot, Look, soccer_shot, write_video
 from tests.gui.conftest import all_done, until_kept
 from tests.gui.known_already import TrackMemory
@@ -531,7 +534,7 @@ class TestInAShot:
         def found(*_: Any, **__: Any) -> Proposal:
             return replace(propose(), fit=replace(propose().fit, vector=known))
 
-        monkeypatch.setattr(following_shot, "propose_camera", found)  # in a track's first frame
+        monkeypatch.setattr(shot_tracker, "propose_camera", found)  # in a track's first frame
         video = Path(shutil.copyfile(written, tmp_path / "match.mp4"))
         window = make_window(dataset)
         document = window.document

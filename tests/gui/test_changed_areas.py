@@ -10,8 +10,14 @@ from PySide6.QtWidgets import QApplication
 
 from procc_annotator.gui.picture.items import paint_overlay
 from procc_annotator.gui.picture.overlay_item import changed_areas
-from procc_annotator.interact.overlay_shapes import CursorSigns, Labels, Overlay, PointMarks, Strokes
-from procc_annotator.interact.verdicts import NO_POINTS
+from procc_annotator.interaction.overlay_primitives import (
+    NO_POINTS,
+    CursorSigns,
+    Labels,
+    Overlay,
+    PointMarks,
+    Strokes,
+)
 
 
 def lines(*rows: tuple[float, float, float, float], colour: str = "#ffffff") -> Strokes:

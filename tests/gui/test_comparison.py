@@ -21,12 +21,12 @@ from PySide6.QtWidgets import (
 )
 from pytestqt.qtbot import QtBot
 
-from procc_annotator.camera.backproject import ground_from_px
-from procc_annotator.camera.projections import ElementProjections
+from procc_annotator.camera.backprojection import ground_from_px
+from procc_annotator.camera.base import ElementProjections
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.source_frames import SourceFrame
-from procc_annotator.metric.disagreement import disagreement
+from procc_annotator.metrics.error_maps import disagreement
 from tests.gui.conftest import Hand, all_done, settle
 
 NONE, CTRL = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ControlModifier

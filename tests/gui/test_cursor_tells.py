@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QApplication
 
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.theme import set_text_size
-from procc_annotator.interact.overlay_shapes import Labels
+from procc_annotator.interaction.overlay_primitives import Labels
 from tests.gui.conftest import SIZE, Hand, MakeWindow
 
 pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)

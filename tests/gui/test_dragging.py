@@ -14,7 +14,7 @@ from pytestqt.exceptions import TimeoutError
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.image.adjust import DisplayAdjustment
+from procc_annotator.image.pixels import DisplayAdjustment
 from tests.gui.conftest import Hand
 
 pytestmark = [

@@ -11,7 +11,7 @@ from procc_annotator.gui.languages import take_up
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.judged.score_table import ELEMENT
 from procc_annotator.gui.panels.titles import TitleDelegate, elided_title
-from procc_annotator.language import tr
+from procc_annotator.translation import tr
 
 
 def test_near_and_far_of_either_side_can_be_told_apart(qapp: QApplication) -> None:

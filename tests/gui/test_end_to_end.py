@@ -13,13 +13,13 @@ from PySide6.QtWidgets import QFileDialog
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.camera.base import Camera
+from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.field.load import load_field
+from procc_annotator.formats.annotations.soccernet import read_annotation
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
-from procc_annotator.metric.measure import measure
-from procc_annotator.metric.score import score
-from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.dataset.camera_set import CameraSet
+from procc_annotator.metrics.measurement import measure
+from procc_annotator.metrics.score import score
+from procc_annotator.metrics.setup import EvaluationSetup
 from tests.gui.conftest import Hand, MakeWindow, until_kept
 
 SIZE = (1280, 720)

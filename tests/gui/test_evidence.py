@@ -13,13 +13,13 @@ from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import Polyline
-from procc_annotator.fit.labels.finding import Rule
-from procc_annotator.fit.labels.seen_paint import LinePresence
+from procc_annotator.assist import line_evidence as evidence_module
+from procc_annotator.calibration.label_check.evidence import LinePresence
+from procc_annotator.calibration.label_check.finding import Rule
+from procc_annotator.dataset.review import StoredFinding
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state.notices import BENT
-from procc_annotator.interact import palette as tones
-from procc_annotator.session.facts.frame_check import StoredFinding
-from procc_annotator.session.strokes import paint_evidence as evidence_module
+from procc_annotator.interaction import palette as tones
 from tests.gui.conftest import Hand
 
 MakeWindow = Callable[..., MainWindow]

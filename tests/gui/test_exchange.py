@@ -14,14 +14,14 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
+from procc_annotator.dataset import saving, workspace
+from procc_annotator.dataset.database.connection import FILE
+from procc_annotator.dataset.database.database import WorkspaceDatabase
+from procc_annotator.dataset.locks import FrameLocks, locks_folder
+from procc_annotator.dataset.records import Origin, PointKey
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state import many_edits
 from procc_annotator.gui.state.set_edits import merged
-from procc_annotator.session.database.database import WorkspaceDatabase
-from procc_annotator.session.database.file import FILE
-from procc_annotator.session.dataset import pending_save, workspace
-from procc_annotator.session.dataset.locks import FrameLocks, locks_folder
-from procc_annotator.session.facts.origins import Origin, PointKey
 from tests.gui.conftest import all_done, until_kept
 
 if TYPE_CHECKING:
@@ -160,7 +160,7 @@ def test_what_is_replaced_is_a_version_on_disk_before_its_file_changes(
     window = make_window(annotated)
     window.document.go_to(2)  # no frame that is replaced is on screen
     written, threads = [], set()
-    write = pending_save.write_atomic
+    write = saving.write_atomic
 
     def watched(path: Path, data: bytes, **more: Path) -> None:
         assert before[path.stem] in versions_on_disk(annotated)[path.stem]
@@ -169,7 +169,7 @@ def test_what_is_replaced_is_a_version_on_disk_before_its_file_changes(
         written.append(path.stem)
         write(path, data, **more)
 
-    monkeypatch.setattr(pending_save, "write_atomic", watched)
+    monkeypatch.setattr(saving, "write_atomic", watched)
     said = run_import(window, qtbot, foreign, replace=True)
     assert "2 of 2 frames imported" in said
     assert sorted(written) == ["frame_0", "frame_1"]
@@ -238,7 +238,7 @@ def test_an_import_that_breaks_off_is_over_and_nothing_of_it_is_lost(
     window.document.go_to(2)
     write = workspace.write_saves
 
-    def broken(saves: list[pending_save.PendingSave]) -> None:
+    def broken(saves: list[saving.PendingSave]) -> None:
         write(saves[:1])
         raise MemoryError("no more")
 

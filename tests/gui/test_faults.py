@@ -19,8 +19,8 @@ import pytest
 from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
 
+from procc_annotator.dataset.records import Status
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.session.facts.origins import Status
 from tests.gui.conftest import until_kept
 
 if TYPE_CHECKING:
@@ -47,7 +47,7 @@ def failing_writes(monkeypatch: pytest.MonkeyPatch, code: int) -> None:
             raise OSError(code, os.strerror(code))
         return real(path, flags, *args, **more)
 
-    monkeypatch.setattr("procc_annotator.io.atomic.os.open", refuse)
+    monkeypatch.setattr("procc_annotator.formats.atomic.os.open", refuse)
 
 
 class TestDiskTroubles:

@@ -13,11 +13,11 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
-from procc_annotator.field.load import field_titles, load_field, builtin_field_file
+from procc_annotator.dataset.layout import FIELD_FILE
+from procc_annotator.field.load import builtin_field_file, field_titles, load_field
 from procc_annotator.field.model import Field
 from procc_annotator.gui.element_keys import element_keys, key_text
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.session.dataset.dataset_folder import FIELD_FILE
 from tests.gui.conftest import Hand, let_work_end
 
 pytestmark = [

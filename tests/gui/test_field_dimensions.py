@@ -15,11 +15,11 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDialogButtonBox
 from pytestqt.qtbot import QtBot
 
+from procc_annotator.batch.joint_calibration import Estimate, estimate_dimensions
 from procc_annotator.field.load import load_field
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.tasks.field import field_dimensions
 from procc_annotator.gui.tasks.field.dimensions_dialog import FieldDimensionsDialog
-from procc_annotator.session.runs.dimension_estimate import Estimate, estimate_dimensions
 from tests.gui.conftest import let_work_end
 
 

@@ -10,8 +10,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
+from procc_annotator.dataset.records import Status
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.session.facts.origins import Status
 from tests.gui.conftest import Hand, MakeWindow, all_done
 
 pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)

@@ -12,9 +12,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
-from procc_annotator.fit.labels.seen_paint import LinePresence
+from procc_annotator.calibration.label_check.evidence import LinePresence
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.image.decode import decode_bgra, decode_half_size
+from procc_annotator.image.decoding import decode_bgra, decode_half_size
 from tests.gui.conftest import Hand, MakeWindow
 
 pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
@@ -151,7 +151,7 @@ def test_a_picture_that_goes_before_all_of_it_was_read(
 
 
 def test_lines_are_enhanced_in_the_whole_picture_only(window: MainWindow, qtbot: QtBot) -> None:
-    from procc_annotator.image.adjust import DisplayAdjustment
+    from procc_annotator.image.pixels import DisplayAdjustment
 
     window.canvas.set_look(DisplayAdjustment(enhance=True))
     window.document.go_to(5)

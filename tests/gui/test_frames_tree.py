@@ -11,10 +11,10 @@ import pytest
 from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
 
+from procc_annotator.dataset.records import Status
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.frames.folder_row import folder_words
 from procc_annotator.gui.panels.frames.model import FolderInfo
-from procc_annotator.session.facts.origins import Status
 from tests.gui.conftest import Hand, MakeWindow, all_done
 
 

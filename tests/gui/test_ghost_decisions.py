@@ -13,12 +13,12 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
+from procc_annotator.assist.ghost_points import GhostPoints, find_points
+from procc_annotator.dataset.editing import delete_point
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state import ghosts as ghosts_module
 from procc_annotator.gui.tasks.elements import ghost_accepting
-from procc_annotator.interact.overlay_ghosts import ghost_extent
-from procc_annotator.session.dataset.edits import delete_point
-from procc_annotator.session.strokes.ghost_points import GhostPoints, find_points
+from procc_annotator.interaction.overlay_predictions import ghost_extent
 from tests.gui.conftest import KEPT, Hand, MakeWindow, let_work_end, wait_for_ghosts
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier

@@ -18,18 +18,18 @@ from PySide6.QtWidgets import QApplication, QInputDialog, QMenu
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import Point
+from procc_annotator.assist.ghost_points import GhostPoints, find_points
+from procc_annotator.dataset.database.database import WorkspaceDatabase
+from procc_annotator.dataset.editing import append_points, delete_point
+from procc_annotator.dataset.records import OriginKind
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state import ghosts as ghosts_module
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.tasks.elements import ghost_accepting
 from procc_annotator.gui.window.context_menu import canvas_menu
-from procc_annotator.interact.next_element import next_element
-from procc_annotator.interact.overlay_ghosts import ghost_extent
-from procc_annotator.interact.overlay_shapes import EMPTY_OVERLAY
-from procc_annotator.session.database.database import WorkspaceDatabase
-from procc_annotator.session.dataset.edits import append_points, delete_point
-from procc_annotator.session.facts.origins import OriginKind
-from procc_annotator.session.strokes.ghost_points import GhostPoints, find_points
+from procc_annotator.interaction.class_choice import next_element
+from procc_annotator.interaction.overlay_predictions import ghost_extent
+from procc_annotator.interaction.overlay_primitives import EMPTY_OVERLAY
 from tests.gui.conftest import KEPT, Hand, let_work_end, wait_for_ghosts
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier

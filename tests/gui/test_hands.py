@@ -17,12 +17,12 @@ from PySide6.QtWidgets import QMenu, QToolTip
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import FrameAnnotation, Polyline, points_px
+from procc_annotator.dataset.records import OriginKind
 from procc_annotator.field.load import load_field
+from procc_annotator.formats.annotations.soccernet import write_annotation
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.window.context_menu import canvas_menu
-from procc_annotator.image.adjust import DisplayAdjustment
-from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation
-from procc_annotator.session.facts.origins import OriginKind
+from procc_annotator.image.pixels import DisplayAdjustment
 from tests.bench.paint.measures import clicks_on
 from tests.bench.paint.truth import truth_frames
 from tests.gui.conftest import all_done

@@ -14,12 +14,12 @@ from PySide6.QtWidgets import QLabel
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
+from procc_annotator.dataset.locks import FrameLocks, locks_folder
+from procc_annotator.dataset.records import Status
 from procc_annotator.field.load import load_field
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.settings import AUTHOR
 from procc_annotator.gui.tasks.review.versions_command import apply_version
-from procc_annotator.session.dataset.locks import FrameLocks, locks_folder
-from procc_annotator.session.facts.origins import Status
 from tests.gui.conftest import settle, until_kept
 
 if TYPE_CHECKING:
@@ -115,7 +115,7 @@ def test_frames_that_are_saved_by_now_leave_the_list_of_unsaved_ones(
     hand.draw(MIDDLE, *ENDS)
     settle(window, qtbot)
     with monkeypatch.context() as broken:
-        broken.setattr("procc_annotator.io.atomic.os.open", full)
+        broken.setattr("procc_annotator.formats.atomic.os.open", full)
         window.document.undo()
         window.frames.filter.setText("is:unsaved")
         qtbot.waitUntil(lambda: window.frames.model.shown == 1)

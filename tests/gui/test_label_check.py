@@ -17,15 +17,21 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
+from procc_annotator.calibration.label_check.finding import (
+    Finding,
+    Remedy,
+    RemedyKind,
+    Rule,
+    Severity,
+)
+from procc_annotator.calibration.label_check.orientation import MIRROR_Y, mirrored_names, relabelled
+from procc_annotator.calibration.result import FitResult
+from procc_annotator.dataset import editing
+from procc_annotator.dataset.review import check_without_fit, store_check
 from procc_annotator.field.load import load_field
-from procc_annotator.fit.labels.finding import Finding, Remedy, RemedyKind, Rule, Severity
-from procc_annotator.fit.labels.orientation import MIRROR_Y, mirrored_names, relabelled
-from procc_annotator.fit.result import FitResult
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.elements import CHECK
 from procc_annotator.gui.window.context_menu import canvas_menu
-from procc_annotator.session.dataset import edits
-from procc_annotator.session.facts.frame_check import check_without_fit, store_check
 from tests.gui.conftest import MakeWindow
 
 FRONT, SMALL_FRONT = "Big rect. left main", "Small rect. left main"  # of frame 00002
@@ -75,7 +81,7 @@ def press(
 
 def swap(window: MainWindow, qtbot: QtBot, a: str = FRONT, b: str = SMALL_FRONT) -> None:
     document = window.document
-    document.commit_edit("swap", edits.swap_classes(document.annotation, a, b))
+    document.commit_edit("swap", editing.swap_classes(document.annotation, a, b))
     checked(window, qtbot)
 
 
@@ -106,7 +112,7 @@ def shifted(annotation: FrameAnnotation, name: str) -> FrameAnnotation:
     polyline = annotation.get(name)
     assert polyline is not None
     every = [(name, i) for i in range(len(polyline.points))]
-    return edits.move_points(annotation, every, 0.001, 0.0)
+    return editing.move_points(annotation, every, 0.001, 0.0)
 
 
 def about(name: str, severity: Severity, rule: Rule = Rule.RESIDUAL) -> Finding:
@@ -298,7 +304,7 @@ def test_mending_goes_on_with_the_next_frame(mistaken: MainWindow, qtbot: QtBot)
 def test_nothing_is_called_clean_that_is_still_looked_at(window: MainWindow, qtbot: QtBot) -> None:
     document = window.document
     assert not document.label_check.shown
-    document.commit_edit("swap", edits.swap_classes(document.annotation, FRONT, SMALL_FRONT))
+    document.commit_edit("swap", editing.swap_classes(document.annotation, FRONT, SMALL_FRONT))
     for key in (Qt.Key.Key_F10, Qt.Key.Key_F12):
         document.say("")
         press(window, key)
@@ -319,7 +325,7 @@ def test_another_dataset_is_walked_from_its_first_finding(
     for folder in (None, again):
         if folder is not None:
             window.opening.open_path(folder)
-        document.commit_edit("swap", edits.swap_classes(document.annotation, FRONT, SMALL_FRONT))
+        document.commit_edit("swap", editing.swap_classes(document.annotation, FRONT, SMALL_FRONT))
         wholly_checked(window, qtbot)
         press(window, Qt.Key.Key_F10)
         assert "finding 1 of" in window.status.hint.text()
@@ -363,7 +369,7 @@ def test_a_frame_left_before_its_check_is_checked_by_itself(
     window: MainWindow, qtbot: QtBot
 ) -> None:
     document, check = window.document, window.document.label_check
-    document.commit_edit("swap", edits.swap_classes(document.annotation, FRONT, SMALL_FRONT))
+    document.commit_edit("swap", editing.swap_classes(document.annotation, FRONT, SMALL_FRONT))
     document.go_to(0)  # before any fit can have ended
     assert check.known.severities_of("00002") is None
     qtbot.waitUntil(lambda: check.known.is_known("00002"), timeout=20_000)

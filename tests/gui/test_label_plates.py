@@ -14,7 +14,7 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.picture.label_plates import Plate, arranged
-from procc_annotator.interact.overlay_shapes import Labels
+from procc_annotator.interaction.overlay_primitives import Labels
 from tests.gui.conftest import settle
 
 pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)

@@ -14,7 +14,7 @@ from procc_annotator.gui.picture import label_plates
 from procc_annotator.gui.picture.items import paint_overlay
 from procc_annotator.gui.picture.label_plates import place_label
 from procc_annotator.gui.picture.overlay_item import OverlayItem
-from procc_annotator.interact.overlay_shapes import Labels, Overlay
+from procc_annotator.interaction.overlay_primitives import Labels, Overlay
 from tests.gui.conftest import Hand, all_done, settle
 
 SIZE = QSizeF(50, 18)

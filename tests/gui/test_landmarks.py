@@ -13,12 +13,11 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
+from procc_annotator.dataset.landmarks.view_groups import groups_by_name, save_views
 from procc_annotator.field.load import load_field
+from procc_annotator.formats.atomic import write_atomic
+from procc_annotator.formats.landmark_file import load_landmarks
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.io.atomic import write_atomic
-from procc_annotator.io.landmark_file import load_landmarks
-from procc_annotator.session.landmarks.view_groups import save_views
-from procc_annotator.session.landmarks.view_names import groups_by_name
 from tests.cli.conftest import camera_file
 from tests.gui.conftest import Hand, MakeWindow, let_work_end
 

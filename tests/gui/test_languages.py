@@ -31,10 +31,12 @@ from PySide6.QtWidgets import (
 from pytestqt.qtbot import QtBot
 from shiboken6 import isValid
 
-from procc_annotator import language
+from procc_annotator import translation
+from procc_annotator.calibration.label_check.element_rules import few_points_finding
+from procc_annotator.calibration.label_check.evidence import AnnotatedElement
+from procc_annotator.dataset import editing
 from procc_annotator.field.load import load_field
-from procc_annotator.fit.labels.clicked import AnnotatedElement
-from procc_annotator.fit.labels.shape import few_points_finding
+from procc_annotator.formats.annotations.registry import FORMATS
 from procc_annotator.gui.actions import ACTIONS, MENUS
 from procc_annotator.gui.keymap import NATIVE
 from procc_annotator.gui.languages import CONTEXT, LANGUAGES, take_up
@@ -43,10 +45,15 @@ from procc_annotator.gui.panels.titles import short_titles
 from procc_annotator.gui.window.docks import DESKS
 from procc_annotator.gui.window.keymap_dialog import KeymapDialog
 from procc_annotator.gui.window.menus import mnemonics
-from procc_annotator.io.annotation_files.annotation_formats import FORMATS
-from procc_annotator.language import translatable, translatable_all, translatable_count, translatable_joined, tr, tr_count
-from procc_annotator.report.sheet.as_json import json_bytes
-from procc_annotator.session.dataset import edits
+from procc_annotator.report.tables.data_files import json_bytes
+from procc_annotator.translation import (
+    tr,
+    tr_count,
+    translatable,
+    translatable_all,
+    translatable_count,
+    translatable_joined,
+)
 from tests.gui.conftest import Hand, all_done
 from tests.gui.shown_texts import Asked, paint_spy, texts_of, unsaid_words
 
@@ -61,9 +68,9 @@ def pseudo() -> Iterator[None]:
     def look_up(text: str, about: str, count: int) -> str:
         return f"⟦{text}⟧"
 
-    language.set_translator(look_up)
+    translation.set_translator(look_up)
     yield
-    language.set_translator(None)
+    translation.set_translator(None)
 
 
 def test_texts_are_english_where_no_language_is_taken_up() -> None:
@@ -87,7 +94,9 @@ def test_what_is_kept_in_a_file_is_english_and_shown_in_the_language(pseudo: Non
 
 def test_what_rooms_below_say_is_english_until_the_window_says_it(pseudo: None) -> None:
     titles = [translatable("Left line"), translatable("Arc"), translatable("Goal")]
-    lines = translatable_count(1, "{n} line of {titles}", "{n} lines of {titles}", titles=translatable_all(titles))
+    lines = translatable_count(
+        1, "{n} line of {titles}", "{n} lines of {titles}", titles=translatable_all(titles)
+    )
     found = translatable_joined("; ", [lines, translatable("{px:.1f} px off", px=2)])
     assert found == "1 line of Left line, Arc and Goal; 2.0 px off"
     assert (
@@ -211,7 +220,7 @@ def test_nor_is_one_of_ghosts_findings_and_a_second_annotator(
         begun.actions_[action].trigger()
         begun._show_menu(QPoint(0, 0))
     all_done(qtbot)
-    swapped = edits.swap_classes(document.annotation, "Big rect. left main", "Circle left")
+    swapped = editing.swap_classes(document.annotation, "Big rect. left main", "Circle left")
     document.commit_edit("swap", swapped)
     all_done(qtbot)
     assert document.label_check.shown
@@ -239,9 +248,9 @@ _GERMAN = {
 @pytest.fixture
 def german() -> Iterator[None]:
     """A few words of another language."""
-    language.set_translator(lambda text, about, count: _GERMAN.get(text, text))
+    translation.set_translator(lambda text, about, count: _GERMAN.get(text, text))
     yield
-    language.set_translator(None)
+    translation.set_translator(None)
 
 
 @pytest.mark.new_window
@@ -294,7 +303,7 @@ def test_what_is_looked_for_is_found_by_its_name_and_its_english_one(
 
 def test_menus_open_by_letters_of_their_own_language(german: None) -> None:
     titles = {"File": "ファイル", "Edit": "Bearbeiten", "Frame": "Bild"}
-    language.set_translator(lambda text, about, count: titles.get(text, text))
+    translation.set_translator(lambda text, about, count: titles.get(text, text))
     said = mnemonics(MENUS)
     assert said["File"] == "ファイル(&F)"
     assert said["Edit"] == "&Bearbeiten"
@@ -352,7 +361,7 @@ def _longer(text: str, about: str, count: int) -> str:
 def longest(request: pytest.FixtureRequest, qapp: QApplication) -> Iterator[str]:
     """The languages with the longest words."""
     if request.param == "longer":
-        language.set_translator(_longer)
+        translation.set_translator(_longer)
     else:
         take_up(qapp, request.param)
     yield request.param
@@ -481,4 +490,4 @@ def test_a_language_is_spoken_once_it_is_taken_up(qapp: QApplication, name: str)
     assert said != "Undo"
     assert (tr("Undo"), QKeySequence("Space").toString(NATIVE)) == ("Undo", "Space")
     assert of_qt != "Space" or name in ("ja", "zh_CN")  # Qt's own words come along
-    assert language.is_english()
+    assert translation.is_english()

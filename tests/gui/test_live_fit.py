@@ -20,15 +20,15 @@ from PySide6.QtWidgets import QApplication, QLabel, QMessageBox, QToolButton
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.fit.determined import ill_conditioned_reason
+from procc_annotator.assist.frame_analysis import FrameAnalysis, analyse_frame
+from procc_annotator.batch.calibration import save_fit
+from procc_annotator.calibration.result import ill_conditioned_reason
+from procc_annotator.dataset.editing import delete_point
+from procc_annotator.formats.cameras.soccernet import read_camera
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.plots.sources import PlotSources
 from procc_annotator.gui.settings import SOURCES, Settings
 from procc_annotator.gui.state import live_fit
-from procc_annotator.io.camera_files.soccernet_camera import read_camera
-from procc_annotator.session.clicks.insight import FrameAnalysis, analyse_frame
-from procc_annotator.session.dataset.edits import delete_point
-from procc_annotator.session.runs.saved_fit import save_fit
 from tests.gui.conftest import Hand, MakeWindow, all_done, let_work_end, settle
 
 # The offscreen platform has no window manager to pass these on to.

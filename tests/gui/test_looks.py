@@ -11,7 +11,7 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.picture.looks import LookControls
 from procc_annotator.gui.theme import palette
-from procc_annotator.image.adjust import DisplayAdjustment
+from procc_annotator.image.pixels import DisplayAdjustment
 
 
 @pytest.fixture
@@ -36,20 +36,26 @@ def _number(controls: LookControls, name: str) -> str:
     return label.text()
 
 
-def test_sliders_and_box_make_a_look(controls: LookControls, announced: list[DisplayAdjustment]) -> None:
+def test_sliders_and_box_make_a_look(
+    controls: LookControls, announced: list[DisplayAdjustment]
+) -> None:
     controls.sliders["brightness"].setValue(25)
     controls.sliders["contrast"].setValue(-40)
     controls.sliders["gamma"].setValue(100)
     QTest.mouseClick(
         controls.enhance, Qt.MouseButton.LeftButton, pos=controls.enhance.rect().center() / 8
     )
-    assert announced[-1] == DisplayAdjustment(brightness=0.25, contrast=-0.4, gamma=5.0, enhance=True)
+    assert announced[-1] == DisplayAdjustment(
+        brightness=0.25, contrast=-0.4, gamma=5.0, enhance=True
+    )
     assert len(announced) == 4
     assert controls.look == announced[-1]
     assert [_number(controls, n) for n in controls.sliders] == ["+25", "−40", "5.00"]
 
 
-def test_every_end_of_the_sliders_is_a_look(controls: LookControls, announced: list[DisplayAdjustment]) -> None:
+def test_every_end_of_the_sliders_is_a_look(
+    controls: LookControls, announced: list[DisplayAdjustment]
+) -> None:
     for slider in controls.sliders.values():
         for value in (slider.minimum(), slider.maximum()):
             slider.setValue(value)

@@ -11,8 +11,8 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.picture.loupe import Loupe, magnify, place_beside, position_text
 from procc_annotator.gui.picture.view import PictureView
-from procc_annotator.image.decode import PixelArray
-from procc_annotator.interact.overlay_shapes import Labels, Overlay, PointMarks, Strokes
+from procc_annotator.image.pixels import PixelArray
+from procc_annotator.interaction.overlay_primitives import Labels, Overlay, PointMarks, Strokes
 
 NOTHING = Overlay((), (), ())
 

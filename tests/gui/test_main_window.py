@@ -18,7 +18,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDockWidget, QPushButton
 from pytestqt.qtbot import QtBot
 
-from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.camera.models import PinholeCamera
+from procc_annotator.formats.cameras.soccernet import write_camera
 from procc_annotator.gui.actions import ACTIONS
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.settings import LAYOUT, Settings
@@ -27,8 +28,7 @@ from procc_annotator.gui.window.icon_button import IconButton
 from procc_annotator.gui.window.key_sheet import KeySheet
 from procc_annotator.gui.window.status import MESSAGE_END
 from procc_annotator.gui.window.welcome import RecentMenu
-from procc_annotator.interact.hints import SEPARATOR
-from procc_annotator.io.camera_files.soccernet_camera import write_camera
+from procc_annotator.interaction.hints import SEPARATOR
 
 if TYPE_CHECKING:
     from tests.gui.conftest import Hand, MakeWindow, ReadPoints

@@ -11,13 +11,12 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from pytestqt.qtbot import QtBot
 
-from procc_annotator.camera.homography import HomographyCamera
-from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.camera.models import HomographyCamera, PinholeCamera
 from procc_annotator.field.load import load_field
+from procc_annotator.formats.cameras.soccernet import write_camera
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state.map_sight import MapSight
-from procc_annotator.interact.field_sight import visible_field
-from procc_annotator.io.camera_files.soccernet_camera import write_camera
+from procc_annotator.interaction.camera_view import visible_field
 from tests.gui.conftest import MakeWindow
 
 pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)

@@ -13,13 +13,13 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.batch.evaluation import run_evaluation
 from procc_annotator.field.load import load_field
+from procc_annotator.formats.cameras.collection import CameraCollection
+from procc_annotator.formats.file_source import open_source
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.frames.model import RowInfo
-from procc_annotator.io.camera_files.camera_collection import CameraCollection
-from procc_annotator.io.source import open_source
-from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.runs.evaluation_run import run_evaluation
+from procc_annotator.metrics.setup import EvaluationSetup
 from tests.gui.conftest import let_work_end, settle
 
 if TYPE_CHECKING:

@@ -12,8 +12,8 @@ from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.dataset import editing
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.session.dataset import edits
 from tests.gui.conftest import MakeWindow, all_done, settle
 
 FRAME = 1  # of the sample, annotated and with a camera in every source
@@ -23,7 +23,7 @@ def nudged(annotation: FrameAnnotation) -> FrameAnnotation:
     """Its first element a little further to the right."""
     polyline = annotation.polylines[0]
     chosen = [(polyline.class_name, i) for i in range(len(polyline.points))]
-    return edits.move_points(annotation, chosen, 0.05, 0.0)
+    return editing.move_points(annotation, chosen, 0.05, 0.0)
 
 
 def on_disk(folder: Path, frame: str, class_name: str) -> list[float]:

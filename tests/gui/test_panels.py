@@ -16,8 +16,10 @@ from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QLineEdit, QToolB
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline, point_from_px
-from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.field.load import field_names, load_field
+from procc_annotator.formats.annotations.soccernet import write_annotation
+from procc_annotator.formats.cameras.soccernet import write_camera
 from procc_annotator.gui.panels.cameras.panel import CamerasPanel
 from procc_annotator.gui.panels.elements import NAME, POINTS, STATUS, ElementsPanel
 from procc_annotator.gui.panels.field_map.panel import FieldMapPanel
@@ -25,10 +27,8 @@ from procc_annotator.gui.panels.judged.scores import ScoresPanel
 from procc_annotator.gui.panels.states import ElementState, element_states, state_pen
 from procc_annotator.gui.panels.titles import short_titles
 from procc_annotator.gui.state.document import Document
-from procc_annotator.io.annotation_files.soccernet_annotation import write_annotation
-from procc_annotator.io.camera_files.soccernet_camera import write_camera
-from procc_annotator.metric.project import project_field
-from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.metrics.projection import project_field
+from procc_annotator.metrics.setup import EvaluationSetup
 
 # The offscreen platform says so of every window that has a smallest size.
 pytestmark = pytest.mark.qt_log_ignore("does not support propagateSizeHints", extend=True)

@@ -13,12 +13,12 @@ from PySide6.QtCore import QModelIndex, Qt
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
+from procc_annotator.dataset.records import Status
 from procc_annotator.gui.panels.frames.delegate import row_words
 from procc_annotator.gui.panels.frames.model import RowInfo
 from procc_annotator.gui.panels.frames.panel import FramesPanel
 from procc_annotator.gui.panels.frames.thumbnails import Thumbnails
 from procc_annotator.gui.state.document import Document
-from procc_annotator.session.facts.origins import Status
 
 # The offscreen platform says so of every window that has a smallest size.
 pytestmark = pytest.mark.qt_log_ignore("does not support propagateSizeHints", extend=True)

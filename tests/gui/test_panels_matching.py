@@ -6,7 +6,7 @@ import pytest
 
 from procc_annotator.field.load import load_field
 from procc_annotator.gui.panels.field_map.shape import FieldShape
-from procc_annotator.interact.type_ahead import match_rank
+from procc_annotator.interaction.class_choice import match_rank
 
 
 def _ranks(query: str) -> dict[str, int]:

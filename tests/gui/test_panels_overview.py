@@ -17,12 +17,7 @@ from procc_annotator.gui.panels.overview.dialog import OverviewWindow
 from procc_annotator.gui.panels.overview.plots import count_ticks, time_ticks
 from procc_annotator.gui.panels.overview.tables import duration, whole_percent, width_needed
 from procc_annotator.gui.theme import palette
-from procc_annotator.report.overview import (
-    OverviewRow,
-    SetOverview,
-    TimeHistogram,
-    summarise,
-)
+from procc_annotator.report.window_tables import OverviewRow, SetOverview, TimeHistogram, summarise
 from tests.gui.conftest import all_done
 
 FIELD = load_field("soccer")

@@ -17,6 +17,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
+from procc_annotator.formats.cameras.fit_record import FitCounts
 from procc_annotator.gui import theme
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.plots.curves import DifferencePage, TauPage, TimelinePage
@@ -27,8 +28,7 @@ from procc_annotator.gui.plots.request import PlotRequest, PlottedSource
 from procc_annotator.gui.plots.residuals import DirectionsPage, VectorsPage
 from procc_annotator.gui.plots.steady import SteadyPage
 from procc_annotator.gui.theme import contrast, readable
-from procc_annotator.interact.palette import SOURCE_COLOURS
-from procc_annotator.io.camera_files.fitted_on import FitCounts
+from procc_annotator.interaction.palette import SOURCE_COLOURS
 from tests.cli.conftest import camera_file
 from tests.gui.conftest import MakeWindow, all_done
 

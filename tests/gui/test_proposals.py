@@ -12,18 +12,17 @@ import pytest
 from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
 
-from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.calibration.result import FitResult, external_camera_fit
+from procc_annotator.calibration.single_image.proposal import Proposal, ProposalState
+from procc_annotator.camera.models import PinholeCamera
+from procc_annotator.dataset.camera_set import CameraSet
+from procc_annotator.dataset.records import OriginKind
 from procc_annotator.errors import ImageError
 from procc_annotator.field.model import Field
-from procc_annotator.fit.from_picture.proposal import Proposal, ProposalState
-from procc_annotator.fit.predict.given_camera import external_camera_fit
-from procc_annotator.fit.result import FitResult
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state import proposals
 from procc_annotator.image.pixels import PixelArray
-from procc_annotator.interact import palette as tones
-from procc_annotator.session.dataset.camera_set import CameraSet
-from procc_annotator.session.facts.origins import OriginKind
+from procc_annotator.interaction import palette as tones
 from tests.gui.conftest import Hand, all_done, until_kept
 
 if TYPE_CHECKING:

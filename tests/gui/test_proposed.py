@@ -11,7 +11,7 @@ from pytestqt.qtbot import QtBot
 from typer.testing import CliRunner
 
 from procc_annotator.cli.main import app
-from procc_annotator.session.facts.origins import OriginKind
+from procc_annotator.dataset.records import OriginKind
 
 if TYPE_CHECKING:
     from tests.gui.conftest import MakeWindow

@@ -10,10 +10,10 @@ import pytest
 from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
 
+from procc_annotator.dataset import saving
 from procc_annotator.errors import SaveError
 from procc_annotator.gui import main_window
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.session.dataset import pending_save
 from tests.gui.conftest import until_kept
 
 if TYPE_CHECKING:
@@ -30,8 +30,8 @@ class Disk:
 
     def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
         self.full = False
-        self._write = pending_save.write_atomic
-        monkeypatch.setattr(pending_save, "write_atomic", self.write)
+        self._write = saving.write_atomic
+        monkeypatch.setattr(saving, "write_atomic", self.write)
 
     def write(self, path: Path, data: bytes, **more: Path) -> None:
         if self.full:

@@ -13,10 +13,10 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import Point
+from procc_annotator.dataset import editing, saving
+from procc_annotator.dataset.locks import locks_folder
 from procc_annotator.errors import AnnotationError, SaveError
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.session.dataset import edits, pending_save
-from procc_annotator.session.dataset.locks import locks_folder
 from tests.gui.conftest import Hand, MakeWindow, until_kept
 
 pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
@@ -41,8 +41,8 @@ class SlowDisk:
         self.problem = self.problem_after = ""
         self.before: Callable[[], object] = lambda: None
         self.after: Callable[[], object] = lambda: None
-        self._write = pending_save.write_atomic
-        monkeypatch.setattr(pending_save, "write_atomic", self.write)
+        self._write = saving.write_atomic
+        monkeypatch.setattr(saving, "write_atomic", self.write)
 
     def write(self, path: Path, data: bytes, **more: Path) -> None:
         self.asked.set()
@@ -75,7 +75,9 @@ def click(window: MainWindow, class_name: str = MIDDLE) -> None:
     """One more point of an element."""
     document = window.document
     points = 0 if (known := document.annotation.get(class_name)) is None else len(known.points)
-    edited = edits.append_points(document.annotation, class_name, [Point(0.1 + 0.1 * points, 0.5)])
+    edited = editing.append_points(
+        document.annotation, class_name, [Point(0.1 + 0.1 * points, 0.5)]
+    )
     assert document.commit_edit("click", edited)
 
 
@@ -209,13 +211,13 @@ def test_what_may_be_on_the_disk_is_not_said_to_be_undone(
     for _ in range(clicks_before):
         click(window)
         qtbot.waitUntil(lambda: reads_saved(window))
-    look = pending_save.read_optional
+    look = saving.read_optional
 
     def unreadable(path: Path, error: type[AnnotationError]) -> bytes:
         raise error(str(path), "Input/output error")
 
     def goes_away() -> None:
-        monkeypatch.setattr(pending_save, "read_optional", unreadable)
+        monkeypatch.setattr(saving, "read_optional", unreadable)
 
     disk.hold()
     disk.problem_after = "Input/output error"
@@ -229,7 +231,7 @@ def test_what_may_be_on_the_disk_is_not_said_to_be_undone(
     assert points_on_disk(dataset) == {MIDDLE: clicks_before + 1}
     disk.problem_after = ""
     disk.after = lambda: None
-    monkeypatch.setattr(pending_save, "read_optional", look)
+    monkeypatch.setattr(saving, "read_optional", look)
     window.document.saver.retry_timer.setInterval(1)
     qtbot.waitUntil(lambda: reads_saved(window))
     assert not window.isWindowModified()

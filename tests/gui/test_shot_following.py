@@ -15,19 +15,19 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
-from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.calibration.result import external_camera_fit
+from procc_annotator.calibration.single_image.proposal import Proposal
+from procc_annotator.calibration.tracking import shot_tracker
+from procc_annotator.calibration.tracking.track import Track
+from procc_annotator.camera.models import PinholeCamera
+from procc_annotator.dataset.records import OriginKind, Status
+from procc_annotator.dataset.sequence import open_video
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
-from procc_annotator.fit.from_picture.proposal import Proposal
-from procc_annotator.fit.predict.given_camera import external_camera_fit
-from procc_annotator.fit.through_shot import following_shot
-from procc_annotator.fit.through_shot.track import Track
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state import proposals
 from procc_annotator.gui.tasks.shot import accepting, following
 from procc_annotator.image.pixels import PixelArray
-from procc_annotator.session.dataset.video_frames import open_video
-from procc_annotator.session.facts.origins import OriginKind, Status
 from tests.drawn_shots import DrawnShot, Look, soccer_shot, write_video
 from tests.gui.conftest import Hand, all_done, until_kept
 from tests.gui.known_already import TrackMemory
@@ -83,7 +83,7 @@ def found(drawn: DrawnShot, pictures: list[PixelArray], monkeypatch: pytest.Monk
         return Proposal(state, "as drawn", fit, 0.9, 0.9, 0.3, 0.3, None)  # type: ignore[arg-type]
 
     monkeypatch.setattr(proposals, "propose_camera", propose)
-    monkeypatch.setattr(following_shot, "propose_camera", propose)
+    monkeypatch.setattr(shot_tracker, "propose_camera", propose)
 
 
 @pytest.fixture(scope="module")

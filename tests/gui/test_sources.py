@@ -14,16 +14,16 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QTabBar, QToolButton
 from pytestqt.qtbot import QtBot
 
+from procc_annotator.batch.audit import FrameAudit
+from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.gui.app import CameraChoice
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.cameras.source_row import SourceRow
 from procc_annotator.gui.settings import SOURCES, Settings
 from procc_annotator.gui.state.camera_sources import CameraSource
-from procc_annotator.interact.palette import SOURCE_COLOURS
-from procc_annotator.metric.measure import measure
-from procc_annotator.metric.score import score
-from procc_annotator.session.dataset.camera_set import CameraSet
-from procc_annotator.session.runs.audit import FrameAudit
+from procc_annotator.interaction.palette import SOURCE_COLOURS
+from procc_annotator.metrics.measurement import measure
+from procc_annotator.metrics.score import score
 from tests.gui.conftest import Hand, MakeWindow, settle
 
 Found = TypeVar("Found", bound=QObject)

@@ -9,7 +9,7 @@ from PySide6.QtGui import QColor, QImage, QPainter
 from PySide6.QtWidgets import QApplication
 
 from procc_annotator.gui.picture.still import StillOverlay
-from procc_annotator.interact.overlay_shapes import Labels, Overlay, Strokes
+from procc_annotator.interaction.overlay_primitives import Labels, Overlay, Strokes
 
 ROOM = QSize(400, 120)
 RED = Overlay((Strokes(np.array([[10.0, 5.0, 90.0, 50.0]]), "#ff0000", 3.0),), (), ())

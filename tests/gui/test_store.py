@@ -15,7 +15,7 @@ from procc_annotator.field.load import load_field
 from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.state import State, same
 from procc_annotator.gui.state.store import Store
-from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.metrics.setup import EvaluationSetup
 
 
 @pytest.fixture

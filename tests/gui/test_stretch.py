@@ -11,8 +11,8 @@ from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
-from procc_annotator.fit.predict.given_camera import external_camera_fit
-from procc_annotator.fit.through_shot.track import Track, TrackedFrame
+from procc_annotator.calibration.result import external_camera_fit
+from procc_annotator.calibration.tracking.track import Track, TrackedFrame
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.tasks.shot import accepting, following
 from tests.drawn_shots import soccer_shot

@@ -17,16 +17,16 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog
 from pytestqt.qtbot import QtBot
 
-from procc_annotator.camera.pinhole import PinholeCamera
-from procc_annotator.fit.result import FitResult
-from procc_annotator.fit.through_shot.track import FrameState, Track, TrackedFrame
+from procc_annotator.calibration.result import FitResult
+from procc_annotator.calibration.tracking.track import FrameState, Track, TrackedFrame
+from procc_annotator.camera.models import PinholeCamera
+from procc_annotator.dataset.frames import list_frames
+from procc_annotator.dataset.sequence import FEWEST, sequence_of
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.strip import content
 from procc_annotator.gui.strip.axis import Axis
 from procc_annotator.gui.strip.band import Band, band_pixels
 from procc_annotator.gui.strip.painting import strip_rows
-from procc_annotator.session.dataset.frame_sequence import FEWEST, sequence_of
-from procc_annotator.session.dataset.frames import list_frames
 from tests.gui.conftest import all_done
 
 if TYPE_CHECKING:

@@ -14,7 +14,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import Point, Polyline
-from procc_annotator.fit.labels.finding import Remedy, RemedyKind
+from procc_annotator.calibration.label_check.finding import Remedy, RemedyKind
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.tasks.review.versions_command import apply_version
 from tests.gui.conftest import until_kept
@@ -188,7 +188,7 @@ def test_the_lock_of_a_killed_program_is_gone_at_once(
     killed = """
         import os, signal, sys
         from pathlib import Path
-        from procc_annotator.session.dataset.locks import FrameLocks
+        from procc_annotator.dataset.locks import FrameLocks
         locks = FrameLocks(Path(sys.argv[1]) / ".procc" / "locks", "Crashed")
         assert locks.acquire("frame_0") is None
         os.kill(os.getpid(), signal.SIGKILL)

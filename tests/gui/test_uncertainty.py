@@ -10,8 +10,8 @@ from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from procc_annotator.camera.backproject import ground_from_px
-from procc_annotator.fit.predict.ground_uncertainty import ground_sd, map_ground_uncertainty
+from procc_annotator.calibration.prediction.uncertainty import ground_sd, map_ground_uncertainty
+from procc_annotator.camera.backprojection import ground_from_px
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.field_map.ground import ground_colour
 from tests.gui.conftest import Hand, MakeWindow

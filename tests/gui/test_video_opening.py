@@ -13,12 +13,12 @@ import pytest
 from PySide6.QtWidgets import QLabel
 from pytestqt.qtbot import QtBot
 
+from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.field.load import load_field
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.tasks.files.video_opening import VideoDialog
 from procc_annotator.gui.worker import run_in_background
 from procc_annotator.image.video import Video
-from procc_annotator.session.dataset.workspace import Workspace
 
 if TYPE_CHECKING:
     from tests.gui.conftest import Hand, MakeWindow

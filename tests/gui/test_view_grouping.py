@@ -12,9 +12,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
+from procc_annotator.dataset.landmarks.view_groups import load_views
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.tasks.field.view_dialog import ViewDialog
-from procc_annotator.session.landmarks.view_groups import load_views
 from tests.gui.conftest import MakeWindow
 
 NAMES = ("17_left", "17_right", "18_left", "18_right", "poster")

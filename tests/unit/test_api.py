@@ -26,12 +26,12 @@ from procc_annotator import (
     track,
 )
 from procc_annotator.annotation import FrameAnnotation, Point
-from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.errors import AnnotationError, ProccError, UsageError
 from procc_annotator.field.load import load_field
-from procc_annotator.metric.measure import measure
-from procc_annotator.metric.score import score
-from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.metrics.measurement import measure
+from procc_annotator.metrics.score import score
+from procc_annotator.metrics.setup import EvaluationSetup
 from tests.drawn_shots import soccer_shot
 
 SAMPLES = Path(__file__).parents[2] / "sample_data"

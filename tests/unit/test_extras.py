@@ -10,10 +10,10 @@ from pathlib import Path
 
 import pytest
 
-from procc_annotator import extras
+from procc_annotator import messages
+from procc_annotator.batch.execution.dask_cluster import DaskCluster
 from procc_annotator.errors import ProccError
-from procc_annotator.report.sheet.as_parquet import parquet_libraries
-from procc_annotator.session.runs.execution.dask_executor import DaskCluster
+from procc_annotator.report.tables.data_files import parquet_libraries
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 
@@ -22,7 +22,7 @@ ROOT = Path(__file__).resolve().parent.parent.parent
 def test_the_line_is_for_this_very_python(monkeypatch: pytest.MonkeyPatch, has_pip: bool) -> None:
     monkeypatch.setattr(sys, "executable", "/a b/python")
     monkeypatch.setattr(importlib.util, "find_spec", lambda name: object() if has_pip else None)
-    said = extras.install_hint("dask").partition(": ")[2]
+    said = messages.install_hint("dask").partition(": ")[2]
     begin = ["/a b/python", "-m", "pip", "install"]
     if not has_pip:
         begin = ["uv", "pip", "install", "--python", "/a b/python"]
@@ -31,15 +31,15 @@ def test_the_line_is_for_this_very_python(monkeypatch: pytest.MonkeyPatch, has_p
 
 def test_the_standalone_folder_says_that_it_cannot(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sys, "frozen", True, raising=False)
-    assert "the standalone folder goes without a Dask cluster" in extras.install_hint("dask")
+    assert "the standalone folder goes without a Dask cluster" in messages.install_hint("dask")
 
 
 def test_the_extras_are_those_of_the_project() -> None:
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
     optional = project["optional-dependencies"]
-    assert optional.keys() == extras.EXTRAS.keys()
+    assert optional.keys() == messages.EXTRAS.keys()
     base = " ".join(project["dependencies"])
-    for name, (_, library) in extras.EXTRAS.items():
+    for name, (_, library) in messages.EXTRAS.items():
         assert any(one.startswith(library) for one in optional[name])
         assert library not in base
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from procc_annotator.words import condensed
+from procc_annotator.messages import condensed
 
 
 def test_of_many_remarks_that_differ_in_numbers_the_most_frequent_are_told() -> None:

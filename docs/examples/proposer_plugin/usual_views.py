@@ -9,11 +9,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.batch.camera_proposals import PictureProposer
+from procc_annotator.calibration.optimization.camera_placement import camera_placement_prior
+from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.field.model import Field
-from procc_annotator.fit.solving.surroundings import camera_placement_prior
 from procc_annotator.image.pixels import PixelArray
-from procc_annotator.session.runs.proposer_plugins import PictureProposer
 
 # Where it looks, from the left end of the field to the right, and how much of the field's length
 # it shows there.

@@ -25,14 +25,14 @@ from procc_annotator.gui.panels.rows import RIGHT, ElementRowsModel, ElementTabl
 from procc_annotator.gui.panels.states import class_title
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl
-from procc_annotator.language import tr, tr_count, word
-from procc_annotator.metric.agreement import (
-    AgreementSummary,
+from procc_annotator.metrics.agreement import (
     AgreementAccumulator,
+    AgreementSummary,
     ClassAgreement,
     FrameAgreement,
     compare_annotations,
 )
+from procc_annotator.translation import tr, tr_count, word
 
 _NONE = word("Open a second annotator's folder (menu File) to compare the clicks of both.")
 _APART = word(

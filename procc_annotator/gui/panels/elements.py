@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.field.neighbours import distances_from
+from procc_annotator.field.sampling import distances_from
 from procc_annotator.gui.element_keys import element_keys
 from procc_annotator.gui.keymap import NATIVE, short_text
 from procc_annotator.gui.panels.findings.signs import FindingSigns
@@ -34,8 +34,8 @@ from procc_annotator.gui.panels.states import (
 from procc_annotator.gui.panels.titles import short_titles
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import muted
-from procc_annotator.interact.type_ahead import match_rank
-from procc_annotator.language import tr, word
+from procc_annotator.interaction.class_choice import match_rank
+from procc_annotator.translation import tr, word
 
 NAME, KEY, POINTS, STATUS = range(4)
 CHECK = POINTS  # a column of its own would take the room of the names

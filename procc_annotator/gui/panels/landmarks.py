@@ -26,7 +26,7 @@ from procc_annotator.gui.messages import as_sentence, ask_to_delete
 from procc_annotator.gui.panels.parts import LEFT_BY_ESCAPE, empty_state, note_label, show_note
 from procc_annotator.gui.panels.refresher import Refresher
 from procc_annotator.gui.state.document import Document
-from procc_annotator.language import tr, tr_count, word
+from procc_annotator.translation import tr, tr_count, word
 
 _COLUMNS = (word("Landmark"), "x, y, z  m", "± m", word("Views"))
 _NAME = Qt.ItemDataRole.UserRole

@@ -18,14 +18,14 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from procc_annotator.dataset.records import Comment, Status
+from procc_annotator.dataset.review import BlindStatus
 from procc_annotator.gui.panels.parts import note_label, show_note
 from procc_annotator.gui.panels.refresher import Refresher
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import muted
-from procc_annotator.interact.palette import ORIGINS
-from procc_annotator.language import tr, tr_count, word
-from procc_annotator.session.facts.blind_work import BlindStatus
-from procc_annotator.session.facts.origins import Comment, Status
+from procc_annotator.interaction.palette import ORIGINS
+from procc_annotator.translation import tr, tr_count, word
 
 STATUS_TIPS = {
     Status.UNTOUCHED: word("Nobody has edited this frame here"),

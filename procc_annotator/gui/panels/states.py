@@ -12,8 +12,8 @@ from procc_annotator.field.model import Field
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import is_dark, muted, readable
 from procc_annotator.gui.theme import palette as theme_palette
-from procc_annotator.interact import palette as tones
-from procc_annotator.language import tr, word
+from procc_annotator.interaction import palette as tones
+from procc_annotator.translation import tr, word
 
 
 class ElementState(Enum):

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem
 
 from procc_annotator.field.model import Field
 from procc_annotator.gui.panels.rows import Index
-from procc_annotator.language import is_english, tr
+from procc_annotator.translation import is_english, tr
 
 _COMMAS = (",", "、", "，")
 

@@ -10,11 +10,10 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.model import Field
 from procc_annotator.gui.picture.items import paint_overlay
 from procc_annotator.gui.picture.picture_item import image_of
-from procc_annotator.image.decode import PixelArray
-from procc_annotator.image.reduced import downscaled
-from procc_annotator.interact.overlay import OverlayBuilder, OverlayContent
-from procc_annotator.interact.overlay_shapes import EMPTY_OVERLAY
-from procc_annotator.language import tr
+from procc_annotator.image.pixels import PixelArray, downscaled
+from procc_annotator.interaction.overlay import OverlayBuilder, OverlayContent
+from procc_annotator.interaction.overlay_primitives import EMPTY_OVERLAY
+from procc_annotator.translation import tr
 
 _NO_PICTURE = QColor("#101214")
 _WORDS = QColor("#98a0a8")

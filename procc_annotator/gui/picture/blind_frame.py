@@ -10,8 +10,8 @@ from procc_annotator.gui.picture.split_view import NamePlate
 from procc_annotator.gui.picture.view import PictureView
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.state import State
-from procc_annotator.interact.palette import UNSURE_GHOST
-from procc_annotator.language import tr, word
+from procc_annotator.interaction.palette import UNSURE_GHOST
+from procc_annotator.translation import tr, word
 
 _WIDTH = 3  # screen px of the frame
 _BESIDE = 8

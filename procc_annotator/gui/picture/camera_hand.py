@@ -6,25 +6,27 @@ import numpy as np
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent
 
-from procc_annotator.camera.pinhole import PinholeCamera
-from procc_annotator.fit.pegs import ControlPoint, fit_control_points
+from procc_annotator.assist.track_anchors import correct_camera
+from procc_annotator.calibration.line_alignment.control_points import (
+    ControlPoint,
+    fit_control_points,
+)
+from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.gui.picture.editor import Editor
 from procc_annotator.gui.picture.overlay_item import OverlayItem
 from procc_annotator.gui.picture.view import PictureView
 from procc_annotator.gui.state.document import Document
-from procc_annotator.interact import palette as tones
-from procc_annotator.interact.hints import SEPARATOR
-from procc_annotator.interact.overlay_camera_hand import build_camera_handles
-from procc_annotator.interact.overlay_shapes import EMPTY_OVERLAY, FloatArray
-from procc_annotator.interact.verdicts import NO_POINTS
-from procc_annotator.interact.wireframe import (
+from procc_annotator.interaction import palette as tones
+from procc_annotator.interaction.camera_view import (
     Wireframe,
     WireframePoint,
     segments_in_sight,
     wireframe_of,
 )
-from procc_annotator.language import tr, tr_count
-from procc_annotator.session.clicks.correction import correct_camera
+from procc_annotator.interaction.hints import SEPARATOR
+from procc_annotator.interaction.overlay_lines import build_camera_handles
+from procc_annotator.interaction.overlay_primitives import EMPTY_OVERLAY, NO_POINTS, FloatArray
+from procc_annotator.translation import tr, tr_count
 
 Position = tuple[float, float]
 
@@ -323,7 +325,9 @@ class CameraHand(QObject):
         if not moved and grabbed is not None:
             self._take_away(others)
         elif moved and camera is not None and put is not None and size is not None:
-            document.corrections.put(correct_camera(camera, (*others, put), size, document.annotation))
+            document.corrections.put(
+                correct_camera(camera, (*others, put), size, document.annotation)
+            )
             self._fresh = True
         self._look_under()
         self._show()

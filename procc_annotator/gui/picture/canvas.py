@@ -32,10 +32,10 @@ from procc_annotator.gui.picture.view import PictureView
 from procc_annotator.gui.roles import give_role
 from procc_annotator.gui.soon import soon
 from procc_annotator.gui.state.document import Document
-from procc_annotator.image.adjust import DisplayAdjustment
-from procc_annotator.interact.gesture import Modifiers
-from procc_annotator.interact.hints import SEPARATOR
-from procc_annotator.language import tr, word
+from procc_annotator.image.pixels import DisplayAdjustment
+from procc_annotator.interaction.gestures import Modifiers
+from procc_annotator.interaction.hints import SEPARATOR
+from procc_annotator.translation import tr, word
 
 _EXPLANATION_MS = 12_000
 _SCREEN_FRAME_MS = 16

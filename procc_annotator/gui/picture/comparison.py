@@ -11,12 +11,12 @@ from procc_annotator.gui.picture.overlay_item import OverlayItem
 from procc_annotator.gui.picture.split_view import NamePlate, SplitView
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
-from procc_annotator.interact.overlay_lines import build_wireframes
-from procc_annotator.interact.overlay_shapes import EMPTY_OVERLAY
-from procc_annotator.language import tr
-from procc_annotator.metric.measure import Measurement
-from procc_annotator.metric.project import ProjectedField
-from procc_annotator.metric.score import FrameScore
+from procc_annotator.interaction.overlay_lines import build_wireframes
+from procc_annotator.interaction.overlay_primitives import EMPTY_OVERLAY
+from procc_annotator.metrics.measurement import Measurement
+from procc_annotator.metrics.projection import ProjectedField
+from procc_annotator.metrics.score import FrameScore
+from procc_annotator.translation import tr
 
 _TAP_S = 0.3  # a key held longer than that is let go of, not tapped
 _PLACE = 10

@@ -9,18 +9,17 @@ from PySide6.QtCore import QLineF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen, QTransform
 
 from procc_annotator.field.model import Field
-from procc_annotator.field.sample import sample_evenly
+from procc_annotator.field.sampling import sample_evenly
 from procc_annotator.gui.picture.metre_map_picture import paint_lines, paint_shapes
 from procc_annotator.gui.state.metre_map_shapes import segments, shapes_on_field
-from procc_annotator.interact import palette
-from procc_annotator.metric.contours import DISAGREEMENT_LEVELS_M, OFFSIDE_ACCURACY_M
-from procc_annotator.metric.ground import GroundRectangle, field_rectangle
-from procc_annotator.metric.legacy import LegacyMetrics
-from procc_annotator.metric.polylines import FloatArray
-from procc_annotator.metric.spread import MapSummary
+from procc_annotator.interaction import palette
+from procc_annotator.metrics.error_maps import DISAGREEMENT_LEVELS_M, OFFSIDE_ACCURACY_M, MapSummary
+from procc_annotator.metrics.ground_plane import GroundRectangle, field_rectangle
+from procc_annotator.metrics.legacy import LegacyMetrics
+from procc_annotator.metrics.polylines import FloatArray
 from procc_annotator.report.comparison import ComparisonScene
-from procc_annotator.report.sheet.figure import DASH
-from procc_annotator.report.sheet.figures import LEGACY, METRES, PIXELS, WITHIN
+from procc_annotator.report.tables.metrics import LEGACY, METRES, PIXELS, WITHIN
+from procc_annotator.report.tables.table import DASH
 
 PANEL_SIZE = (430.0, 540.0)
 """Width and height in points; the panel may be higher than that."""

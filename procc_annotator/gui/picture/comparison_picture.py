@@ -16,11 +16,11 @@ from procc_annotator.gui.picture.comparison_panel import PANEL_SIZE, paint_panel
 from procc_annotator.gui.picture.disagreement_picture import paint_disagreement
 from procc_annotator.gui.picture.metre_map_picture import paint_lines
 from procc_annotator.gui.state.metre_map_shapes import segments
-from procc_annotator.image.decode import decode_bgra
+from procc_annotator.image.decoding import decode_bgra
 from procc_annotator.image.pixels import PixelArray
-from procc_annotator.interact import palette
-from procc_annotator.metric.project import project_field
-from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.interaction import palette
+from procc_annotator.metrics.projection import project_field
+from procc_annotator.metrics.setup import EvaluationSetup
 from procc_annotator.report.comparison import ComparisonScene
 
 _GREY = (96, 96, 96, 255)

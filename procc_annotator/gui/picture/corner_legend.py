@@ -9,17 +9,16 @@ from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRect, QRectF, Qt, 
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
+from procc_annotator.dataset.records import OriginKind
 from procc_annotator.gui.picture.comparison import OtherSources
 from procc_annotator.gui.picture.items import paint_overlay
 from procc_annotator.gui.picture.pinned import Pinned
 from procc_annotator.gui.picture.view import PictureView
 from procc_annotator.gui.soon import soon
 from procc_annotator.gui.state.document import Document
-from procc_annotator.interact.corner_legend import OnPicture, corner_legend
-from procc_annotator.interact.legend import LegendEntry
-from procc_annotator.interact.overlay import ColourBy
-from procc_annotator.interact.overlay_shapes import Overlay, PointMarks, Strokes
-from procc_annotator.session.facts.origins import OriginKind
+from procc_annotator.interaction.legend import LegendEntry, OnPicture, corner_legend
+from procc_annotator.interaction.overlay import ColourBy
+from procc_annotator.interaction.overlay_primitives import Overlay, PointMarks, Strokes
 
 _EDGE = 8
 _SAMPLE, _GAP = 30.0, 8.0

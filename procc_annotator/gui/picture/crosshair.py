@@ -6,8 +6,8 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
 
-from procc_annotator.interact.gesture import ARROWS, Position
-from procc_annotator.interact.palette import HALO, OUTLINE
+from procc_annotator.interaction.gestures import ARROWS, Position
+from procc_annotator.interaction.palette import HALO, OUTLINE
 
 _ARM, _GAP = 15.0, 4.0  # screen px
 _BACKGROUND_WIDTH, _WIDTH = 4.0, 1.6

@@ -6,8 +6,8 @@ from PySide6.QtGui import QPainter, QTransform
 
 from procc_annotator.gui.picture.metre_map_picture import paint_shapes
 from procc_annotator.gui.state.metre_map_shapes import shapes_in_picture
-from procc_annotator.interact.map_looks import DISAGREEMENT
-from procc_annotator.metric.disagreement import Disagreement
+from procc_annotator.interaction.camera_view import DISAGREEMENT
+from procc_annotator.metrics.error_maps import Disagreement
 
 
 def paint_disagreement(

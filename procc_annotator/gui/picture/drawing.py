@@ -17,9 +17,9 @@ from procc_annotator.gui.picture.overlay_layer import BY_ORIGIN, OverlayLayer
 from procc_annotator.gui.picture.view import PictureView
 from procc_annotator.gui.soon import soon
 from procc_annotator.gui.state.document import Document
-from procc_annotator.interact.gesture import Position
-from procc_annotator.interact.overlay import ColourBy
-from procc_annotator.interact.overlay_shapes import EMPTY_OVERLAY
+from procc_annotator.interaction.gestures import Position
+from procc_annotator.interaction.overlay import ColourBy
+from procc_annotator.interaction.overlay_primitives import EMPTY_OVERLAY
 
 
 class OverlayDrawing(QObject):

@@ -8,22 +8,20 @@ from dataclasses import replace
 from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.annotation import Polyline
+from procc_annotator.assist.copying import annotated_before
+from procc_annotator.dataset import editing
+from procc_annotator.dataset.records import PointKey
 from procc_annotator.gui.picture.editor_words import finished, waiting, why_not_deleted
 from procc_annotator.gui.picture.snapping import ScreenSnapper
 from procc_annotator.gui.state.document import Document
-from procc_annotator.interact.draw_tool import DrawTool
-from procc_annotator.interact.edit_tool import EditTool
-from procc_annotator.interact.gesture import ToolContext, Edit, Modifiers, Position, Reaction
-from procc_annotator.interact.hand import draft_with_cursor
-from procc_annotator.interact.hints import GhostHint, status_hint
-from procc_annotator.interact.hit import Hit
-from procc_annotator.interact.naming import unnamed_class
-from procc_annotator.interact.next_element import next_element
-from procc_annotator.interact.overlay_shapes import Draft
-from procc_annotator.language import tr
-from procc_annotator.session.dataset import edits
-from procc_annotator.session.facts.origins import PointKey
-from procc_annotator.session.strokes.copying import annotated_before
+from procc_annotator.interaction.class_choice import next_element, unnamed_class
+from procc_annotator.interaction.draw_tool import DrawTool, draft_with_cursor
+from procc_annotator.interaction.edit_tool import EditTool
+from procc_annotator.interaction.gestures import Edit, Modifiers, Position, Reaction, ToolContext
+from procc_annotator.interaction.hints import GhostHint, status_hint
+from procc_annotator.interaction.hit_test import Hit
+from procc_annotator.interaction.overlay_primitives import Draft
+from procc_annotator.translation import tr
 
 # Given a key's name and whether Shift is held, takes it or does not.
 KeyTaker = Callable[[str, bool], bool]
@@ -337,7 +335,7 @@ class Editor(QObject):
         drawn = edit.annotation.get(name)
         waits = drawn is not None and len(drawn.points) == 1  # it is no element yet
         if drawn is not None and waits:
-            edit = replace(edit, annotation=edits.add_unconfirmed(before, [drawn]))
+            edit = replace(edit, annotation=editing.add_unconfirmed(before, [drawn]))
         self._commit(edit)
         if not keep_selection:
             self._document.select_class(name)

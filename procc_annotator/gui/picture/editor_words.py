@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from procc_annotator.language import tr, tr_count
+from procc_annotator.translation import tr, tr_count
 
 
 def why_not_deleted(title: str, dropped: int) -> str:

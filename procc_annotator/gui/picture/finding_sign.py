@@ -5,8 +5,8 @@ from __future__ import annotations
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QIcon, QPainter, QPen, QPixmap, QPolygonF
 
-from procc_annotator.fit.labels.finding import Severity
-from procc_annotator.interact.palette import FINDING, OUTLINE
+from procc_annotator.calibration.label_check.finding import Severity
+from procc_annotator.interaction.palette import FINDING, OUTLINE
 
 _SIDE = 16
 

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from PySide6.QtCore import QRect
 
-from procc_annotator.fit.from_picture.proposal import NONE, SURE
+from procc_annotator.assist.track_anchors import CameraCorrection
+from procc_annotator.calibration.single_image.proposal import NONE, SURE
 from procc_annotator.gui.picture.split_view import NamePlate
 from procc_annotator.gui.picture.view import PictureView
 from procc_annotator.gui.soon import soon
 from procc_annotator.gui.state.document import Document
-from procc_annotator.interact import palette as tones
-from procc_annotator.language import tr, tr_count
-from procc_annotator.session.clicks.correction import CameraCorrection
+from procc_annotator.interaction import palette as tones
+from procc_annotator.translation import tr, tr_count
 
 _MARGIN = 8
 _GREY = tones.UNKNOWN_CLASS

@@ -4,13 +4,17 @@ from __future__ import annotations
 
 import numpy as np
 
+from procc_annotator.assist.ghost_points import GhostPoints
 from procc_annotator.gui.state.document import Document
-from procc_annotator.interact import palette as tones
-from procc_annotator.interact.overlay_ghosts import build_ghosts, with_next
-from procc_annotator.interact.overlay_shapes import EMPTY_OVERLAY, FloatArray, Overlay
-from procc_annotator.interact.verdicts import NO_POINTS
-from procc_annotator.language import tr
-from procc_annotator.session.strokes.ghost_points import GhostPoints
+from procc_annotator.interaction import palette as tones
+from procc_annotator.interaction.overlay_predictions import build_ghosts, with_next
+from procc_annotator.interaction.overlay_primitives import (
+    EMPTY_OVERLAY,
+    NO_POINTS,
+    FloatArray,
+    Overlay,
+)
+from procc_annotator.translation import tr
 
 
 class GhostLayer:

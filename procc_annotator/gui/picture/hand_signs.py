@@ -7,8 +7,8 @@ from functools import lru_cache
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen
 
-from procc_annotator.interact import palette as tones
-from procc_annotator.interact.overlay_shapes import CursorSigns
+from procc_annotator.interaction import palette as tones
+from procc_annotator.interaction.overlay_primitives import CursorSigns
 
 # Of the height of the text.
 SWATCH, MAGNET, GAP = 0.75, 0.95, 0.4

@@ -19,7 +19,13 @@ from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF, QTransform
 
 from procc_annotator.gui.picture.label_plates import anchored, arranged, carried, paint_plates
-from procc_annotator.interact.overlay_shapes import Box, FilledArea, Overlay, PointMarks, Strokes
+from procc_annotator.interaction.overlay_primitives import (
+    Box,
+    FilledArea,
+    Overlay,
+    PointMarks,
+    Strokes,
+)
 
 Array = NDArray[np.float64]
 

@@ -10,8 +10,8 @@ from procc_annotator.gui.picture.crosshair import Crosshair, moved
 from procc_annotator.gui.picture.editor import Editor
 from procc_annotator.gui.picture.view import PictureView
 from procc_annotator.gui.state.document import Document
-from procc_annotator.interact.gesture import Modifiers, Position
-from procc_annotator.language import tr, word
+from procc_annotator.interaction.gestures import Modifiers, Position
+from procc_annotator.translation import tr, word
 
 _RIM_PX = 48.0  # screen px at the edge of the view that the crosshair does not enter, where it can
 _EDGE = 2.0  # screen px that count as out of sight

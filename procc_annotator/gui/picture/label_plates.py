@@ -9,7 +9,7 @@ from typing import NamedTuple
 from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QGuiApplication, QPainter
 
-from procc_annotator.fit.labels.finding import Severity
+from procc_annotator.calibration.label_check.finding import Severity
 from procc_annotator.gui.picture.finding_sign import paint_finding_sign
 from procc_annotator.gui.picture.hand_signs import (
     GAP,
@@ -18,8 +18,8 @@ from procc_annotator.gui.picture.hand_signs import (
     paint_magnet,
     paint_swatch,
 )
-from procc_annotator.interact.label_places import place_apart
-from procc_annotator.interact.overlay_shapes import Box, CursorSigns, Labels
+from procc_annotator.interaction.overlay_figure import place_apart
+from procc_annotator.interaction.overlay_primitives import Box, CursorSigns, Labels
 
 LABEL_REACH = 300.0  # how far, in points, a text reaches beyond its point
 _GAP = 9.0

@@ -10,8 +10,8 @@ from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 
 from procc_annotator.gui.picture.items import paint_overlay
-from procc_annotator.interact.legend import LegendEntry
-from procc_annotator.interact.overlay_shapes import Overlay, PointMarks, Strokes
+from procc_annotator.interaction.legend import LegendEntry
+from procc_annotator.interaction.overlay_primitives import Overlay, PointMarks, Strokes
 
 _BACKGROUND, _TEXT = QColor("#202020"), QColor("#ffffff")
 # In points.

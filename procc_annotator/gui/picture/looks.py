@@ -20,8 +20,8 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.gui.theme import fixed_width
-from procc_annotator.image.adjust import MAX_GAMMA, DisplayAdjustment
-from procc_annotator.language import tr, word
+from procc_annotator.image.pixels import MAX_GAMMA, DisplayAdjustment
+from procc_annotator.translation import tr, word
 
 _STEPS = 100  # of a slider, to each side of its middle
 _TITLES = {

@@ -14,8 +14,8 @@ from PySide6.QtWidgets import QWidget
 from procc_annotator.gui.picture.items import paint_overlay
 from procc_annotator.gui.picture.picture_item import image_of
 from procc_annotator.gui.theme import fixed_width
-from procc_annotator.image.decode import PixelArray
-from procc_annotator.interact.overlay_shapes import Overlay
+from procc_annotator.image.pixels import PixelArray
+from procc_annotator.interaction.overlay_primitives import Overlay
 
 _SIDE = 200  # of the magnified square, points
 _LINE = 22  # of text below it

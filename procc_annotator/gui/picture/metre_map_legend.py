@@ -12,9 +12,9 @@ from PySide6.QtWidgets import QWidget
 
 from procc_annotator.gui.picture.metre_map_picture import paint_lines
 from procc_annotator.gui.picture.pinned import Pinned
-from procc_annotator.interact import palette as tones
-from procc_annotator.interact.map_looks import DISAGREEMENT, LevelLine, MapStyle
-from procc_annotator.language import tr
+from procc_annotator.interaction import palette as tones
+from procc_annotator.interaction.camera_view import DISAGREEMENT, LevelLine, MapStyle
+from procc_annotator.translation import tr
 
 _BAR = QSize(252, 12)
 _SAMPLE = 36

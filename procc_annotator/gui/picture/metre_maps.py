@@ -9,9 +9,9 @@ from procc_annotator.gui.picture.metre_map_item import MetreMapItem
 from procc_annotator.gui.picture.metre_map_legend import MapWords, MetreMapLegend
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.uncertainty import KnownGround
-from procc_annotator.interact.map_looks import DISAGREEMENT, UNCERTAINTY
-from procc_annotator.language import tr
-from procc_annotator.metric.contours import OFFSIDE_ACCURACY_M
+from procc_annotator.interaction.camera_view import DISAGREEMENT, UNCERTAINTY
+from procc_annotator.metrics.error_maps import OFFSIDE_ACCURACY_M
+from procc_annotator.translation import tr
 
 
 class MetreMaps(QObject):

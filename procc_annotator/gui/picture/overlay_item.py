@@ -18,7 +18,7 @@ from procc_annotator.gui.picture.items import paint_overlay
 from procc_annotator.gui.picture.label_plates import anchored, arranged
 from procc_annotator.gui.picture.still import StillOverlay
 from procc_annotator.gui.theme import text_times
-from procc_annotator.interact.overlay_shapes import (
+from procc_annotator.interaction.overlay_primitives import (
     EMPTY_OVERLAY,
     Box,
     CursorSigns,

@@ -5,15 +5,19 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
+from procc_annotator.dataset.records import Origin, PointKey
 from procc_annotator.gui.picture.comparison import Judged
 from procc_annotator.gui.picture.editor import Editor
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.paint_watch import Evidence
-from procc_annotator.interact.overlay import ColourBy, OverlayBuilder, OverlayContent
-from procc_annotator.interact.overlay_evidence import evidence_strips
-from procc_annotator.interact.overlay_shapes import EMPTY_OVERLAY, Overlay
-from procc_annotator.interact.remembered import LastCallCache
-from procc_annotator.session.facts.origins import Origin, PointKey
+from procc_annotator.interaction.overlay import (
+    ColourBy,
+    LastCallCache,
+    OverlayBuilder,
+    OverlayContent,
+)
+from procc_annotator.interaction.overlay_lines import evidence_strips
+from procc_annotator.interaction.overlay_primitives import EMPTY_OVERLAY, Overlay
 
 BY_ORIGIN = ("origin", "annotator")
 

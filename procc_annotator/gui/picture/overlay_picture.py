@@ -15,11 +15,10 @@ from procc_annotator.errors import SaveError
 from procc_annotator.gui.picture.caption import paint_caption
 from procc_annotator.gui.picture.items import paint_overlay
 from procc_annotator.gui.picture.legend import LegendBand
-from procc_annotator.image.decode import PixelArray
-from procc_annotator.interact.legend import legend_of
-from procc_annotator.interact.overlay import OverlayBuilder, OverlayContent
-from procc_annotator.language import in_english
-from procc_annotator.report.scenes import (
+from procc_annotator.image.pixels import PixelArray
+from procc_annotator.interaction.legend import legend_of
+from procc_annotator.interaction.overlay import OverlayBuilder, OverlayContent
+from procc_annotator.report.overlay_scene import (
     GROUND_BGRA,
     OverlayLook,
     Scene,
@@ -28,6 +27,7 @@ from procc_annotator.report.scenes import (
     check_pixels,
     pixels_of,
 )
+from procc_annotator.translation import in_english
 
 _JPEG = (cv2.IMWRITE_JPEG_QUALITY, 88)
 

@@ -9,8 +9,7 @@ from PySide6.QtCore import QPointF, QRect, QRectF
 from PySide6.QtGui import QImage, QPainter, QRegion, QTransform
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
 
-from procc_annotator.image.decode import PixelArray
-from procc_annotator.image.reduced import DownscaledImages
+from procc_annotator.image.pixels import DownscaledImages, PixelArray
 
 
 def image_of(pixels: PixelArray) -> QImage:

@@ -7,8 +7,7 @@ from dataclasses import replace
 from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
-from procc_annotator.image.adjust import DisplayAdjustment, adjust_image
-from procc_annotator.image.decode import PixelArray
+from procc_annotator.image.pixels import DisplayAdjustment, PixelArray, adjust_image
 
 
 class ShownPicture(QObject):

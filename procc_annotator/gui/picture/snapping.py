@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+from procc_annotator.assist.line_evidence import ExpectedLines
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.state import same
-from procc_annotator.image.paint import snap_to_line
+from procc_annotator.image.line_snapping import snap_to_line
 from procc_annotator.image.pixels import PixelArray
-from procc_annotator.interact.gesture import Position, Snapper
-from procc_annotator.session.strokes.expected_paint import ExpectedLines
+from procc_annotator.interaction.gestures import Position, Snapper
 
 _KEPT = 16
 

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from procc_annotator.gui.picture.pinned import Pinned
 from procc_annotator.gui.roles import give_role
-from procc_annotator.language import tr
+from procc_annotator.translation import tr
 
 _GRIP = QSize(26, 44)
 _ABOVE_BOTTOM = 16  # the grip stands low, where it hides the least

@@ -7,7 +7,7 @@ from PySide6.QtGui import QPainter, QPixmap
 
 from procc_annotator.gui.picture.items import paint_overlay
 from procc_annotator.gui.theme import text_times
-from procc_annotator.interact.overlay_shapes import Overlay
+from procc_annotator.interaction.overlay_primitives import Overlay
 
 
 class StillOverlay:

@@ -30,7 +30,7 @@ from PySide6.QtWidgets import QFrame, QGraphicsScene, QGraphicsView
 
 from procc_annotator.gui.picture.picture_item import PictureItem
 from procc_annotator.gui.wheel import gone_along
-from procc_annotator.image.decode import PixelArray
+from procc_annotator.image.pixels import PixelArray
 
 MAX_SCALE = 64.0
 _WHEEL_STEP = 1.2

@@ -13,12 +13,12 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QColor, QPalette
 from PySide6.QtWidgets import QStackedLayout, QVBoxLayout, QWidget
 
+from procc_annotator.batch.audit import FloatArray, PlotData, envelope
 from procc_annotator.gui.panels.parts import empty_state
 from procc_annotator.gui.plots.looks import source_pen, symbol_of
 from procc_annotator.gui.plots.request import PlotRequest, PlottedSource, Scope
 from procc_annotator.gui.theme import follow_theme, muted, readable
-from procc_annotator.language import tr
-from procc_annotator.session.runs.audit_figures import FloatArray, PlotData, envelope
+from procc_annotator.translation import tr
 
 D = TypeVar("D")
 

@@ -7,7 +7,7 @@ from PySide6.QtCore import QRectF
 from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 from PySide6.QtWidgets import QStyleOptionGraphicsItem, QWidget
 
-from procc_annotator.session.runs.audit_figures import FloatArray
+from procc_annotator.batch.audit import FloatArray
 
 _SIZE = 3.0  # logical px
 

@@ -9,13 +9,12 @@ import numpy as np
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QPalette, QResizeEvent
 
+from procc_annotator.batch.audit import TAU_GRID, FloatArray, PlotData, mean_curve, timeline
+from procc_annotator.batch.frame_sums import AuditBand, difference_band, mean_band
 from procc_annotator.gui.plots.base import PlotPage
 from procc_annotator.gui.plots.request import PlotRequest, PlottedSource, Scope
 from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU
-from procc_annotator.language import tr, word
-from procc_annotator.session.runs.audit import TAU_GRID
-from procc_annotator.session.runs.audit_bands import AuditBand, difference_band, mean_band
-from procc_annotator.session.runs.audit_figures import FloatArray, PlotData, mean_curve, timeline
+from procc_annotator.translation import tr, word
 
 _SMALL = 120  # logical px: a plot less high or wide than this has no line to drag
 

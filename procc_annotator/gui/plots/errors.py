@@ -9,19 +9,19 @@ import numpy as np
 from PySide6.QtCore import QPointF
 from PySide6.QtGui import QPalette
 
-from procc_annotator.gui.panels.overview.plots import count_ticks
-from procc_annotator.gui.plots.base import PlotPage
-from procc_annotator.gui.plots.request import PlotRequest
-from procc_annotator.language import tr, tr_count, word
-from procc_annotator.session.runs.audit_figures import (
+from procc_annotator.batch.audit import (
     Histogram,
+    PlotData,
     Points,
     RadialErrors,
-    PlotData,
     gather,
     histogram,
     radial_errors,
 )
+from procc_annotator.gui.panels.overview.plots import count_ticks
+from procc_annotator.gui.plots.base import PlotPage
+from procc_annotator.gui.plots.request import PlotRequest
+from procc_annotator.translation import tr, tr_count, word
 
 MOST_DOTS = 6000  # painted in all; medians and files are of every point
 _LARGEST = 50  # of every source that are painted in any case

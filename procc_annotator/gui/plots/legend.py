@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from procc_annotator.gui.plots.looks import source_pen, symbol_of
 from procc_annotator.gui.plots.request import PlottedSource
-from procc_annotator.language import tr
+from procc_annotator.translation import tr
 
 _SYMBOL = 8.0  # logical px
 

@@ -30,7 +30,7 @@ from procc_annotator.gui.plots.sources import PlotSources, Restrict
 from procc_annotator.gui.plots.taking import TakingAlong
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl
-from procc_annotator.language import tr, word
+from procc_annotator.translation import tr, word
 
 _INTERVAL_MS = 60
 _SCOPES = {"frame": word("This frame"), "set": word("Whole set")}

@@ -9,17 +9,17 @@ import numpy as np
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QPalette
 
-from procc_annotator.gui.plots.base import Items, PlotPage
-from procc_annotator.gui.plots.request import PlotRequest, PlottedSource, Scope
-from procc_annotator.language import tr, tr_count, word
-from procc_annotator.session.runs.audit_figures import (
+from procc_annotator.batch.audit import (
     POSE_QUANTITIES,
     POSE_UNITS,
     FloatArray,
-    SetPoses,
     PlotData,
+    SetPoses,
     poses,
 )
+from procc_annotator.gui.plots.base import Items, PlotPage
+from procc_annotator.gui.plots.request import PlotRequest, PlottedSource, Scope
+from procc_annotator.translation import tr, tr_count, word
 
 _MOST_JUMPS = 3000  # rings that are painted
 

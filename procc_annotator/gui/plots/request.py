@@ -7,13 +7,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
+from procc_annotator.batch.audit import FrameAudit
+from procc_annotator.batch.grouping import FrameOrder
+from procc_annotator.dataset.camera_set import FrameCameras
 from procc_annotator.errors import InputError
 from procc_annotator.field.model import Field
-from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, FitCounts
-from procc_annotator.language import tr
-from procc_annotator.session.dataset.camera_set import FrameCameras
-from procc_annotator.session.runs.audit import FrameAudit
-from procc_annotator.session.runs.frame_order import FrameOrder
+from procc_annotator.formats.cameras.fit_record import NOT_FITTED, FitCounts
+from procc_annotator.translation import tr
 
 Scope = Literal["frame", "set"]
 

@@ -9,6 +9,16 @@ import numpy as np
 from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel
 
+from procc_annotator.batch.audit import (
+    Arrows,
+    FloatArray,
+    PlotData,
+    Points,
+    bias,
+    cell_arrows,
+    gather,
+    point_arrows,
+)
 from procc_annotator.gui.plots.base import PlotPage
 from procc_annotator.gui.plots.errors import (
     MOST_DOTS,
@@ -19,17 +29,7 @@ from procc_annotator.gui.plots.errors import (
 )
 from procc_annotator.gui.plots.request import PlotRequest, PlottedSource
 from procc_annotator.gui.theme import muted
-from procc_annotator.language import tr, word
-from procc_annotator.session.runs.audit_figures import (
-    Arrows,
-    FloatArray,
-    Points,
-    PlotData,
-    bias,
-    cell_arrows,
-    gather,
-    point_arrows,
-)
+from procc_annotator.translation import tr, word
 
 _FACTORS = (1, 2, 5, 10, 20, 50, 100, 200)
 _AUTOMATIC = 0

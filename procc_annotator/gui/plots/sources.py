@@ -6,13 +6,13 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
+from procc_annotator.batch.audit import FrameAudit, audit_frame
+from procc_annotator.dataset.layout import FRAMES_FILE
 from procc_annotator.field.landmarks import element_titles
 from procc_annotator.gui.panels.refresher import judged
 from procc_annotator.gui.plots.request import PlotRequest, PlottedSource, Scope
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
-from procc_annotator.session.dataset.dataset_folder import FRAMES_FILE
-from procc_annotator.session.runs.audit import FrameAudit, audit_frame
 
 Restrict = Callable[[PlotRequest], PlotRequest]
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
+from procc_annotator.batch.audit import PlotData
+from procc_annotator.batch.temporal import frame_jitter
 from procc_annotator.gui.plots.curves import TimelinePage, Timelines
 from procc_annotator.gui.plots.request import PlotRequest
-from procc_annotator.language import tr, word
-from procc_annotator.session.runs.audit_figures import PlotData
-from procc_annotator.session.runs.frame_jitter import frame_jitter
+from procc_annotator.translation import tr, word
 
 _LEAST_SPAN_PX = 1.0
 _NO_CAMERAS = word("No three frames in a row have a camera that goes from one to the next.")

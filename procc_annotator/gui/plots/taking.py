@@ -10,6 +10,7 @@ from typing import Any
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QWidget
 
+from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.gui.plots.base import PlotPage
 from procc_annotator.gui.plots.export import SHARPNESS, PlotPicture, picture_writer
 from procc_annotator.gui.plots.legend import Legend
@@ -17,10 +18,9 @@ from procc_annotator.gui.plots.request import PlotRequest
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import run_in_background
 from procc_annotator.gui.writing import ask_where, write
-from procc_annotator.io.atomic import write_atomic
-from procc_annotator.language import tr, tr_count
-from procc_annotator.report.plotted import plot_table
-from procc_annotator.report.sheet.as_csv import CRLF, csv_bytes
+from procc_annotator.report.tables.data_files import CRLF, csv_bytes
+from procc_annotator.report.window_tables import plot_table
+from procc_annotator.translation import tr, tr_count
 
 
 class TakingAlong(QWidget):

@@ -6,11 +6,11 @@ from collections.abc import Callable, Iterable
 
 from PySide6.QtCore import QObject, Signal
 
+from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import InputError
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
-from procc_annotator.session.dataset.workspace import Workspace
 
 
 class AnnotatedIndices(QObject):

@@ -8,6 +8,7 @@ from functools import partial
 from PySide6.QtCore import QObject
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.formats.cameras.fit_record import FitCounts
 from procc_annotator.gui.soon import soon
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.judge import Judge
@@ -17,8 +18,7 @@ from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.source_frames import SourceFrames
 from procc_annotator.gui.state.state import State, same
 from procc_annotator.gui.state.store import Store
-from procc_annotator.io.camera_files.fitted_on import FitCounts
-from procc_annotator.metric.measure import Measurement, measure_projected
+from procc_annotator.metrics.measurement import Measurement, measure_projected
 
 _FORGOTTEN_ONE_BY_ONE = 400  # more are forgotten together with all others, which takes no time
 
@@ -163,7 +163,8 @@ class Auditing(QObject):
             self._set_scores.cancel()
             return
         readers: dict[str, Callable[[], FrameAnnotation | None]] = {
-            frame.name: partial(workspace.annotation_to_score, i) for i, frame in enumerate(workspace.frames)
+            frame.name: partial(workspace.annotation_to_score, i)
+            for i, frame in enumerate(workspace.frames)
         }
         ordered = sorted(state.sources, key=lambda source: source is not state.active)
         self._set_scores.start(ordered, readers, state.setup, state.tau)

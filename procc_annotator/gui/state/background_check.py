@@ -8,21 +8,16 @@ from time import monotonic
 
 from PySide6.QtCore import QObject, Signal
 
+from procc_annotator.batch.execution.executor import Executor, InProcess
+from procc_annotator.batch.label_check import Checked, CheckFrames, FrameToCheck, with_set_findings
+from procc_annotator.batch.set_run import frames_in_words
+from procc_annotator.dataset.picture_sizes import picture_size
+from procc_annotator.dataset.review import FrameCheck
+from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import ImageError, InputError
 from procc_annotator.field.model import Field
 from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.worker import JobControl
-from procc_annotator.session.dataset.picture_sizes import picture_size
-from procc_annotator.session.dataset.workspace import Workspace
-from procc_annotator.session.facts.frame_check import FrameCheck
-from procc_annotator.session.runs.check_run import (
-    Checked,
-    CheckFrames,
-    FrameToCheck,
-    with_set_findings,
-)
-from procc_annotator.session.runs.execution.executor import Executor, InProcess
-from procc_annotator.session.runs.set_run import frames_in_words
 
 FrameToRead = tuple[int, bool]  # a frame's place in the dataset, and whether to fit a camera
 _Answer = tuple[int, dict[str, FrameCheck]]  # frames checked; see `told`
@@ -168,7 +163,9 @@ class _Walk:
     def told_by_set(self, field: Field) -> dict[str, FrameCheck]:
         """The checks that get a finding once the frames are looked at together."""
         index = self._workspace.index
-        return with_set_findings(self._checks, field, lambda name: self._workspace.read(index[name]))
+        return with_set_findings(
+            self._checks, field, lambda name: self._workspace.read(index[name])
+        )
 
 
 @contextmanager
@@ -176,7 +173,7 @@ def _executor(few: bool) -> Iterator[Executor]:
     if few:
         yield InProcess()
         return
-    from procc_annotator.session.runs.execution.process_pool import ProcessPool
+    from procc_annotator.batch.execution.process_pool import ProcessPool
 
     with ProcessPool(1) as pool:
         yield pool

@@ -6,17 +6,17 @@ import time
 
 from PySide6.QtCore import QObject, Signal
 
-from procc_annotator.gui.state.review_state import ReviewState
-from procc_annotator.gui.state.saying import say
-from procc_annotator.gui.state.store import Store
-from procc_annotator.language import tr
-from procc_annotator.session.facts.blind_work import (
+from procc_annotator.dataset.review import (
     LOCK_SETTING,
     LockEvent,
     lock_of,
     read_events,
     write_events,
 )
+from procc_annotator.gui.state.review_state import ReviewState
+from procc_annotator.gui.state.saying import say
+from procc_annotator.gui.state.store import Store
+from procc_annotator.translation import tr
 
 
 class BlindLock(QObject):

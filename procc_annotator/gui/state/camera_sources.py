@@ -10,13 +10,12 @@ from pathlib import Path
 
 import numpy as np
 
-from procc_annotator.interact.palette import SOURCE_COLOURS
-from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, FitCounts
-from procc_annotator.language import tr
-from procc_annotator.session.dataset.camera_set import CameraSet, FrameCameras
-from procc_annotator.session.dataset.fitted_cameras import FIT_NAME, FittedCameras
-from procc_annotator.session.dataset.tracked_cameras import TRACK_NAME
-from procc_annotator.session.runs.audit import TAU_GRID, FrameAudit
+from procc_annotator.batch.audit import TAU_GRID, FrameAudit
+from procc_annotator.dataset.camera_set import CameraSet, FrameCameras
+from procc_annotator.dataset.computed_cameras import FIT_NAME, TRACK_NAME, FittedCameras
+from procc_annotator.formats.cameras.fit_record import NOT_FITTED, FitCounts
+from procc_annotator.interaction.palette import SOURCE_COLOURS
+from procc_annotator.translation import tr
 
 
 class CameraSource:

@@ -6,14 +6,14 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QObject, Signal
 
+from procc_annotator.assist.track_anchors import CameraCorrection, align_to_lines
+from procc_annotator.field.load import field_for_frame
 from procc_annotator.field.model import Field
-from procc_annotator.field.stadiums import field_for_frame
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.proposals import Proposals
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
 from procc_annotator.image.pixels import PixelArray
-from procc_annotator.session.clicks.correction import CameraCorrection, align_to_lines
 
 
 class Corrections(QObject):
@@ -104,6 +104,11 @@ class Corrections(QObject):
 
 
 def _look_at(
-    found: CameraCorrection, picture: PixelArray, field: Field, frame: str, *, go_on: Callable[[], None]
+    found: CameraCorrection,
+    picture: PixelArray,
+    field: Field,
+    frame: str,
+    *,
+    go_on: Callable[[], None],
 ) -> CameraCorrection:
     return align_to_lines(found, picture, field_for_frame(field, frame), go_on=go_on)

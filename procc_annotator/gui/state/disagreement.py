@@ -5,17 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from procc_annotator.camera.base import Camera
-from procc_annotator.camera.projections import CameraOrProjections, ElementProjections
+from procc_annotator.camera.base import Camera, CameraOrProjections, ElementProjections
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.metre_map_shapes import MapShapes, shapes_in_picture, shapes_on_field
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.source_frames import SourceFrames
 from procc_annotator.gui.state.store import Store
-from procc_annotator.language import tr
-from procc_annotator.metric.disagreement import Disagreement, disagreement
-from procc_annotator.metric.even_grid import bilinear_value
+from procc_annotator.metrics.error_maps import Disagreement, bilinear_value, disagreement
+from procc_annotator.translation import tr
 
 _SAME_M = 1e-6
 

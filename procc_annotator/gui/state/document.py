@@ -7,7 +7,9 @@ from typing import Generic, TypeVar, overload
 
 from PySide6.QtCore import QObject
 
-from procc_annotator.camera.projections import CameraOrProjections
+from procc_annotator.batch.audit import FrameAudit
+from procc_annotator.camera.base import CameraOrProjections
+from procc_annotator.dataset.records import default_author
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state.annotated_frames import AnnotatedIndices
@@ -49,13 +51,11 @@ from procc_annotator.gui.state.store import Store
 from procc_annotator.gui.state.terms import Terms
 from procc_annotator.gui.state.uncertainty import UncertaintyWatch
 from procc_annotator.gui.state.verdicts import KeptVerdicts
-from procc_annotator.image.cache import FrameCache
-from procc_annotator.image.decode import PixelArray
-from procc_annotator.metric.measure import Measurement
-from procc_annotator.metric.score import FrameScore
-from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.facts.origins import default_author
-from procc_annotator.session.runs.audit import FrameAudit
+from procc_annotator.image.decoding import FrameCache
+from procc_annotator.image.pixels import PixelArray
+from procc_annotator.metrics.measurement import Measurement
+from procc_annotator.metrics.score import FrameScore
+from procc_annotator.metrics.setup import EvaluationSetup
 
 T = TypeVar("T")
 

@@ -7,6 +7,8 @@ from collections.abc import Callable
 from PySide6.QtCore import QObject
 
 from procc_annotator.annotation import FrameAnnotation, Polyline
+from procc_annotator.dataset.records import OriginKind, PointKey
+from procc_annotator.dataset.workspace import SAVED_ELSEWHERE, Workspace
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.gui.state.auditing import Auditing
 from procc_annotator.gui.state.presence import Presence
@@ -16,9 +18,7 @@ from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.selection import that_survives
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
-from procc_annotator.language import tr, word
-from procc_annotator.session.dataset.workspace import SAVED_ELSEWHERE, Workspace
-from procc_annotator.session.facts.origins import OriginKind, PointKey
+from procc_annotator.translation import tr, word
 
 _NOTHING_OPEN = word("open a folder of pictures first")
 

@@ -9,10 +9,21 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
+from procc_annotator.dataset.database.database import WorkspaceDatabase
+from procc_annotator.dataset.database.location import folder_of
+from procc_annotator.dataset.dataset_field import (
+    DatasetField,
+    dimensions_in_settings,
+    field_of_settings,
+    lines_in_settings,
+    own_field_file,
+)
+from procc_annotator.dataset.diagnostics import Mismatch, classes_in, distinctive_classes
+from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import FieldError
 from procc_annotator.field.load import load_field, with_dimensions, with_lines
 from procc_annotator.field.model import Field
-from procc_annotator.field.sample import sample_official
+from procc_annotator.field.sampling import sample_official
 from procc_annotator.gui.state.field_files import (
     field_file_of,
     mismatch_among,
@@ -26,18 +37,7 @@ from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
 from procc_annotator.gui.state.terms import Terms
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
-from procc_annotator.language import tr
-from procc_annotator.session.database.database import WorkspaceDatabase
-from procc_annotator.session.database.places import folder_of
-from procc_annotator.session.dataset.dataset_field import (
-    DatasetField,
-    field_of_settings,
-    dimensions_in_settings,
-    lines_in_settings,
-    own_field_file,
-)
-from procc_annotator.session.dataset.field_match import Mismatch, classes_in, distinctive_classes
-from procc_annotator.session.dataset.workspace import Workspace
+from procc_annotator.translation import tr
 
 _REFUSAL = "field"  # the notice that another one cannot be chosen
 _LOOKED_AT = 20  # frames, where a dataset does not say which field it shows
@@ -68,7 +68,9 @@ class FieldChoice(QObject):
         self.preparing: list[Callable[[Field], object]] = [sample_official]
         self._chosen = self._closed = False
         self._asked: tuple[frozenset[str], Field] | None = None
-        self._skipped_frames: set[frozenset[str]] = set()  # mismatches somebody does not want to hear of
+        self._skipped_frames: set[frozenset[str]] = (
+            set()
+        )  # mismatches somebody does not want to hear of
         self._jobs: dict[str, Job] = {}
         self._watch = FileWatch(self)
         self._watch.changed.connect(self.read_again)
@@ -202,7 +204,9 @@ class FieldChoice(QObject):
         classes."""
         if self.question is None and self.mismatch is None:
             return
-        self._skipped_frames.add(self._unknown())  # also where it is not worked out yet what they are
+        self._skipped_frames.add(
+            self._unknown()
+        )  # also where it is not worked out yet what they are
         self._look()
         if self.question is not None:
             self.take(self._store.state.field)

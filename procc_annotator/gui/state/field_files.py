@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
+from procc_annotator.dataset.dataset_field import stored_field_source
+from procc_annotator.dataset.diagnostics import Mismatch, mismatch_of
 from procc_annotator.errors import FieldError
 from procc_annotator.field.load import is_builtin_field, load_field, with_dimensions, with_lines
 from procc_annotator.field.model import Field
-from procc_annotator.session.dataset.dataset_field import stored_field_source
-from procc_annotator.session.dataset.field_match import Mismatch, mismatch_of
 
 
 def mismatch_among(

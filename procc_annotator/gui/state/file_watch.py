@@ -6,7 +6,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QFileSystemWatcher, QObject, QTimer, Signal
 
-from procc_annotator.session.dataset.file_stamps import Stamp, stamp_of
+from procc_annotator.dataset.saving import Stamp, stamp_of
 
 _SETTLED_MS = 120  # editors write in several steps
 

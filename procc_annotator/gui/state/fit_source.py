@@ -6,14 +6,14 @@ from collections.abc import Collection
 
 from PySide6.QtCore import QObject
 
+from procc_annotator.dataset.computed_cameras import FittedCameras, FittedFrame
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.live_fit import LiveFit
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.source_frames import SourceFrames
 from procc_annotator.gui.state.sources import Sources
 from procc_annotator.gui.state.store import Store
-from procc_annotator.interact.palette import FIT
-from procc_annotator.session.dataset.fitted_cameras import FittedCameras, FittedFrame
+from procc_annotator.interaction.palette import FIT
 
 
 class FitSource(QObject):

@@ -10,8 +10,10 @@ from __future__ import annotations
 
 from PySide6.QtCore import QObject, Signal
 
-from procc_annotator.fit.from_picture.proposal import SURE
-from procc_annotator.fit.result import FitResult
+from procc_annotator.assist.frame_analysis import FrameAnalysis, ghosts_without_clicks
+from procc_annotator.calibration.result import FitResult
+from procc_annotator.calibration.single_image.proposal import SURE
+from procc_annotator.dataset.computed_cameras import review_reason
 from procc_annotator.gui.state.corrections import Corrections
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.live_fit import LiveFit
@@ -20,9 +22,6 @@ from procc_annotator.gui.state.review_state import ReviewState
 from procc_annotator.gui.state.shot_track import ShotTrack
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
-from procc_annotator.session.clicks.foreseen import ghosts_without_clicks
-from procc_annotator.session.clicks.insight import FrameAnalysis
-from procc_annotator.session.dataset.tracked_cameras import review_reason
 
 _KEPT = 8
 

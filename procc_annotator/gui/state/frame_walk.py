@@ -7,6 +7,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import ImageError, InputError
 from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.soon import soon
@@ -19,10 +20,9 @@ from procc_annotator.gui.state.selection import class_that_fits
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.state import ChosenElement
 from procc_annotator.gui.state.store import Store
-from procc_annotator.image.cache import FrameCache
-from procc_annotator.image.decode import PixelArray, decode_half_size
-from procc_annotator.language import tr
-from procc_annotator.session.dataset.workspace import Workspace
+from procc_annotator.image.decoding import FrameCache, decode_half_size
+from procc_annotator.image.pixels import PixelArray
+from procc_annotator.translation import tr
 
 
 class FrameWalk(QObject):

@@ -13,9 +13,11 @@ import numpy as np
 from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.assist.frame_analysis import FrameAnalysis
+from procc_annotator.assist.ghost_points import GhostPoints, find_points
+from procc_annotator.calibration.prediction.ghosts import Ghost
+from procc_annotator.calibration.prediction.suggestions import AnnotationSuggestion
 from procc_annotator.field.model import Field
-from procc_annotator.fit.predict.ghosts import Ghost
-from procc_annotator.fit.predict.suggestion import AnnotationSuggestion
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.foresight import Foresight
 from procc_annotator.gui.state.review_state import ReviewState
@@ -23,11 +25,9 @@ from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.state import same
 from procc_annotator.gui.state.store import Store
-from procc_annotator.image.decode import PixelArray
-from procc_annotator.interact.next_element import next_element
-from procc_annotator.language import tr
-from procc_annotator.session.clicks.insight import FrameAnalysis
-from procc_annotator.session.strokes.ghost_points import GhostPoints, find_points
+from procc_annotator.image.pixels import PixelArray
+from procc_annotator.interaction.class_choice import next_element
+from procc_annotator.translation import tr
 
 _KEPT = 32  # ghosts whose points are kept, more than there are in any frame
 
@@ -45,7 +45,9 @@ class Ghosts(QObject):
         self._store, self._foresight, self._review = store, foresight, review
         self._wanted = self._suggesting = True
         self._frame: tuple[str | None, str] = None, ""  # its name, and the sport
-        self._latest: FrameAnalysis | None = None  # of this frame, while a newer one is worked out too
+        self._latest: FrameAnalysis | None = (
+            None  # of this frame, while a newer one is worked out too
+        )
         self._painted: tuple[Ghost, ...] = ()
         self._suggestion: AnnotationSuggestion | None = None
         self._walking = False

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from PySide6.QtCore import QObject, Signal
 
+from procc_annotator.dataset.database.database import WorkspaceDatabase
+from procc_annotator.dataset.review import SETTING
 from procc_annotator.gui.state.review_state import ReviewState
-from procc_annotator.session.database.database import WorkspaceDatabase
-from procc_annotator.session.facts.ignored_findings import SETTING
 
 
 class IgnoredFindings(QObject):

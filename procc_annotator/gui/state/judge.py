@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.camera.projections import CameraOrProjections
+from procc_annotator.camera.base import CameraOrProjections
 from procc_annotator.gui.state.source_frames import NO_CAMERA, SourceFrame, SourceFrames
 from procc_annotator.gui.state.state import same
 from procc_annotator.gui.state.store import Store
-from procc_annotator.metric.measure import Measurement, measure_projected
-from procc_annotator.metric.score import FrameScore, display_score
-from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.metrics.measurement import Measurement, measure_projected
+from procc_annotator.metrics.score import FrameScore, display_score
+from procc_annotator.metrics.setup import EvaluationSetup
 
 
 class Judge:

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from procc_annotator.fit.labels.finding import Rule, Severity
-from procc_annotator.gui.state.ignored_findings import IgnoredFindings
-from procc_annotator.gui.state.store import Store
-from procc_annotator.session.facts.frame_check import (
-    StoredFinding,
+from procc_annotator.calibration.label_check.finding import Rule, Severity
+from procc_annotator.dataset.review import (
     FrameCheck,
+    StoredFinding,
     with_set_findings,
     worst_severity,
 )
+from procc_annotator.gui.state.ignored_findings import IgnoredFindings
+from procc_annotator.gui.state.store import Store
 
 
 class KnownChecks:

@@ -7,9 +7,20 @@ from collections.abc import Iterable
 from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.assist.frame_analysis import FrameAnalysis
+from procc_annotator.assist.line_evidence import confirmed_evidence
+from procc_annotator.batch.label_check import Checked
+from procc_annotator.calibration.label_check.check import add_line_evidence
+from procc_annotator.calibration.label_check.finding import Rule, Severity
+from procc_annotator.dataset.review import (
+    FrameCheck,
+    StoredFinding,
+    check_without_fit,
+    content_of,
+    still_valid,
+    store_check,
+)
 from procc_annotator.field.model import Field
-from procc_annotator.fit.labels.check import add_line_evidence
-from procc_annotator.fit.labels.finding import Rule, Severity
 from procc_annotator.gui.soon import soon
 from procc_annotator.gui.state.check_queue import CheckQueue
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
@@ -24,18 +35,7 @@ from procc_annotator.gui.state.saying import notify, say, withdraw
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.state import same
 from procc_annotator.gui.state.store import Store
-from procc_annotator.language import tr
-from procc_annotator.session.clicks.insight import FrameAnalysis
-from procc_annotator.session.facts.frame_check import (
-    StoredFinding,
-    FrameCheck,
-    check_without_fit,
-    content_of,
-    store_check,
-    still_valid,
-)
-from procc_annotator.session.runs.check_run import Checked
-from procc_annotator.session.strokes.paint_evidence import confirmed_evidence
+from procc_annotator.translation import tr
 
 _KEPT = 16  # checks of the frame on screen, of steps of undo one may come back to
 

@@ -7,20 +7,23 @@ from typing import cast
 
 import numpy as np
 
-from procc_annotator.camera.base import projects_only_ground
-from procc_annotator.camera.projections import CameraOrProjections, ElementProjections
-from procc_annotator.camera.scaling import scaled_camera
+from procc_annotator.calibration.prediction.uncertainty import project_error_ellipses
+from procc_annotator.calibration.result import FitResult
+from procc_annotator.camera.base import (
+    CameraOrProjections,
+    ElementProjections,
+    projects_only_ground,
+    scaled_camera,
+)
 from procc_annotator.field.geometry import Vector
 from procc_annotator.field.landmarks import landmark_at_instant, landmarks_by_name
 from procc_annotator.field.model import Field, Landmark
-from procc_annotator.fit.projected_ellipse import project_error_ellipses
-from procc_annotator.fit.result import FitResult
+from procc_annotator.formats.landmark_file import LandmarkFile
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.judge import Judge
 from procc_annotator.gui.state.live_fit import LiveFit
 from procc_annotator.gui.state.store import Store
-from procc_annotator.interact.overlay_lines import ShownEllipse
-from procc_annotator.io.landmark_file import LandmarkFile
+from procc_annotator.interaction.overlay_lines import ShownEllipse
 
 Size = tuple[int, int]
 Ellipses = tuple[ShownEllipse, ...]
@@ -54,7 +57,10 @@ class LandmarkEllipses(Derived[Ellipses]):
 
 def entries_of(file: LandmarkFile, instant: str | None) -> list[Landmark]:
     """One a landmark of a dataset, as it is at an instant."""
-    return [landmark_at_instant(marks, instant) or marks[0] for marks in landmarks_by_name(file.landmarks).values()]
+    return [
+        landmark_at_instant(marks, instant) or marks[0]
+        for marks in landmarks_by_name(file.landmarks).values()
+    ]
 
 
 def _project(

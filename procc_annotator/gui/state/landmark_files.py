@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from PySide6.QtCore import QObject, Signal
 
+from procc_annotator.dataset.landmarks.dataset_landmarks import (
+    read_landmarks_in,
+    unknown_frames_message,
+)
+from procc_annotator.dataset.landmarks.view_groups import ViewGroups
+from procc_annotator.dataset.layout import VIEWS_FILE
+from procc_annotator.dataset.workspace import Workspace
+from procc_annotator.formats.landmark_file import LANDMARKS_FILE, LandmarkFile
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.file_watch import FileWatch
-from procc_annotator.io.landmark_file import LANDMARKS_FILE, LandmarkFile
-from procc_annotator.session.dataset.dataset_folder import VIEWS_FILE
-from procc_annotator.session.dataset.workspace import Workspace
-from procc_annotator.session.landmarks.dataset_landmarks import read_landmarks_in, unknown_frames_message
-from procc_annotator.session.landmarks.view_groups import ViewGroups
 
 
 class LandmarkFiles(QObject):

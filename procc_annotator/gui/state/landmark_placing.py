@@ -9,26 +9,22 @@ from typing import Protocol
 from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.field.landmarks import landmarks_by_name, is_moving
+from procc_annotator.dataset.landmarks.clicks import LocatedLandmark, why_kept, with_positions
+from procc_annotator.dataset.landmarks.triangulation import (
+    DatasetPaths,
+    FoundInDataset,
+    TriangulationSettings,
+    locate_in_dataset,
+)
+from procc_annotator.dataset.landmarks.view_groups import ViewGroups
+from procc_annotator.field.landmarks import is_moving, landmarks_by_name
+from procc_annotator.formats.landmark_file import LandmarkFile
 from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.state.live_fit import LiveFit
 from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.store import Store
 from procc_annotator.gui.worker import JobControl
-from procc_annotator.io.landmark_file import LandmarkFile
-from procc_annotator.language import tr
-from procc_annotator.session.landmarks.landmark_clicks import (
-    LocatedLandmark,
-    why_kept,
-    with_positions,
-)
-from procc_annotator.session.landmarks.landmark_scan import (
-    FoundInDataset,
-    DatasetPaths,
-    TriangulationSettings,
-    locate_in_dataset,
-)
-from procc_annotator.session.landmarks.view_groups import ViewGroups
+from procc_annotator.translation import tr
 
 
 class PlacedLandmarks(Protocol):
@@ -105,7 +101,9 @@ class LandmarkPlacing(QObject):
         )
         field = state.field
         model = self._live_fit.model if self._live_fit.model != "H" else "R"
-        search = TriangulationSettings(landmarks.file, landmarks.groups, cameras, names=(name,), model=model)
+        search = TriangulationSettings(
+            landmarks.file, landmarks.groups, cameras, names=(name,), model=model
+        )
 
         def work(control: JobControl) -> FoundInDataset:
             return locate_in_dataset(read, field, place, search, control.progress_or_stop)

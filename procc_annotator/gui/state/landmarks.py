@@ -8,10 +8,25 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
+from procc_annotator.dataset.landmarks import dataset_landmarks
+from procc_annotator.dataset.landmarks.dataset_landmarks import (
+    field_with,
+    read_landmarks_in,
+    unknown_frames_message,
+)
+from procc_annotator.dataset.landmarks.triangulation import clicked_frames, clicked_in
+from procc_annotator.dataset.landmarks.view_groups import ViewGroups
+from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import InputError, ProccError
 from procc_annotator.field.geometry import Vector
 from procc_annotator.field.landmarks import landmarks_by_name
 from procc_annotator.field.model import Field, Landmark
+from procc_annotator.formats.landmark_file import (
+    LANDMARKS_FILE,
+    LandmarkFile,
+    load_landmarks,
+    save_landmarks,
+)
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.judge import Judge
 from procc_annotator.gui.state.landmark_ellipses import LandmarkEllipses, entries_of
@@ -22,26 +37,8 @@ from procc_annotator.gui.state.saying import notify, say, withdraw
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
 from procc_annotator.gui.state.terms import Terms
-from procc_annotator.interact.overlay_lines import ShownEllipse
-from procc_annotator.io.landmark_file import (
-    LANDMARKS_FILE,
-    LandmarkFile,
-    load_landmarks,
-    save_landmarks,
-)
-from procc_annotator.language import tr
-from procc_annotator.session.dataset.workspace import Workspace
-from procc_annotator.session.landmarks import landmark_edits
-from procc_annotator.session.landmarks.dataset_landmarks import (
-    field_with,
-    read_landmarks_in,
-    unknown_frames_message,
-)
-from procc_annotator.session.landmarks.landmark_scan import (
-    clicked_frames,
-    clicked_in,
-)
-from procc_annotator.session.landmarks.view_groups import ViewGroups
+from procc_annotator.interaction.overlay_lines import ShownEllipse
+from procc_annotator.translation import tr
 
 PROBLEM, STRANGE = "landmarks", "views"  # the notices
 
@@ -126,20 +123,22 @@ class Landmarks(QObject):
 
     def add(self, name: str) -> bool:
         """Have a new landmark, to be clicked."""
-        return self.edit(lambda: landmark_edits.with_new_landmark(self.file, name, self._store.state.field))
+        return self.edit(
+            lambda: dataset_landmarks.with_new_landmark(self.file, name, self._store.state.field)
+        )
 
     def survey(self, name: str, place: str) -> bool:
         """Give a landmark the place that somebody measured: ``x, y, z``, metres."""
 
         def edit() -> LandmarkFile:
-            position: Vector = landmark_edits.parse_position(place)
-            return landmark_edits.with_surveyed_position(self.file, name, position)
+            position: Vector = dataset_landmarks.parse_position(place)
+            return dataset_landmarks.with_surveyed_position(self.file, name, position)
 
         return self.edit(edit)
 
     def retitle(self, name: str, title: str) -> bool:
         """Call a landmark something else; its class stays."""
-        return self.edit(lambda: landmark_edits.with_title(self.file, name, title))
+        return self.edit(lambda: dataset_landmarks.with_title(self.file, name, title))
 
     def remove(self, name: str) -> bool:
         """Forget a landmark; clicks on it stay in the annotations."""

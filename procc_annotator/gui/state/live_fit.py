@@ -7,9 +7,11 @@ from dataclasses import dataclass
 from functools import partial
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.assist.frame_analysis import FrameAnalysis, analyse_frame
+from procc_annotator.calibration.result import FitResult
 from procc_annotator.camera.base import Camera
+from procc_annotator.dataset.computed_cameras import FittedCameras, FittedFrame
 from procc_annotator.field.model import Field
-from procc_annotator.fit.result import FitResult
 from procc_annotator.gui.state.blind_lock import BlindLock
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.judge import Judge
@@ -18,10 +20,8 @@ from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.source_frames import SourceFrame, look_up
 from procc_annotator.gui.state.store import Store
-from procc_annotator.language import tr
-from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.clicks.insight import FrameAnalysis, analyse_frame
-from procc_annotator.session.dataset.fitted_cameras import FittedCameras, FittedFrame
+from procc_annotator.metrics.setup import EvaluationSetup
+from procc_annotator.translation import tr
 
 DEFAULT_MODEL = "auto"
 MODELS = ("auto", "H", "P", "R", "R+", "R2", "F")

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from PySide6.QtCore import QObject, Signal
 
-from procc_annotator.camera.projections import ElementProjections
+from procc_annotator.camera.base import ElementProjections
 from procc_annotator.errors import UsageError
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.foresight import Foresight
 from procc_annotator.gui.state.judge import Judge
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
-from procc_annotator.interact.field_sight import VisibleField, visible_field
+from procc_annotator.interaction.camera_view import VisibleField, visible_field
 
 _KEPT = 8
 

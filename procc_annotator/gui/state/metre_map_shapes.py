@@ -9,10 +9,14 @@ import numpy as np
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QPainterPath, QPolygonF
 
-from procc_annotator.interact.map_looks import DISAGREEMENT, MapStyle
-from procc_annotator.metric.contours import ContourBand, contour_lines, filled_contours
-from procc_annotator.metric.disagreement import Disagreement
-from procc_annotator.metric.polylines import FloatArray
+from procc_annotator.interaction.camera_view import DISAGREEMENT, MapStyle
+from procc_annotator.metrics.error_maps import (
+    ContourBand,
+    Disagreement,
+    contour_lines,
+    filled_contours,
+)
+from procc_annotator.metrics.polylines import FloatArray
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,12 +37,16 @@ class MapShapes:
 
 
 def map_shapes(
-    look: MapStyle, values: FloatArray, x: FloatArray, y: FloatArray, area: ContourBand | None = None
+    look: MapStyle,
+    values: FloatArray,
+    x: FloatArray,
+    y: FloatArray,
+    area: ContourBand | None = None,
 ) -> MapShapes:
     """The shapes of a map; safe from any thread, and too slow for that of the interface.
 
     Args:
-        values, x, y: as for `metric.contours.filled_contours`.
+        values, x, y: as for `metrics.error_maps.filled_contours`.
         area: nothing is painted outside.
     """
     return MapShapes(

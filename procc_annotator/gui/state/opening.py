@@ -10,6 +10,8 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject
 
+from procc_annotator.dataset.database.database import WorkspaceDatabase
+from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import ProccError, UsageError
 from procc_annotator.gui.state.blind_lock import BlindLock
 from procc_annotator.gui.state.editing import Editing
@@ -19,9 +21,7 @@ from procc_annotator.gui.state.landmarks import PROBLEM, STRANGE, Landmarks
 from procc_annotator.gui.state.saying import notify, say
 from procc_annotator.gui.state.second import SecondAnnotator
 from procc_annotator.gui.state.store import Store
-from procc_annotator.language import tr
-from procc_annotator.session.database.database import WorkspaceDatabase
-from procc_annotator.session.dataset.workspace import Workspace
+from procc_annotator.translation import tr
 
 
 class Opening(QObject):

@@ -8,6 +8,8 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject
 
+from procc_annotator.dataset.camera_set import CameraSet
+from procc_annotator.dataset.saving import Stamp
 from procc_annotator.errors import ProccError
 from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.state.auditing import Auditing
@@ -19,9 +21,7 @@ from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.sources import Sources
 from procc_annotator.gui.state.store import Store
 from procc_annotator.gui.worker import JobControl
-from procc_annotator.language import tr
-from procc_annotator.session.dataset.camera_set import CameraSet
-from procc_annotator.session.dataset.file_stamps import Stamp
+from procc_annotator.translation import tr
 
 
 @dataclass(frozen=True, eq=False, slots=True)

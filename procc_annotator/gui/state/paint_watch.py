@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from procc_annotator.annotation import FrameAnnotation, Polyline
+from procc_annotator.assist.line_evidence import line_evidence
+from procc_annotator.calibration.label_check.evidence import LineEvidence
 from procc_annotator.field.model import Field
-from procc_annotator.fit.labels.seen_paint import LineEvidence
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.state import same
 from procc_annotator.gui.state.store import Store
-from procc_annotator.image.decode import PixelArray
-from procc_annotator.session.strokes.paint_evidence import line_evidence
+from procc_annotator.image.pixels import PixelArray
 
 Evidence = Mapping[Polyline, LineEvidence]
 _STAYED_MS = 150  # a frame that is left sooner was only passed

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from procc_annotator.camera.projections import CameraOrProjections
+from procc_annotator.camera.base import CameraOrProjections
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.judge import Judge
 from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
-from procc_annotator.language import tr
-from procc_annotator.metric.project import ProjectedField, project_markings
-from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.metrics.projection import ProjectedField, project_markings
+from procc_annotator.metrics.setup import EvaluationSetup
+from procc_annotator.translation import tr
 
 
 class PaintedWidth(Derived[ProjectedField]):

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from procc_annotator.session.dataset.locks import FrameLocks, LockHolder, locks_folder
+from procc_annotator.dataset.locks import FrameLocks, LockHolder, locks_folder
 
 BEAT_MS = 10_000
 _LOOK_MS = 2_000

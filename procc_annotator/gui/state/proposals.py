@@ -6,18 +6,18 @@ from collections.abc import Callable, Iterator
 
 from PySide6.QtCore import QObject, Signal
 
+from procc_annotator.batch.camera_proposals import mark_non_square_pixels
+from procc_annotator.calibration.single_image.proposal import Proposal
+from procc_annotator.calibration.single_image.propose import propose_camera
+from procc_annotator.dataset.frames import Frame
 from procc_annotator.errors import InputError
+from procc_annotator.field.load import field_for_frame
 from procc_annotator.field.model import Field
-from procc_annotator.field.stadiums import field_for_frame
-from procc_annotator.fit.from_picture.proposal import Proposal
-from procc_annotator.fit.from_picture.proposing import propose_camera
 from procc_annotator.gui.state.blind_lock import BlindLock
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
-from procc_annotator.image.cache import FrameCache
-from procc_annotator.session.dataset.frames import Frame
-from procc_annotator.session.runs.proposal_run import mark_non_square_pixels
+from procc_annotator.image.decoding import FrameCache
 
 _KEPT = 64
 _STAYED_MS = 150  # a frame that is left sooner was only passed

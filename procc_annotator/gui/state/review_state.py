@@ -19,26 +19,28 @@ from collections.abc import Callable, Iterable, Mapping
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.language import tr
-from procc_annotator.session.database.database import WorkspaceDatabase
-from procc_annotator.session.facts.blind_work import (
-    BlindCommit,
-    read_commit,
-    setting_of,
-    write_commit,
-)
-from procc_annotator.session.facts.frame_check import content_of
-from procc_annotator.session.facts.origins import (
+from procc_annotator.dataset.database.database import WorkspaceDatabase
+from procc_annotator.dataset.records import (
     Comment,
+    FaultParty,
     FrameRecord,
     Origin,
     OriginKind,
     PointKey,
     Status,
+    Verdict,
     count_points_by_origin,
     new_origins,
+    place_by_name,
 )
-from procc_annotator.session.facts.verdict import FaultParty, Verdict, place_by_name
+from procc_annotator.dataset.review import (
+    BlindCommit,
+    content_of,
+    read_commit,
+    setting_of,
+    write_commit,
+)
+from procc_annotator.translation import tr
 
 IDLE_S = 30.0  # longer pauses do not count as work on a frame
 UNFINISHED = frozenset({Status.UNTOUCHED, Status.IN_PROGRESS, Status.REJECTED})

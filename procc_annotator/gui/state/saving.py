@@ -9,12 +9,12 @@ from datetime import datetime
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
+from procc_annotator.dataset.saving import SaveResult
+from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import ChangedOnDiskError, InputError, SaveError
 from procc_annotator.gui.soon import soon
 from procc_annotator.gui.worker import Job, run_in_background
-from procc_annotator.language import tr
-from procc_annotator.session.dataset.pending_save import SaveResult
-from procc_annotator.session.dataset.workspace import Workspace
+from procc_annotator.translation import tr
 
 RETRY_MS = 5000
 

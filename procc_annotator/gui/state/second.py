@@ -9,21 +9,21 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.dataset.annotation_source import ReadSource, open_annotations
+from procc_annotator.dataset.layout import annotations_of
 from procc_annotator.errors import InputError, UsageError
+from procc_annotator.formats.annotations.soccernet import read_annotation
+from procc_annotator.formats.file_listing import AnnotationFiles, list_annotations
+from procc_annotator.formats.file_source import FileSource
+from procc_annotator.formats.strict_json import printable
 from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
 from procc_annotator.gui.worker import JobControl
-from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
-from procc_annotator.io.collections import AnnotationFiles, list_annotations
-from procc_annotator.io.json_text import printable
-from procc_annotator.io.source import FileSource
-from procc_annotator.language import tr, tr_count
-from procc_annotator.metric.agreement import FrameAgreement, compare_annotations
-from procc_annotator.session.dataset.annotation_source import ReadSource, open_annotations
-from procc_annotator.session.dataset.dataset_folder import annotations_of
-from procc_annotator.words import first_names
+from procc_annotator.messages import first_names
+from procc_annotator.metrics.agreement import FrameAgreement, compare_annotations
+from procc_annotator.translation import tr, tr_count
 
 _Read = tuple[FileSource, AnnotationFiles]
 

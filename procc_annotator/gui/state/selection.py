@@ -6,11 +6,11 @@ from collections.abc import Collection
 from dataclasses import replace
 
 from procc_annotator.annotation import FrameAnnotation, Polyline
+from procc_annotator.dataset.editing import PointRef
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.state import ChosenElement, Mode, Option
 from procc_annotator.gui.state.store import Store
-from procc_annotator.session.dataset.edits import PointRef
 
 
 class Selecting:

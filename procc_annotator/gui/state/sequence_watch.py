@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from procc_annotator.dataset.sequence import FrameSequence, sequence_of
+from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
-from procc_annotator.session.dataset.frame_sequence import FrameSequence, sequence_of
-from procc_annotator.session.dataset.workspace import Workspace
 
 
 class SequenceWatch(Derived[FrameSequence]):

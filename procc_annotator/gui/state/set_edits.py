@@ -7,12 +7,12 @@ from dataclasses import replace
 from enum import StrEnum
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.dataset.records import OriginKind
+from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import InputError
 from procc_annotator.gui.state.editing import Editing
 from procc_annotator.gui.state.store import Store
-from procc_annotator.language import tr, word
-from procc_annotator.session.dataset.workspace import Workspace
-from procc_annotator.session.facts.origins import OriginKind
+from procc_annotator.translation import tr, word
 
 # Given what a frame holds: what it is to hold, or why it is to stay as it is.
 Change = Callable[[FrameAnnotation], FrameAnnotation | str]

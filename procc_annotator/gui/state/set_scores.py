@@ -10,19 +10,19 @@ import numpy as np
 from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.batch.audit import TAU_GRID, FrameAudit, audit_frame
+from procc_annotator.dataset.camera_set import FrameCameras
 from procc_annotator.errors import CameraError, InputError
+from procc_annotator.formats.cameras.fit_record import NOT_FITTED, FitCounts
+from procc_annotator.formats.cameras.loaded_camera import NAME_THE_FORMAT, field_mismatch
 from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.source_frames import SourceFrame
 from procc_annotator.gui.state.state import State
 from procc_annotator.gui.worker import JobControl
-from procc_annotator.io.camera_files.assumed_field import NAME_THE_FORMAT, field_mismatch
-from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, FitCounts
-from procc_annotator.metric.measure import Measurement, measure_projected
-from procc_annotator.metric.project import project_field, clipped_projection_error
-from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.dataset.camera_set import FrameCameras
-from procc_annotator.session.runs.audit import TAU_GRID, FrameAudit, audit_frame
+from procc_annotator.metrics.measurement import Measurement, measure_projected
+from procc_annotator.metrics.projection import clipped_projection_error, project_field
+from procc_annotator.metrics.setup import EvaluationSetup
 
 _TELL_AFTER_S = 0.25
 _TELL_PLOTS_AFTER_S = 1.0

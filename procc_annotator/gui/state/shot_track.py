@@ -6,16 +6,16 @@ from collections.abc import Collection, Iterable, Mapping
 
 from PySide6.QtCore import QObject, Signal
 
+from procc_annotator.calibration.result import FitResult
+from procc_annotator.calibration.tracking.track import Track, TrackedFrame
+from procc_annotator.dataset.computed_cameras import TrackedCameras
 from procc_annotator.field.model import Element, Field
-from procc_annotator.fit.result import FitResult
-from procc_annotator.fit.through_shot.track import Track, TrackedFrame
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.sequence_watch import SequenceWatch
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.sources import Sources
 from procc_annotator.gui.state.store import Store
-from procc_annotator.interact.palette import TRACK
-from procc_annotator.session.dataset.tracked_cameras import TrackedCameras
+from procc_annotator.interaction.palette import TRACK
 
 
 class ShotTrack(QObject):

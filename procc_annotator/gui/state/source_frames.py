@@ -8,14 +8,18 @@ from dataclasses import dataclass
 
 from PySide6.QtCore import QObject, Signal
 
-from procc_annotator.camera.projections import CameraOrProjections
+from procc_annotator.camera.base import CameraOrProjections
+from procc_annotator.dataset.camera_set import FrameCameras
 from procc_annotator.errors import CameraError
+from procc_annotator.formats.cameras.loaded_camera import NAME_THE_FORMAT, field_mismatch
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
-from procc_annotator.io.camera_files.assumed_field import NAME_THE_FORMAT, field_mismatch
-from procc_annotator.metric.project import ProjectedField, project_field, clipped_projection_error
-from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.dataset.camera_set import FrameCameras
+from procc_annotator.metrics.projection import (
+    ProjectedField,
+    clipped_projection_error,
+    project_field,
+)
+from procc_annotator.metrics.setup import EvaluationSetup
 
 
 @dataclass(frozen=True, eq=False)

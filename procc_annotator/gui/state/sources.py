@@ -7,6 +7,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject
 
+from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.errors import ProccError
 from procc_annotator.gui.state.auditing import Auditing
 from procc_annotator.gui.state.camera_sources import (
@@ -20,8 +21,7 @@ from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.set_scores import SetScores
 from procc_annotator.gui.state.store import Store
 from procc_annotator.gui.state.verdicts import KeptVerdicts
-from procc_annotator.language import tr
-from procc_annotator.session.dataset.camera_set import CameraSet
+from procc_annotator.translation import tr
 
 
 class Sources(QObject):

@@ -10,22 +10,23 @@ from pathlib import Path
 from typing import Literal
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.assist.track_anchors import CameraCorrection
+from procc_annotator.dataset.camera_set import FrameCameras
+from procc_annotator.dataset.editing import PointRef
+from procc_annotator.dataset.frames import Frame
+from procc_annotator.dataset.locks import LockHolder
+from procc_annotator.dataset.review import LockEvent
+from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import SaveError
+from procc_annotator.field.load import field_for_stadium, stadium_of
 from procc_annotator.field.model import Field
-from procc_annotator.field.stadiums import field_for_stadium, stadium_of
 from procc_annotator.gui.keymap import USUAL, Keymap
 from procc_annotator.gui.state.camera_sources import CameraSource, SourceLook
 from procc_annotator.gui.state.notices import Notice, Told
-from procc_annotator.image.decode import HalfSizeImage, PixelArray
-from procc_annotator.language import tr
-from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.clicks.correction import CameraCorrection
-from procc_annotator.session.dataset.camera_set import FrameCameras
-from procc_annotator.session.dataset.edits import PointRef
-from procc_annotator.session.dataset.frames import Frame
-from procc_annotator.session.dataset.locks import LockHolder
-from procc_annotator.session.dataset.workspace import Workspace
-from procc_annotator.session.facts.blind_work import LockEvent
+from procc_annotator.image.decoding import HalfSizeImage
+from procc_annotator.image.pixels import PixelArray
+from procc_annotator.metrics.setup import EvaluationSetup
+from procc_annotator.translation import tr
 
 Mode = Literal["draw", "edit"]
 Option = Literal["snapping", "pinned", "auto_advance", "two_clicks", "draw_first"]

@@ -6,16 +6,16 @@ from dataclasses import replace
 
 from PySide6.QtCore import QObject
 
+from procc_annotator.dataset.database.location import folder_of
+from procc_annotator.dataset.dataset_field import store_dimensions, store_field, store_lines
 from procc_annotator.field.landmarks import with_landmarks
+from procc_annotator.field.load import with_stadiums
 from procc_annotator.field.model import Field
-from procc_annotator.field.stadiums import with_stadiums
 from procc_annotator.gui.state.review_state import ReviewState
 from procc_annotator.gui.state.selection import class_that_fits
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU, ChosenElement
 from procc_annotator.gui.state.store import Store
-from procc_annotator.session.database.places import folder_of
-from procc_annotator.session.dataset.dataset_field import store_dimensions, store_field, store_lines
 
 
 class Terms(QObject):

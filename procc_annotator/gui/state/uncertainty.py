@@ -7,10 +7,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from procc_annotator.camera.backproject import ground_from_px
+from procc_annotator.calibration.prediction.uncertainty import (
+    GroundUncertainty,
+    map_ground_uncertainty,
+)
+from procc_annotator.calibration.result import FitResult
+from procc_annotator.camera.backprojection import ground_from_px
 from procc_annotator.field.model import Field
-from procc_annotator.fit.predict.ground_uncertainty import GroundUncertainty, map_ground_uncertainty
-from procc_annotator.fit.result import FitResult
 from procc_annotator.gui.state.blind_lock import BlindLock
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.disagreement import DisagreementWatch
@@ -18,10 +21,9 @@ from procc_annotator.gui.state.live_fit import LiveFit
 from procc_annotator.gui.state.metre_map_shapes import MapShapes, map_shapes
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
-from procc_annotator.interact.map_looks import UNCERTAINTY
-from procc_annotator.language import tr
-from procc_annotator.metric.contours import filled_contours
-from procc_annotator.metric.even_grid import bilinear_value
+from procc_annotator.interaction.camera_view import UNCERTAINTY
+from procc_annotator.metrics.error_maps import bilinear_value, filled_contours
+from procc_annotator.translation import tr
 
 
 @dataclass(frozen=True, eq=False)

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+from procc_annotator.dataset.records import FaultParty, Verdict, place_of
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.review_state import ReviewState
 from procc_annotator.gui.state.store import Store
-from procc_annotator.session.facts.verdict import FaultParty, Verdict, place_of
 
 
 class KeptVerdicts:

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.gui.strip.axis import Axis
-from procc_annotator.interact import palette as tones
+from procc_annotator.interaction import palette as tones
 
 FloatArray = NDArray[np.float64]
 Pixels = NDArray[np.uint32]

@@ -8,13 +8,13 @@ from itertools import islice
 
 from PySide6.QtCore import QObject, Signal
 
-from procc_annotator.fit.through_shot.track import TrackedFrame
+from procc_annotator.calibration.tracking.track import TrackedFrame
+from procc_annotator.dataset.computed_cameras import most_residual_px, review_reason
+from procc_annotator.dataset.records import FrameRecord, Status
+from procc_annotator.dataset.sequence import FrameSequence
 from procc_annotator.gui.soon import soon
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.strip.band import Band
-from procc_annotator.session.dataset.frame_sequence import FrameSequence
-from procc_annotator.session.dataset.tracked_cameras import review_reason, most_residual_px
-from procc_annotator.session.facts.origins import FrameRecord, Status
 
 _AT_ONCE = 400  # frames that are taken down in one go
 

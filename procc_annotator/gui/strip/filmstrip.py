@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
     QTableView,
 )
 
+from procc_annotator.dataset.records import Status
 from procc_annotator.gui.panels.frames.delegate import paint_thumbnail
 from procc_annotator.gui.panels.frames.model import FramesModel, RowInfo
 from procc_annotator.gui.panels.rows import Index
@@ -20,9 +21,8 @@ from procc_annotator.gui.soon import soon
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.strip.turned_rows import TurnedRows
 from procc_annotator.gui.theme import blend, paint_row
-from procc_annotator.interact import palette as tones
-from procc_annotator.language import tr
-from procc_annotator.session.facts.origins import Status
+from procc_annotator.interaction import palette as tones
+from procc_annotator.translation import tr
 
 _THUMB = QSize(80, 45)
 _PAD = 4

@@ -19,12 +19,12 @@ from PySide6.QtGui import (
     QPolygonF,
 )
 
+from procc_annotator.dataset.records import Status
 from procc_annotator.gui.strip.axis import Axis
 from procc_annotator.gui.strip.band import band_pixels
 from procc_annotator.gui.strip.content import StripContent
 from procc_annotator.gui.theme import blend, muted
-from procc_annotator.interact import palette as tones
-from procc_annotator.session.facts.origins import Status
+from procc_annotator.interaction import palette as tones
 
 _MARKS, _BAND, _STATUS, _GAP = 9, 16, 6, 3
 _ANCHOR = 4.0  # half of a diamond

@@ -19,6 +19,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
+from procc_annotator.dataset.sequence import FrameSequence
 from procc_annotator.gui.panels.refresher import Refresher
 from procc_annotator.gui.roles import give_role
 from procc_annotator.gui.state.document import Document
@@ -26,8 +27,7 @@ from procc_annotator.gui.strip.axis import Axis
 from procc_annotator.gui.strip.content import StripContent
 from procc_annotator.gui.strip.painting import Rows, paint_here, paint_strip, strip_rows
 from procc_annotator.gui.strip.words import strip_words
-from procc_annotator.language import tr
-from procc_annotator.session.dataset.frame_sequence import FrameSequence
+from procc_annotator.translation import tr
 
 _WHEEL_STEP = 1.25
 _SIDE = 8  # px beside the frames

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from procc_annotator.dataset.computed_cameras import review_reason
+from procc_annotator.dataset.records import Status
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.strip.content import StripContent
-from procc_annotator.language import tr, word
-from procc_annotator.session.dataset.tracked_cameras import review_reason
-from procc_annotator.session.facts.origins import Status
+from procc_annotator.translation import tr, word
 
 # How a frame's camera came about.
 _STATES = {

@@ -13,7 +13,7 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import fixed_width
 from procc_annotator.gui.window.status import ElidedLabel, SteadyLabel
 from procc_annotator.gui.window.tau_control import TauControl
-from procc_annotator.language import tr, word
+from procc_annotator.translation import tr, word
 
 _NO_CAMERA = word("no camera")
 _WIDEST_CAMERA = 14  # average letters

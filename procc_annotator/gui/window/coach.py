@@ -8,15 +8,15 @@ from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetrics, QMouseEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
+from procc_annotator.dataset.records import OriginKind
 from procc_annotator.gui.keymap import NATIVE
 from procc_annotator.gui.picture.canvas import Canvas
 from procc_annotator.gui.picture.pinned import Pinned
 from procc_annotator.gui.settings import COACHED, Settings
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.window.menus import Actions
-from procc_annotator.interact import palette as tones
-from procc_annotator.language import tr, word
-from procc_annotator.session.facts.origins import OriginKind
+from procc_annotator.interaction import palette as tones
+from procc_annotator.translation import tr, word
 
 _PLATE, _LIGHT, _QUIET = QColor(20, 20, 20, 225), QColor("#f4f4f4"), QColor("#b4b8bc")
 _PAD, _BESIDE, _SIGN = 12, 10, 26

@@ -24,7 +24,7 @@ from procc_annotator.gui.panels.rows import Index
 from procc_annotator.gui.settings import CALLED, Settings
 from procc_annotator.gui.theme import blend
 from procc_annotator.gui.window.palette_entries import KINDS, Entry
-from procc_annotator.language import tr, word
+from procc_annotator.translation import tr, word
 
 _WIDTH = 680
 _ROWS = 12

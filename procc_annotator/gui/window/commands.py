@@ -14,7 +14,7 @@ from procc_annotator.gui.window.key_sheet import KeySheet
 from procc_annotator.gui.window.keymap_dialog import KeymapDialog
 from procc_annotator.gui.window.options import Options
 from procc_annotator.gui.window.settings_dialog import SettingsDialog
-from procc_annotator.language import tr
+from procc_annotator.translation import tr
 from procc_annotator.version import __version__
 
 _TAU_STEP = 0.5

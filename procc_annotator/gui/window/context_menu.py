@@ -9,9 +9,10 @@ from functools import partial
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu, QWidget
 
+from procc_annotator.calibration.label_check.finding import Remedy
+from procc_annotator.dataset.review import StoredFinding
 from procc_annotator.field.model import Field
-from procc_annotator.field.neighbours import touching_elements
-from procc_annotator.fit.labels.finding import Remedy
+from procc_annotator.field.sampling import touching_elements
 from procc_annotator.gui.element_keys import key_text
 from procc_annotator.gui.keymap import USUAL, Keymap
 from procc_annotator.gui.panels.states import class_swatch, class_title
@@ -20,8 +21,7 @@ from procc_annotator.gui.tasks.elements.element_edits import ElementEdits
 from procc_annotator.gui.tasks.elements.ghosts import GhostTasks
 from procc_annotator.gui.tasks.review.label_check import LabelCheckCommands
 from procc_annotator.gui.window.menus import Actions
-from procc_annotator.language import tr, tr_count, word
-from procc_annotator.session.facts.frame_check import StoredFinding
+from procc_annotator.translation import tr, tr_count, word
 
 _POINT = ("delete", "select_all")
 _WHOLE = ("regularise", "close_gaps", "reverse", "duplicate", "delete_element")
@@ -84,7 +84,9 @@ def canvas_menu(
 
 
 def _add_split(menu: QMenu, document: Document, element_edits: ElementEdits, name: str) -> None:
-    free = [e for e in touching_elements(document.field, name) if document.annotation.get(e) is None]
+    free = [
+        e for e in touching_elements(document.field, name) if document.annotation.get(e) is None
+    ]
     menu.addMenu(
         class_menu(
             menu,

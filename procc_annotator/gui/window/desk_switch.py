@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QHBoxLayout, QMainWindow, QToolButton, QWidget
 
 from procc_annotator.gui.window.docks import DESKS
 from procc_annotator.gui.window.menus import Actions
-from procc_annotator.language import tr, word
+from procc_annotator.translation import tr, word
 
 _TITLES = {
     "annotate": word("Annotate", "desk"),

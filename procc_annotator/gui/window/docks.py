@@ -15,7 +15,7 @@ from PySide6.QtCore import QByteArray, Qt
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabBar, QWidget
 
 from procc_annotator.gui.panels.refresher import Refresher
-from procc_annotator.language import tr, word
+from procc_annotator.translation import tr, word
 
 _LEFT = Qt.DockWidgetArea.LeftDockWidgetArea
 _RIGHT = Qt.DockWidgetArea.RightDockWidgetArea

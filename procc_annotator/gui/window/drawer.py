@@ -7,7 +7,7 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QSizePolicy, QToolButton, QWidget
 
 from procc_annotator.gui.window.docks import Docks
-from procc_annotator.language import tr
+from procc_annotator.translation import tr
 
 _DOCK, _DESK = "plots", "judge"
 

@@ -14,9 +14,9 @@ from PySide6.QtCore import (
 )
 from PySide6.QtGui import QGuiApplication
 
+from procc_annotator import error_log
 from procc_annotator.gui.state.document import Document
-from procc_annotator.io import error_log
-from procc_annotator.language import tr
+from procc_annotator.translation import tr
 
 
 class ErrorReports(QObject):

@@ -7,10 +7,10 @@ from PySide6.QtGui import QHelpEvent
 from PySide6.QtWidgets import QToolTip
 
 from procc_annotator.annotation import points_px
+from procc_annotator.dataset.review import StoredFinding
 from procc_annotator.gui.panels.findings.signs import reasons_of
 from procc_annotator.gui.picture.canvas import Canvas
 from procc_annotator.gui.state.document import Document
-from procc_annotator.session.facts.frame_check import StoredFinding
 
 _REACH = 32.0  # screen px: a sign stands beside its point, on whichever side there is room
 

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.language import is_english, tr
+from procc_annotator.translation import is_english, tr
 
 _FIRST = "user-guide.md"
 _SIZE = (980, 700)

@@ -21,7 +21,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from procc_annotator.language import tr
+from procc_annotator.translation import tr
 
 _MOST_COLUMNS = 4
 _LETTERS = 46  # what a column holds in a line, keys and words together

@@ -23,7 +23,7 @@ from procc_annotator.gui.keymap import NATIVE, Keymap
 from procc_annotator.gui.panels.parts import empty_state
 from procc_annotator.gui.window.key_columns import KeyColumns, Section, SheetRow
 from procc_annotator.gui.window.menus import in_menu
-from procc_annotator.language import tr
+from procc_annotator.translation import tr
 
 _SIZE = QSize(1240, 860)
 _ACTION, _ELEMENT = "action:", "element:"  # what a row calls, before its name

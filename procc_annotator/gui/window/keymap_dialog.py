@@ -26,6 +26,8 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.errors import ProccError, SaveError
 from procc_annotator.field.model import Element, Field
+from procc_annotator.formats.atomic import write_atomic
+from procc_annotator.formats.file_source import read_file
 from procc_annotator.gui.actions import ACTIONS, ActionSpec
 from procc_annotator.gui.keymap import (
     NATIVE,
@@ -38,9 +40,7 @@ from procc_annotator.gui.keymap import (
 from procc_annotator.gui.panels.parts import note_label, show_note
 from procc_annotator.gui.panels.rows import Index, RowsModel, list_rows
 from procc_annotator.gui.window.key_columns import keys_text
-from procc_annotator.io.atomic import write_atomic
-from procc_annotator.io.source import read_file
-from procc_annotator.language import tr, word
+from procc_annotator.translation import tr, word
 
 _SIZE = QSize(760, 620)
 _MARGIN = 40

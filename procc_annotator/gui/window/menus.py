@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QMainWindow, QMenu, QWidget
 from procc_annotator.gui.actions import ACTIONS, MENUS, ActionSpec
 from procc_annotator.gui.keymap import NATIVE, Keymap
 from procc_annotator.gui.state.document import Document
-from procc_annotator.language import tr
+from procc_annotator.translation import tr
 
 
 class Actions:

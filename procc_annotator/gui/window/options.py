@@ -9,12 +9,12 @@ from typing import Any
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QApplication
 
+from procc_annotator.dataset.records import default_author
 from procc_annotator.gui import settings as rows
 from procc_annotator.gui.picture.canvas import Canvas
 from procc_annotator.gui.settings import SWITCHES, Setting, Settings, T
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import set_text_size, set_theme
-from procc_annotator.session.facts.origins import default_author
 
 # Settings that an action each sets: its name begins so, and ends with the value.
 _CHOICES = {

@@ -18,8 +18,8 @@ from procc_annotator.gui.state.live_fit import MODELS
 from procc_annotator.gui.window.docks import TITLES
 from procc_annotator.gui.window.menus import Actions, in_menu
 from procc_annotator.gui.window.welcome import described
-from procc_annotator.interact.type_ahead import loose_rank, match_rank, misspelt
-from procc_annotator.language import tr, word
+from procc_annotator.interaction.class_choice import loose_rank, match_rank, misspelt
+from procc_annotator.translation import tr, word
 
 # What sorts of things there are besides actions, which are of the sort of their menu.
 _CAMERAS, _PANEL, _SETTING, _OPEN = word("Cameras"), word("Panel"), word("Setting"), word("Open")

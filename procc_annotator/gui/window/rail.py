@@ -10,7 +10,7 @@ from procc_annotator.gui.keymap import NATIVE
 from procc_annotator.gui.picture.looks import LookControls
 from procc_annotator.gui.window.icon_button import IconButton
 from procc_annotator.gui.window.menus import Actions
-from procc_annotator.language import tr
+from procc_annotator.translation import tr
 
 # Icon, action, and whose key is shown where that has none; a None starts a new group.
 _BUTTONS: tuple[tuple[str, str, str] | None, ...] = (

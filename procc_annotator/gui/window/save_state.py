@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QSizePolicy
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import alarm_colours, fixed_width
 from procc_annotator.gui.window.status import PaintedText
-from procc_annotator.language import tr, tr_count
+from procc_annotator.translation import tr, tr_count
 
 _PAD = 4
 _ALARM_PAD = 6

@@ -28,7 +28,7 @@ from procc_annotator.gui.decimal_box import RangeBox
 from procc_annotator.gui.panels.parts import ScrolledContent, empty_state
 from procc_annotator.gui.settings import FLAG, NUMBER, OFFERED, Setting, Shown
 from procc_annotator.gui.window.options import Options
-from procc_annotator.language import tr
+from procc_annotator.translation import tr
 
 _SIZE = QSize(680, 640)
 _MARGIN = 40  # of the window behind that stays in sight

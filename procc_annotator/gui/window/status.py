@@ -12,8 +12,8 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QStatusBar, QWid
 from procc_annotator.gui.soon import soon
 from procc_annotator.gui.theme import fixed_width
 from procc_annotator.gui.window.apart import Apart
-from procc_annotator.interact.hints import SEPARATOR
-from procc_annotator.language import tr, word
+from procc_annotator.interaction.hints import SEPARATOR
+from procc_annotator.translation import tr, word
 
 MESSAGE_END = "  ·  "  # what just happened stands before the hint
 _MESSAGE_MS = 5000

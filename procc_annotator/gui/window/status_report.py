@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 from PySide6.QtCore import QObject
 
-from procc_annotator.camera.backproject import ground_from_px
+from procc_annotator.camera.backprojection import ground_from_px
 from procc_annotator.field.model import Field
 from procc_annotator.gui.picture.canvas import Canvas
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.window.status import StatusLine
-from procc_annotator.language import tr
+from procc_annotator.translation import tr
 
 
 class StatusReport(QObject):

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QSlider, QWidget
 from procc_annotator.gui.decimal_box import RangeBox
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU
-from procc_annotator.language import tr
+from procc_annotator.translation import tr
 
 
 class TauControl(QWidget):

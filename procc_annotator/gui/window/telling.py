@@ -10,7 +10,7 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.notices import UNSAVED, Told
 from procc_annotator.gui.state.state import State
 from procc_annotator.gui.window.status import StatusLine
-from procc_annotator.language import tr
+from procc_annotator.translation import tr
 
 _TITLE = "ProCC Annotator[*]"  # not shown
 

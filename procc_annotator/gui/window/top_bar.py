@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from procc_annotator.dataset.records import Status
 from procc_annotator.gui.icons import paint_icon
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import fixed_width
@@ -25,8 +26,7 @@ from procc_annotator.gui.window.icon_button import IconButton
 from procc_annotator.gui.window.menus import Actions
 from procc_annotator.gui.window.save_state import SaveState
 from procc_annotator.gui.window.status import SteadyLabel
-from procc_annotator.language import tr
-from procc_annotator.session.facts.origins import Status
+from procc_annotator.translation import tr
 
 _PAD = 5
 _WIDEST_CHIP = 30  # average letters

@@ -10,7 +10,7 @@ from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QPushButton, QVBoxLayout, QWidget
 
 from procc_annotator.gui.settings import RECENT, Settings
-from procc_annotator.language import tr
+from procc_annotator.translation import tr
 
 _SHOWN = 5
 _LEAST = 400  # px

@@ -1,37 +1,69 @@
-"""The tables of a report, for its page and for LaTeX."""
+"""Tables of a report, and its metrics as JSON and CSV."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from typing import Any
+
+import msgspec
 import numpy as np
 
+from procc_annotator.batch.audit import bias, gather
 from procc_annotator.field.landmarks import element_titles
-from procc_annotator.io.camera_files.fitted_on import SOME_OTHER_VERSION
-from procc_annotator.report.page.audit_report import AuditReport, ReportedSource
-from procc_annotator.report.scores.held_out_sheet import left_out_table
-from procc_annotator.report.sheet.counts import (
+from procc_annotator.formats.cameras.fit_record import FITTED_KEYS, SOME_OTHER_VERSION
+from procc_annotator.metrics.sets import ClassSummary, SetSummary
+from procc_annotator.report.page.pairs import ReportedPair
+from procc_annotator.report.page.report_data import AuditReport, ReportedSource
+from procc_annotator.report.scores.inference import inference_entries
+from procc_annotator.report.scores.inference_tables import (
+    WITH_INTERVAL,
+    interval_columns,
+    interval_ends,
+)
+from procc_annotator.report.scores.score_files import (
+    COUNTS,
+    field_terms,
+    frame_entry,
+    summary_entry,
+)
+from procc_annotator.report.scores.score_tables import left_out_entry, left_out_table
+from procc_annotator.report.tables.data_files import csv_bytes, json_bytes
+from procc_annotator.report.tables.metrics import (
+    BIAS_DOWN,
+    BIAS_RIGHT,
+    COMPLETENESS,
     ERROR_POINTS,
     EVALUATED,
+    FINAL_SCORE,
     IMAGES,
+    IN_SAMPLE,
+    JAC,
+    LARGEST_PX,
+    LEFT_OUT_SCORE,
+    MEAN_ERROR,
+    MEAN_JAC,
+    MEAN_PRECISION,
+    MEAN_RECALL,
+    MEDIAN_PX,
     MIRRORED,
+    OF_SET,
+    P95_PX,
     UNDEFINED,
     UNMATCHED,
     WITHOUT,
 )
-from procc_annotator.report.sheet.figure import shortest_number
-from procc_annotator.report.sheet.figures import (
-    BIAS_DOWN,
-    BIAS_RIGHT,
-    COMPLETENESS,
-    FINAL_SCORE,
-    JAC,
-    LARGEST_PX,
-    MEAN_ERROR,
-    MEAN_JAC,
-    MEDIAN_PX,
-    P95_PX,
+from procc_annotator.report.tables.table import (
+    TAU,
+    Column,
+    MetricTable,
+    Row,
+    count_column,
+    defined_count_column,
+    metric_column,
+    metric_values,
+    shortest_number,
 )
-from procc_annotator.report.sheet.sheet import Column, MetricTable, defined_count_column, metric_column
-from procc_annotator.session.runs.audit_figures import bias, gather
+from procc_annotator.report.temporal import TemporalMetrics, over_time_entries
 
 SOURCE = Column("source", "Source")
 
@@ -42,7 +74,10 @@ def comparison_table(report: AuditReport) -> MetricTable:
     columns = (
         SOURCE,
         Column("model", "Camera model"),
-        *(metric_column(MEAN_JAC, f"@{tau:g}", key=f"mean_jac@{shortest_number(tau)}") for tau in taus),
+        *(
+            metric_column(MEAN_JAC, f"@{tau:g}", key=f"mean_jac@{shortest_number(tau)}")
+            for tau in taus
+        ),
         metric_column(MEAN_ERROR, f"@{taus[-1]:g}"),
         metric_column(COMPLETENESS),
         metric_column(FINAL_SCORE, f"@{report.tau:g}"),
@@ -138,8 +173,13 @@ def classes_section(report: AuditReport) -> MetricTable:
     sources = report.evaluated
     columns = [Column("class", "Class")]
     for source in sources:
-        jac = metric_column(JAC, f"@{report.tau:g}", key=f"jac:{source.name}", group=source.marked_name)
-        columns += [jac, metric_column(MEDIAN_PX, key=f"median:{source.name}", group=source.marked_name)]
+        jac = metric_column(
+            JAC, f"@{report.tau:g}", key=f"jac:{source.name}", group=source.marked_name
+        )
+        columns += [
+            jac,
+            metric_column(MEDIAN_PX, key=f"median:{source.name}", group=source.marked_name),
+        ]
     titles = element_titles(report.setup.field)
     medians = [_class_medians(source) for source in sources]
     figures = [source.summaries[report.tau].per_class for source in sources]
@@ -187,7 +227,10 @@ def every_frame_table(report: AuditReport) -> MetricTable:
     sources = report.evaluated
     columns = (
         Column("frame", "Frame"),
-        *(metric_column(JAC, key=f"jac:{source.name}", heading=source.marked_name) for source in sources),
+        *(
+            metric_column(JAC, key=f"jac:{source.name}", heading=source.marked_name)
+            for source in sources
+        ),
     )
     rows = []
     for name in report.frames:
@@ -210,3 +253,129 @@ def terms(report: AuditReport) -> str:
         if s.described != common
     ]
     return "; ".join([common, *special])
+
+
+_COLUMNS = (
+    Column("source"),
+    Column("model"),
+    Column("protocol"),
+    Column("options"),
+    count_column("width"),
+    count_column("height"),
+    TAU,
+    Column("class"),
+    count_column("images"),
+    count_column("evaluated"),
+    *map(metric_column, OF_SET),
+    *(count_column(count.key) for count in COUNTS),
+    Column("field"),
+    *(end for figure in WITH_INTERVAL for end in interval_columns(figure)),
+    count_column("rank"),
+    Column("clusters"),
+    *map(count_column, FITTED_KEYS),  # of the cameras: so many
+    count_column("held_out_elements"),
+    metric_column(LEFT_OUT_SCORE),
+    metric_column(IN_SAMPLE),
+)
+
+
+def report_json(
+    report: AuditReport,
+    pairs: tuple[ReportedPair, ...] = (),
+    over_time: Sequence[TemporalMetrics] = (),
+) -> bytes:
+    """Everything that is a number, in the words of `evaluate`'s score files."""
+    setup = report.setup
+    content = {
+        "dataset": report.dataset,
+        "protocol": setup.protocol,
+        **field_terms(setup.field),
+        "size": list(setup.size),
+        "thresholds": list(report.thresholds),
+        "sources": [_source_entry(source) for source in report.sources],
+        "pairs": [_pair_entry(pair) for pair in pairs],
+        "failures": report.failures(),
+        **inference_entries([report.told]),
+        **(over_time_entries(over_time) if over_time else {}),
+    }
+    return json_bytes(content)
+
+
+def _source_entry(source: ReportedSource) -> dict[str, Any]:
+    return {
+        "name": source.name,
+        "folder": source.folder,
+        "model": source.model or None,
+        "described": source.described,
+        **source.fitted.entry(),
+        **left_out_entry(source, list(source.summaries)),
+        "failure": source.failure or None,
+        "summary": {shortest_number(t): summary_entry(s) for t, s in source.summaries.items()},
+        "unmatched_cameras": list(source.unmatched),
+        "images": [
+            {
+                "name": frame.name,
+                "error": frame.error,
+                "results": {shortest_number(t): frame_entry(f) for t, f in frame.figures.items()},
+            }
+            for frame in source.frames
+        ],
+    }
+
+
+def _pair_entry(pair: ReportedPair) -> dict[str, Any]:
+    return {
+        "a": pair.a,
+        "b": pair.b,
+        "failure": pair.failure or None,
+        "summary": None if pair.summary is None else msgspec.to_builtins(pair.summary),
+    }
+
+
+def report_csv(report: AuditReport) -> bytes:
+    """One row a source and threshold, then one for each of its classes (counted in points)."""
+    rows: list[Row] = []
+    unknown = (None,) * (2 * len(WITH_INTERVAL) + 2)
+    ranks = {tau: report.certainty.ranks(MEAN_JAC.key, tau) for tau in report.thresholds}
+    for place, source in enumerate(report.evaluated):
+        ends = report.certainty.intervals[place]
+        fits = source.fitted.these, source.fitted.another
+        for tau, summary in source.summaries.items():
+            within = [end for f in WITH_INTERVAL for end in interval_ends(ends[f.key, tau])]
+            clusters = report.certainty.clusters.described
+            shares = source.held_out.shares(tau) or (None, None)
+            known = (*within, ranks[tau][place], clusters, *fits)
+            known += (len(source.held_out.elements) or None, *shares)
+            rows.append((*_row(report, source, tau, summary), *known))
+            for name, found in summary.per_class.items():
+                rows.append(
+                    (
+                        *_row(report, source, tau, found, name),
+                        *unknown,
+                        *fits,
+                        None,
+                        None,
+                        None,
+                    )
+                )
+    return csv_bytes(MetricTable("report", "", _COLUMNS, tuple(rows)))
+
+
+def _row(
+    report: AuditReport,
+    source: ReportedSource,
+    tau: float,
+    found: SetSummary | ClassSummary,
+    class_name: str | None = None,
+) -> Row:
+    setup = report.setup
+    options = ", ".join(setup.options(source.ground_only))
+    terms = (source.name, source.model, setup.protocol, options, *setup.size, tau, class_name)
+    if isinstance(found, SetSummary):
+        images = (found.images, found.evaluated)
+        figures = (*images, *metric_values(OF_SET, found), None, None, None)
+    else:
+        of_class = {MEAN_JAC: found.jac, MEAN_PRECISION: found.precision, MEAN_RECALL: found.recall}
+        shared = (of_class.get(figure) for figure in OF_SET)
+        figures = (None, None, *shared, *metric_values(COUNTS, found))
+    return (*terms, *figures, setup.field.described)

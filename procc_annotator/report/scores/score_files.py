@@ -1,8 +1,4 @@
-"""Scores as files, written frame by frame, in place only when complete; here as JSON.
-
-A frame is encoded where it was scored (`json_fragment`, `score_csv.csv_fragment`: bytes that travel
-cheaply between processes); a `ScoreWriter` strings the fragments together.
-"""
+"""Score files as JSON and CSV, written frame by frame."""
 
 from __future__ import annotations
 
@@ -11,17 +7,205 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import IO, Any, Protocol
 
+from procc_annotator.batch.evaluation import GroupSummary
+from procc_annotator.batch.scoring import FrameResult
 from procc_annotator.errors import UsageError
-from procc_annotator.metric.measure import Labelling
-from procc_annotator.metric.score import Status
-from procc_annotator.metric.sets import SetSummary
-from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.report.field_terms import field_terms
-from procc_annotator.report.scores.score_columns import COUNTS
-from procc_annotator.report.sheet.as_json import encoded, metric_entry
-from procc_annotator.report.sheet.figure import shortest_number
-from procc_annotator.report.sheet.figures import JAC, OF_ANNOTATION, OF_CLASS, OF_FRAME, OF_SET
-from procc_annotator.session.runs.evaluation_run import FrameResult, GroupSummary
+from procc_annotator.field.model import Field
+from procc_annotator.formats.cameras.fit_record import FITTED_KEYS
+from procc_annotator.metrics.measurement import Labelling
+from procc_annotator.metrics.score import FrameScore, Status
+from procc_annotator.metrics.sets import SetSummary
+from procc_annotator.metrics.setup import EvaluationSetup
+from procc_annotator.report.tables.data_files import csv_header, csv_rows, encoded, metric_entry
+from procc_annotator.report.tables.metrics import (
+    ANNOTATED,
+    FN,
+    FP,
+    JAC,
+    OF_ANNOTATION,
+    OF_CLASS,
+    OF_FRAME,
+    OF_SET,
+    SPREAD,
+    TP,
+)
+from procc_annotator.report.tables.table import (
+    TAU,
+    Column,
+    Kind,
+    Row,
+    Value,
+    count_column,
+    defined_count_column,
+    metric_column,
+    metric_values,
+    shortest_number,
+)
+
+
+def field_terms(field: Field) -> dict[str, Any]:
+    """``field`` in words for people; ``field_name``, ``field_dimensions`` (metres, by name) and
+    ``field_lines`` (``measured`` or ``middle``) for programs, which need not take the words apart;
+    ``field_file`` where a file of the user's own describes another field than the shipped one of
+    its name; ``field_stadiums`` (stadium -> its own dimensions) where frames have such.
+    """
+    own: dict[str, Any] = {"field_file": field.own_file} if field.own_file else {}
+    if field.stadiums is not None:
+        own["field_stadiums"] = {s: dict(v) for s, v in field.stadiums.dimensions.items()}
+    return {
+        "field": field.described,
+        "field_name": field.name,
+        **own,
+        "field_dimensions": {d.name: d.value for d in field.dimensions},
+        "field_lines": field.lines,
+    }
+
+
+ScoreRow = tuple[Any, ...]  # one value a column
+
+COUNTS = (TP, FP, FN)
+
+FRAME_COLUMNS = (
+    metric_column(JAC),
+    *(count_column(count.key) for count in COUNTS),
+    Column("mirrored", kind="yes_no"),
+    *map(metric_column, OF_FRAME),
+)
+
+# Whether the camera was fitted to the annotation it is judged by, or to another version of it.
+FITTED_COLUMNS = tuple(Column(key, kind="yes_no") for key in FITTED_KEYS)
+
+
+def frame_values(score: FrameScore | None) -> tuple[Value, ...]:
+    """A frame's figures at a threshold, a value for each of `FRAME_COLUMNS`."""
+    if score is None:
+        return (None,) * len(FRAME_COLUMNS)
+    return (*metric_values((JAC, *COUNTS), score), score.mirrored, *metric_values(OF_FRAME, score))
+
+
+def _required(key: str, kind: Kind = "text") -> Column:
+    return Column(key, kind=kind, required=True)
+
+
+_KEY_COLUMNS = (
+    _required("set"), _required("method"), _required("frame"), _required("threshold", "number"),
+    _required("field"), _required("protocol"), _required("width", "whole"),
+    _required("height", "whole"), _required("off_plane"), _required("mirrored_labels", "yes_no"),
+)  # fmt: skip
+COLUMNS = (
+    *_KEY_COLUMNS,
+    _required("counted", "yes_no"),
+    Column("model"),
+    *FRAME_COLUMNS,
+    count_column("points"),
+    Column("camera"),
+    Column("error"),
+    _required("version"),
+    *FITTED_COLUMNS,
+    defined_count_column(ANNOTATED),
+    metric_column(SPREAD),
+)
+NAMES = tuple(column.key for column in COLUMNS)
+KEYS = len(_KEY_COLUMNS)  # they come first
+
+
+_COLUMNS = (
+    Column("name"),
+    Column("protocol"),
+    Column("options"),
+    count_column("width"),
+    count_column("height"),
+    TAU,
+    *FRAME_COLUMNS,
+    Column("camera"),
+    Column("error"),
+    *FITTED_COLUMNS,
+    Column("model"),
+    *map(metric_column, OF_ANNOTATION),
+)
+
+
+def csv_columns(names: Iterable[str] = (), by: Iterable[str] = ()) -> tuple[Column, ...]:
+    """The columns of a file of scores.
+
+    Args:
+        names: columns that come first, e.g. set and method.
+        by: what the set is grouped by; columns that come last.
+    """
+    return (*map(Column, names), *_COLUMNS, *(Column(f"by_{name}") for name in by))
+
+
+def csv_fragment(
+    result: FrameResult,
+    setup: EvaluationSetup,
+    thresholds: tuple[float, ...],
+    names: Sequence[str] = (),
+) -> bytes:
+    """One row a threshold; figures of a frame without scores are empty.
+
+    Args:
+        names: of set and method, where several evaluations share a file; they come first.
+    """
+    columns = csv_columns(names, map(str, range(len(result.groups))))
+    return csv_rows(
+        columns, ((*names, *_row(result, setup, tau), *result.groups) for tau in thresholds)
+    )
+
+
+def _row(result: FrameResult, setup: EvaluationSetup, threshold: float) -> Row:
+    chosen = [f"off-plane {setup.off_plane}"] if result.ground_only else []
+    if setup.planar_only:
+        chosen = ["planar elements only"]
+    if setup.protocol == "procc" and setup.allow_mirrored:
+        chosen.append("mirrored labels allowed")
+    score = result.scores.get(threshold)
+    camera, error = result.camera, result.error
+    if score is None:
+        camera, error = None, error or "no camera"
+    terms = (setup.protocol, "; ".join(chosen), *setup.size)
+    more = (
+        *result.fitted.values,
+        result.model or None,
+        *metric_values(OF_ANNOTATION, result.clicked),
+    )
+    return (result.name, *terms, threshold, *frame_values(score), camera, error, *more)
+
+
+class CsvScores:
+    """A header, then one row an image and threshold.
+
+    Args:
+        names, by: as of `csv_columns`.
+        headless: without the header, after another evaluation.
+    """
+
+    def __init__(
+        self,
+        stream: IO[bytes],
+        names: Iterable[str] = (),
+        by: Iterable[str] = (),
+        *,
+        headless: bool = False,
+    ) -> None:
+        self._stream = stream
+        self._header = b"" if headless else csv_header(csv_columns(names, by))
+
+    def begin(self) -> None:
+        self._stream.write(self._header)
+
+    def add(self, fragment: bytes) -> None:
+        self._stream.write(fragment)
+
+    def end(
+        self,
+        summary: Mapping[float, SetSummary] | None,
+        *,
+        ground_only: bool,
+        groups: Sequence[GroupSummary] = (),
+        more: Mapping[str, Any] | None = None,
+    ) -> None:
+        """Nothing: a set's figures have no row of their own."""
+
 
 SCORE_SUFFIXES = (".json", ".csv")
 

@@ -10,36 +10,35 @@ from functools import partial
 from pathlib import Path
 from typing import IO, Any
 
+from procc_annotator.batch.evaluation import EvaluationRun, GroupSummary, run_digested
+from procc_annotator.batch.execution.executor import Executor, make_executor
+from procc_annotator.batch.frame_sums import FrameSums, SourceSums, frame_sums
+from procc_annotator.batch.grouping import MODEL, Grouping
+from procc_annotator.batch.scoring import Evaluated, LeftOutMetrics
 from procc_annotator.errors import ProccError, UsageError
-from procc_annotator.io.camera_files.camera_collection import CameraCollection
-from procc_annotator.io.camera_files.fitted_on import NOT_FITTED, FitCounts
-from procc_annotator.io.source import FileSource
-from procc_annotator.metric.sets import SetSummary
-from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.formats.cameras.collection import CameraCollection
+from procc_annotator.formats.cameras.fit_record import NOT_FITTED, FitCounts
+from procc_annotator.formats.file_source import FileSource
+from procc_annotator.metrics.sets import SetSummary
+from procc_annotator.metrics.setup import EvaluationSetup
+from procc_annotator.report.outputs import failure_tolerant_output
 from procc_annotator.report.scores import score_files
-from procc_annotator.report.scores.chance import (
+from procc_annotator.report.scores.inference import (
     InferenceSettings,
     StatisticalResult,
     inference_entries,
     statistical_results,
 )
-from procc_annotator.report.scores.held_out_sheet import left_out_entry
-from procc_annotator.report.scores.score_columns import ScoreRow
-from procc_annotator.report.scores.score_csv import CsvScores, csv_fragment
-from procc_annotator.report.scores.score_files import JsonList, JsonScores, ScoreWriter
-from procc_annotator.report.scores.score_output import failure_tolerant_output
-from procc_annotator.report.scores.score_table import Figures, figures_of, whole_rows
-from procc_annotator.report.scores.tables import FrameRow, WorstFrames
-from procc_annotator.session.runs.evaluation_run import (
-    Evaluated,
-    EvaluationRun,
-    GroupSummary,
-    run_digested,
+from procc_annotator.report.scores.score_files import (
+    CsvScores,
+    JsonList,
+    JsonScores,
+    ScoreRow,
+    ScoreWriter,
+    csv_fragment,
 )
-from procc_annotator.session.runs.execution.executor import Executor, make_executor
-from procc_annotator.session.runs.frame_sums import FrameSums, SourceSums, frame_sums
-from procc_annotator.session.runs.held_out import LeftOutMetrics
-from procc_annotator.session.runs.tags import MODEL, Grouping
+from procc_annotator.report.scores.score_table import Figures, figures_of, whole_rows
+from procc_annotator.report.scores.score_tables import FrameRow, WorstFrames, left_out_entry
 
 
 @dataclass(frozen=True, slots=True)
@@ -246,7 +245,9 @@ class Evaluations:
         failures: dict[Path, ProccError] = {} if unwritten is None else unwritten
         with ExitStack() as files:
             paths = self.outcome.outputs
-            streams = [files.enter_context(failure_tolerant_output(path, failures)) for path in paths]
+            streams = [
+                files.enter_context(failure_tolerant_output(path, failures)) for path in paths
+            ]
             for scoring, frame in progress(self._steps(streams, executor), self.frames, "scoring"):
                 scoring.take(frame)
         if unwritten is None and failures:

@@ -11,8 +11,8 @@ from typing import Any
 
 import numpy as np
 
+from procc_annotator.calibration.single_image.propose import propose_camera
 from procc_annotator.field.load import load_field
-from procc_annotator.fit.from_picture.proposing import propose_camera
 from procc_annotator.image.video import open_shared_video
 from tests.bench.from_picture.truth import is_right, painted_frames
 
@@ -26,7 +26,9 @@ def test_proposals_on_soccer_shots(benchmark: Any, shared_data: Path) -> None:
     def run() -> tuple[list[str], list[bool], list[float]]:
         states, right, seconds = [], [], []
         for frame in painted_frames(shared_data, _EVERY):
-            picture = open_shared_video(shared_data / "clips" / f"{frame.clip}.mp4").frame(frame.number)
+            picture = open_shared_video(shared_data / "clips" / f"{frame.clip}.mp4").frame(
+                frame.number
+            )
             size = picture.shape[1], picture.shape[0]
             began = time.process_time()
             found = propose_camera(picture, field)

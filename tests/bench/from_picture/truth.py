@@ -10,10 +10,9 @@ from pathlib import Path
 import numpy as np
 
 from procc_annotator.annotation import FloatArray
-from procc_annotator.camera.base import Camera
-from procc_annotator.camera.scaling import scaled_camera
+from procc_annotator.camera.base import Camera, scaled_camera
 from procc_annotator.field.model import Field
-from procc_annotator.field.sample import sample_evenly
+from procc_annotator.field.sampling import sample_evenly
 
 SIZE = (960, 540)
 _WITHIN_PX, _RIGHT_SHARE, _SPACING_M = 10.0, 0.7, 0.3

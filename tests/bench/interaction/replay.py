@@ -24,17 +24,18 @@ from pathlib import Path
 import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation, points_px
+from procc_annotator.assist.frame_analysis import analyse_frame
+from procc_annotator.assist.ghost_points import accept_all, find_points
+from procc_annotator.calibration.prediction.ghosts import Ghost
+from procc_annotator.calibration.prediction.visible_elements import visible_stretches
+from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.field.load import load_field
-from procc_annotator.fit.predict.ghosts import Ghost
-from procc_annotator.fit.predict.sight import visible_stretches
-from procc_annotator.image.decode import PixelArray, decode_bgra
-from procc_annotator.interact.draw_tool import DrawTool
-from procc_annotator.interact.gesture import ToolContext, Modifiers
-from procc_annotator.interact.next_element import next_element
-from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
-from procc_annotator.session.clicks.insight import analyse_frame
-from procc_annotator.session.dataset.camera_set import CameraSet
-from procc_annotator.session.strokes.ghost_points import accept_all, find_points
+from procc_annotator.formats.annotations.soccernet import read_annotation
+from procc_annotator.image.decoding import decode_bgra
+from procc_annotator.image.pixels import PixelArray
+from procc_annotator.interaction.class_choice import next_element
+from procc_annotator.interaction.draw_tool import DrawTool
+from procc_annotator.interaction.gestures import Modifiers, ToolContext
 
 FIELD = load_field()
 CURVED = frozenset(e.name for e in FIELD.elements if not e.is_straight)

@@ -16,8 +16,8 @@ import numpy as np
 import pytest
 
 from procc_annotator.annotation import FrameAnnotation, points_px
-from procc_annotator.fit.predict.ghosts import Ghost
-from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
+from procc_annotator.calibration.prediction.ghosts import Ghost
+from procc_annotator.formats.annotations.soccernet import read_annotation
 from tests.bench.interaction.replay import (
     FIELD,
     SIZE,

@@ -20,11 +20,11 @@ from pytest_benchmark.fixture import BenchmarkFixture
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import points_px
+from procc_annotator.dataset.database.database import WorkspaceDatabase
+from procc_annotator.dataset.records import Status
 from procc_annotator.gui.app import build_window
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.image.paint import snap_to_line
-from procc_annotator.session.database.database import WorkspaceDatabase
-from procc_annotator.session.facts.origins import Status
+from procc_annotator.image.line_snapping import snap_to_line
 from tests.bench.interaction.conftest import SIZE, Report
 from tests.gui.conftest import Hand
 

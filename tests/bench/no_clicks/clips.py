@@ -10,15 +10,14 @@ from pathlib import Path
 import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
-from procc_annotator.camera.base import Camera
-from procc_annotator.camera.pinhole import PinholeCamera
-from procc_annotator.camera.scaling import scaled_camera
+from procc_annotator.camera.base import Camera, scaled_camera
+from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.field.model import Field
-from procc_annotator.image.decode import PixelArray
+from procc_annotator.image.pixels import PixelArray
 from procc_annotator.image.video import open_shared_video
-from procc_annotator.metric.measure import measure
-from procc_annotator.metric.score import score
-from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.metrics.measurement import measure
+from procc_annotator.metrics.score import score
+from procc_annotator.metrics.setup import EvaluationSetup
 
 JUDGED_AT = (960, 540)
 NEAR_PX, MOST_ELEMENTS = 10.0, 0.7  # of the listed elements, for a camera to be right

@@ -17,11 +17,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from procc_annotator.camera.pinhole import PinholeCamera
-from procc_annotator.field.sample import sample_evenly
-from procc_annotator.fit.through_shot.following_shot import track_shot
-from procc_annotator.fit.through_shot.track import Track
-from procc_annotator.image.decode import PixelArray
+from procc_annotator.calibration.tracking.shot_tracker import track_shot
+from procc_annotator.calibration.tracking.track import Track
+from procc_annotator.camera.models import PinholeCamera
+from procc_annotator.field.sampling import sample_evenly
+from procc_annotator.image.pixels import PixelArray
 from tests.drawn_shots import (
     Aim,
     DrawnShot,

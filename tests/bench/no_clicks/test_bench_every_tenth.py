@@ -15,13 +15,12 @@ from pathlib import Path
 from typing import Any
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
-from procc_annotator.camera.base import Camera
-from procc_annotator.camera.scaling import scaled_camera
+from procc_annotator.calibration.single_image.propose import propose_camera
+from procc_annotator.calibration.tracking.shot_tracker import track_shot
+from procc_annotator.camera.base import Camera, scaled_camera
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
-from procc_annotator.field.sample import sample_evenly
-from procc_annotator.fit.from_picture.proposing import propose_camera
-from procc_annotator.fit.through_shot.following_shot import track_shot
+from procc_annotator.field.sampling import sample_evenly
 from tests.bench.no_clicks.clips import JUDGED_AT, Clip, is_right, soccer_clips
 from tests.bench.no_clicks.test_bench_proposals import Tally
 

@@ -20,11 +20,15 @@ import numpy as np
 import pytest
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.calibration.single_image.proposal import (
+    SURE,
+    KnownPosition,
+    Proposal,
+    cluster_fit_positions,
+)
+from procc_annotator.calibration.single_image.propose import propose_camera
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
-from procc_annotator.fit.from_picture.agreed_positions import cluster_fit_positions
-from procc_annotator.fit.from_picture.proposal import SURE, KnownPosition, Proposal
-from procc_annotator.fit.from_picture.proposing import propose_camera
 from procc_annotator.image.pixels import PixelArray
 from tests.bench.no_clicks.clips import is_right, soccer_clips
 from tests.bench.sports.views import Views

@@ -18,11 +18,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.calibration.fitting import fit_camera
+from procc_annotator.calibration.tracking.shot_tracker import track_shot
+from procc_annotator.calibration.tracking.track import Track, TrackedFrame
+from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.field.load import load_field
-from procc_annotator.fit.fitting import fit_camera
-from procc_annotator.fit.through_shot.following_shot import track_shot
-from procc_annotator.fit.through_shot.track import Track, TrackedFrame
 from tests.bench.no_clicks.clips import Clip, farthest, soccer_clips
 
 WITHIN_PX = (2.0, 5.0, 10.0)

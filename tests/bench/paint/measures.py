@@ -11,15 +11,15 @@ from functools import partial
 import numpy as np
 
 from procc_annotator.annotation import FloatArray, FrameAnnotation, Polyline, points_px
+from procc_annotator.assist.ghost_points import accept_all, find_points
+from procc_annotator.assist.line_evidence import ExpectedLines
+from procc_annotator.assist.regularise import regularise
+from procc_annotator.calibration.fitting import fit_camera
+from procc_annotator.calibration.prediction.ghosts import find_ghosts
 from procc_annotator.field.appearance import BAR
 from procc_annotator.field.geometry import Arc, Circle, Line
-from procc_annotator.fit.fitting import fit_camera
-from procc_annotator.fit.predict.ghosts import find_ghosts
-from procc_annotator.image.decode import PixelArray
-from procc_annotator.image.paint import snap_to_line, snap_points_to_lines
-from procc_annotator.session.strokes.expected_paint import ExpectedLines
-from procc_annotator.session.strokes.ghost_points import accept_all, find_points
-from procc_annotator.session.strokes.regularise import regularise
+from procc_annotator.image.line_snapping import snap_points_to_lines, snap_to_line
+from procc_annotator.image.pixels import PixelArray
 from tests.bench.paint.truth import Element, TruthFrame
 
 Place = tuple[float, float]

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from procc_annotator.session.strokes.expected_paint import ExpectedLines
+from procc_annotator.assist.line_evidence import ExpectedLines
 from tests.bench.paint.measures import (
     Accepted,
     Regular,

@@ -20,7 +20,8 @@ import numpy as np
 from procc_annotator.annotation import FloatArray, Polyline, point_from_px
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
-from procc_annotator.image.decode import PixelArray, decode_bgra
+from procc_annotator.image.decoding import decode_bgra
+from procc_annotator.image.pixels import PixelArray
 from procc_annotator.image.video import open_shared_video
 
 FOLDER = Path(__file__).parents[2] / "data" / "paint"

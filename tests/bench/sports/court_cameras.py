@@ -12,11 +12,11 @@ from pathlib import Path
 
 import numpy as np
 
+from procc_annotator.calibration.fitting import fit_camera
 from procc_annotator.camera.base import Camera
-from procc_annotator.fit.fitting import fit_camera
-from procc_annotator.io.camera_files.deepsportradar_camera import deepsportradar_records
-from procc_annotator.metric.measure import measure
-from procc_annotator.metric.score import score
+from procc_annotator.formats.cameras.published_sets import deepsportradar_records
+from procc_annotator.metrics.measurement import measure
+from procc_annotator.metrics.score import score
 from tests.bench.sports.views import Views
 
 

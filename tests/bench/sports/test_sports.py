@@ -15,9 +15,9 @@ import numpy as np
 import pytest
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.calibration.fitting import fit_camera
+from procc_annotator.calibration.result import ill_conditioned_reason
 from procc_annotator.field.load import field_names, load_field, with_lines
-from procc_annotator.fit.determined import ill_conditioned_reason
-from procc_annotator.fit.fitting import fit_camera
 from tests.bench.sports.court_cameras import fitted_back, read_cameras
 from tests.bench.sports.views import Views
 

@@ -7,12 +7,15 @@ from dataclasses import dataclass
 import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px
+from procc_annotator.calibration.optimization.camera_placement import (
+    PlacementRange,
+    camera_placement_prior,
+)
 from procc_annotator.camera.base import Camera
-from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.field.model import Field
-from procc_annotator.fit.solving.surroundings import PlacementRange, camera_placement_prior
-from procc_annotator.metric.project import project_field
-from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.metrics.projection import project_field
+from procc_annotator.metrics.setup import EvaluationSetup
 
 SIZE = (960, 540)
 _SHORTEST_PX = 15.0

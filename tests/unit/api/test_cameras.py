@@ -26,7 +26,7 @@ from procc_annotator import (
     load_camera,
     project_field,
 )
-from procc_annotator.camera.backproject import ground_from_px
+from procc_annotator.camera.backprojection import ground_from_px
 from procc_annotator.camera.matrices import calibration_matrix, translation
 
 SIZE = (960, 540)

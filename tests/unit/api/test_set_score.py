@@ -24,10 +24,10 @@ from procc_annotator import (
     load_field,
     save_camera,
 )
-from procc_annotator.io.camera_files.camera_collection import CameraCollection
-from procc_annotator.io.source import open_source
-from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.session.runs.evaluation_run import run_evaluation
+from procc_annotator.batch.evaluation import run_evaluation
+from procc_annotator.formats.cameras.collection import CameraCollection
+from procc_annotator.formats.file_source import open_source
+from procc_annotator.metrics.setup import EvaluationSetup
 
 
 @pytest.mark.parametrize(("method", "protocol"), [("bad", "soccernet"), ("homography", "procc")])
@@ -74,7 +74,10 @@ def test_cameras_fitted_to_the_clicks_they_are_judged_by_are_marked(
     found = evaluate_set({name: annotations[name] for name in names}, fits)
     assert found.described == "soccernet, 960x540, fitted on these clicks"
     loaded_annotation = {name: fit_camera(annotations[name], model="R") for name in names}
-    assert evaluate_set({n: annotations[n] for n in names}, loaded_annotation).described == found.described
+    assert (
+        evaluate_set({n: annotations[n] for n in names}, loaded_annotation).described
+        == found.described
+    )
     moved = annotations | {"00001": annotations["00003"]}
     some = evaluate_set(moved, fits)
     mark = "fitted on these clicks, or to another version of these annotations"

@@ -10,12 +10,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from procc_annotator.camera.backproject import ground_from_px
-from procc_annotator.camera.base import Camera
-from procc_annotator.camera.fisheye import FisheyeCamera
-from procc_annotator.camera.pinhole import PinholeCamera
-from procc_annotator.camera.projections import ElementProjections
-from procc_annotator.camera.scaling import ScaledCamera, scaled_camera
+from procc_annotator.camera.backprojection import ground_from_px
+from procc_annotator.camera.base import Camera, ElementProjections, ScaledCamera, scaled_camera
+from procc_annotator.camera.models import FisheyeCamera, PinholeCamera
 
 SIZE = (1280, 720)
 BASE = {

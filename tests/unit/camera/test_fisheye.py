@@ -10,8 +10,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from procc_annotator.camera.fisheye import FisheyeCamera
 from procc_annotator.camera.matrices import pose_from_rt
+from procc_annotator.camera.models import FisheyeCamera
 
 coefficient = st.floats(-0.05, 0.05)
 

@@ -9,10 +9,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from procc_annotator.camera.backproject import ground_from_px
+from procc_annotator.camera.backprojection import ground_from_px
 from procc_annotator.camera.base import Camera, projects_only_ground
-from procc_annotator.camera.homography import HomographyCamera
-from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.camera.models import HomographyCamera, PinholeCamera
 
 PINHOLE = PinholeCamera(
     math.radians(8), math.radians(78), 0.01, (2, 60, -15), (1400, 1400), (479.5, 269.5)

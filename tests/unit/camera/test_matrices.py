@@ -11,16 +11,16 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from procc_annotator.camera.matrices import (
+    angles_from_rotation,
     calibration_matrix,
     distortion_vector,
     fisheye_from_parts,
     intrinsics_from_matrix,
-    angles_from_rotation,
     pinhole_from_parts,
     pose_from_rt,
     translation,
 )
-from procc_annotator.camera.pinhole import rotation_cam_from_world
+from procc_annotator.camera.models import rotation_cam_from_world
 
 K = np.array([[1500.0, 0, 470.0], [0, 1400.0, 260.0], [0, 0, 1]])
 R = rotation_cam_from_world(0.2, 1.3, 0.05)
@@ -48,7 +48,9 @@ def test_a_camera_of_matrices_projects_as_opencv_does(seed: int, count: int) -> 
     distortion = random.uniform(-1, 1, 14) * limits
     points_cam = random.uniform((-20, -10, 30), (20, 10, 90), (60, 3))
     points = (points_cam - T) @ rotation
-    camera = pinhole_from_parts(intrinsics_from_matrix(K), pose_from_rt(rotation, T), distortion[:count].tolist())
+    camera = pinhole_from_parts(
+        intrinsics_from_matrix(K), pose_from_rt(rotation, T), distortion[:count].tolist()
+    )
     px, valid = camera.project(points)
     assert valid.all()
     given_ = distortion[:count] if count else None
@@ -119,4 +121,9 @@ def test_distortions_nobody_here_models_are_refused() -> None:
         pinhole_from_parts(inside, pose, [0.0] * 12 + [0.01, 0])
     with pytest.raises(ValueError, match="4 entries, found 5"):
         fisheye_from_parts(inside, pose, [0.0] * 5)
-    assert fisheye_from_parts(inside, pose, [0.1, 0.2, 0.3, 0.4]).coefficients == (0.1, 0.2, 0.3, 0.4)
+    assert fisheye_from_parts(inside, pose, [0.1, 0.2, 0.3, 0.4]).coefficients == (
+        0.1,
+        0.2,
+        0.3,
+        0.4,
+    )

@@ -6,9 +6,7 @@ from dataclasses import replace
 
 import pytest
 
-from procc_annotator.camera.homography import HomographyCamera
-from procc_annotator.camera.model_name import model_name
-from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.camera.models import HomographyCamera, PinholeCamera, model_name
 
 SIZE = (960, 540)
 PLAIN = PinholeCamera(0.1, 1.3, 0.0, (0.0, 60.0, -15.0), (1200.0, 1200.0), (479.5, 269.5))

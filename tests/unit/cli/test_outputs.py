@@ -8,7 +8,7 @@ import pytest
 
 from procc_annotator.cli.outputs import check_camera_folder, check_not_inputs
 from procc_annotator.errors import UsageError
-from procc_annotator.io.source import open_source
+from procc_annotator.formats.file_source import open_source
 
 LINE = '{"Middle line": [{"x": 0.5, "y": 0.4}, {"x": 0.5, "y": 0.6}]}'
 

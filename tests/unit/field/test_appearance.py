@@ -8,7 +8,7 @@ import pytest
 
 from procc_annotator.errors import FieldError
 from procc_annotator.field.appearance import ANY, BAR, EDGE, LINE, NOTHING, Appearance
-from procc_annotator.field.load import field_names, load_field, builtin_field_file
+from procc_annotator.field.load import builtin_field_file, field_names, load_field
 
 MIDDLE = 'measured = "centre"\n'  # of soccer's halfway line
 

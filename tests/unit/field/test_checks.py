@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 
 from procc_annotator.errors import FieldError
-from procc_annotator.field.checks import WarningSeverity, validate_field
-from procc_annotator.field.lines import line_number_of
+from procc_annotator.field.file_reader import line_number_of
 from procc_annotator.field.load import field_names, load_field
+from procc_annotator.field.validation import WarningSeverity, validate_field
 from procc_annotator.resources import resources_dir
 
 COURT = """

@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from procc_annotator.errors import FieldError
-from procc_annotator.field.checks import validate_field
 from procc_annotator.field.load import load_field, with_dimensions
+from procc_annotator.field.validation import validate_field
 from tests.unit.field.test_checks import COURT, written
 
 OPEN = COURT.replace(
@@ -31,7 +31,10 @@ def test_a_pitch_is_longer_than_wide(name: str) -> None:
     side = width.maximum
     with pytest.raises(FieldError, match=rf"length > width, and {side:g} > {side:g} does not hold"):
         with_dimensions(field, {"length": side, "width": side})
-    assert with_dimensions(field, {"length": side, "width": side - 0.01}).dimensions[1].value == side - 0.01
+    assert (
+        with_dimensions(field, {"length": side, "width": side - 0.01}).dimensions[1].value
+        == side - 0.01
+    )
 
 
 def test_every_sign_counts(tmp_path: Path) -> None:

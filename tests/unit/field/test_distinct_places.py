@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from procc_annotator.field.distinct_places import distinctive_points
 from procc_annotator.field.load import load_field
+from procc_annotator.field.sampling import distinctive_points
 
 
 @pytest.mark.parametrize(

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from procc_annotator.errors import FieldError
 from procc_annotator.field.geometry import Arc, Line
 from procc_annotator.field.load import field_names, load_field, with_dimensions
-from procc_annotator.metric.setup import EvaluationSetup
+from procc_annotator.metrics.setup import EvaluationSetup
 from procc_annotator.resources import resources_dir
 
 SOCCER = (resources_dir() / "field" / "soccer.toml").read_text(encoding="utf-8")

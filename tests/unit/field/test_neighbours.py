@@ -11,8 +11,12 @@ from procc_annotator.field.geometry import Arc, Circle, Geometry, Line, Spot
 from procc_annotator.field.landmarks import with_landmarks
 from procc_annotator.field.load import field_names, load_field
 from procc_annotator.field.model import Element, Field, Landmark
-from procc_annotator.field.neighbours import distances_from, distances_to, touching_elements
-from procc_annotator.field.sample import sample_evenly
+from procc_annotator.field.sampling import (
+    distances_from,
+    distances_to,
+    sample_evenly,
+    touching_elements,
+)
 
 
 def apart(one: Geometry, other: Geometry) -> float:

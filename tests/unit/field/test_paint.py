@@ -9,9 +9,9 @@ import pytest
 
 from procc_annotator.field.geometry import Arc, Chain, Circle, Line, outline_of
 from procc_annotator.field.load import field_names, load_field
+from procc_annotator.field.markings import class_of_border, marking_field
 from procc_annotator.field.model import Element, Field
-from procc_annotator.field.paint import marking_field, class_of_border
-from procc_annotator.field.sample import sample_evenly
+from procc_annotator.field.sampling import sample_evenly
 
 SOCCER = load_field("soccer")
 

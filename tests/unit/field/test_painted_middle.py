@@ -13,16 +13,19 @@ from procc_annotator.errors import FieldError
 from procc_annotator.field.geometry import Arc, Chain, Circle, Line, ends_of, same_geometry
 from procc_annotator.field.landmarks import with_landmarks
 from procc_annotator.field.load import (
+    builtin_field_file,
     field_names,
     load_field,
     with_dimensions,
-    builtin_field_file,
     with_lines,
 )
-from procc_annotator.field.model import Element, Field, Landmark
-from procc_annotator.field.paint import marking_field, class_of_border, marking_side
-from procc_annotator.field.painted_middle import with_centred_markings
-from procc_annotator.field.symmetry import find_symmetry
+from procc_annotator.field.markings import (
+    class_of_border,
+    marking_field,
+    marking_side,
+    with_centred_markings,
+)
+from procc_annotator.field.model import Element, Field, Landmark, find_symmetry
 
 
 def geometry_of(field: str, name: str) -> object:
@@ -113,7 +116,9 @@ def test_the_paint_stays_where_it_is(name: str) -> None:
 
 
 def _borders(field: Field, element: Element) -> list:
-    return [e.geometry for e in marking_field(field).elements if class_of_border(e.name) == element.name]
+    return [
+        e.geometry for e in marking_field(field).elements if class_of_border(e.name) == element.name
+    ]
 
 
 def _across(borders: list, element: Element) -> list[float]:

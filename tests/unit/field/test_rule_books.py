@@ -21,7 +21,7 @@ from procc_annotator.field.geometry import (
 )
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
-from procc_annotator.field.sample import sample_evenly
+from procc_annotator.field.sampling import sample_evenly
 
 FloatArray = NDArray[np.float64]
 

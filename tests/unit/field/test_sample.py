@@ -9,9 +9,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from procc_annotator.field.geometry import Circle, Line, points_at_angles, middle_of
+from procc_annotator.field.geometry import Circle, Line, middle_of, points_at_angles
 from procc_annotator.field.load import load_field
-from procc_annotator.field.sample import sample_evenly, sample_official
+from procc_annotator.field.sampling import sample_evenly, sample_official
 
 
 def test_official_sampling_of_a_straight_element() -> None:

@@ -17,9 +17,8 @@ from numpy.typing import NDArray
 from procc_annotator.field.dimensions import violated_relation
 from procc_annotator.field.geometry import Geometry, Spot, outline_of, rotated
 from procc_annotator.field.load import default_field_name, field_names, load_field
-from procc_annotator.field.model import Element, Field
-from procc_annotator.field.sample import sample_evenly
-from procc_annotator.field.symmetry import NoPartnerError, find_symmetry
+from procc_annotator.field.model import Element, Field, NoPartnerError, find_symmetry
+from procc_annotator.field.sampling import sample_evenly
 
 FloatArray = NDArray[np.float64]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from procc_annotator.field.load import load_field
-from procc_annotator.field.similar_names import matching_classes
+from procc_annotator.field.name_matching import matching_classes
 
 
 @pytest.mark.parametrize(

@@ -8,8 +8,8 @@ import cv2
 import numpy as np
 import pytest
 
-from procc_annotator.image.adjust import DisplayAdjustment, adjust_image, tone_curve
-from procc_annotator.image.decode import PixelArray, decode_bgra
+from procc_annotator.image.decoding import decode_bgra
+from procc_annotator.image.pixels import DisplayAdjustment, PixelArray, adjust_image, tone_curve
 
 GRASS = (60, 110, 70)  # b, g, r
 LOOKS = [
@@ -90,19 +90,35 @@ def test_a_file_is_not_touched(tmp_path: Path) -> None:
 
 def test_brightness_shifts_every_value() -> None:
     grey = np.full((4, 4, 4), (100, 120, 140, 255), dtype=np.uint8)
-    assert adjust_image(grey, DisplayAdjustment(brightness=0.25))[0, 0].tolist() == [132, 152, 172, 255]
-    assert adjust_image(grey, DisplayAdjustment(brightness=-0.25))[0, 0].tolist() == [68, 88, 108, 255]
+    assert adjust_image(grey, DisplayAdjustment(brightness=0.25))[0, 0].tolist() == [
+        132,
+        152,
+        172,
+        255,
+    ]
+    assert adjust_image(grey, DisplayAdjustment(brightness=-0.25))[0, 0].tolist() == [
+        68,
+        88,
+        108,
+        255,
+    ]
 
 
 def test_contrast_stretches_about_the_middle() -> None:
-    more, less = tone_curve(DisplayAdjustment(contrast=0.5)).astype(int), tone_curve(DisplayAdjustment(contrast=-0.5))
+    more, less = (
+        tone_curve(DisplayAdjustment(contrast=0.5)).astype(int),
+        tone_curve(DisplayAdjustment(contrast=-0.5)),
+    )
     assert more[157] - more[98] == pytest.approx(2 * (157 - 98), abs=1)
     assert int(less[228]) - int(less[28]) == pytest.approx(100, abs=1)
     assert abs(more[127] - 127) <= 1
 
 
 def test_gamma_lightens_the_dark_and_keeps_black_and_white() -> None:
-    lighter, darker = tone_curve(DisplayAdjustment(gamma=2.0)), tone_curve(DisplayAdjustment(gamma=0.5))
+    lighter, darker = (
+        tone_curve(DisplayAdjustment(gamma=2.0)),
+        tone_curve(DisplayAdjustment(gamma=0.5)),
+    )
     assert (lighter[0], lighter[255], darker[0], darker[255]) == (0, 255, 0, 255)
     assert lighter[64] == pytest.approx(128, abs=1)
     assert darker[128] == pytest.approx(64, abs=1)
@@ -118,14 +134,20 @@ def test_order_of_values_is_kept(look: DisplayAdjustment) -> None:
 @pytest.mark.parametrize("width", [2, 3, 6])
 def test_a_faint_line_becomes_clear(grass: tuple[int, int, int], strength: int, width: int) -> None:
     picture = _faint_line(grass, strength, width)
-    assert _contrast(adjust_image(picture, DisplayAdjustment(enhance=True))) >= 2 * _contrast(picture) > 0
+    assert (
+        _contrast(adjust_image(picture, DisplayAdjustment(enhance=True)))
+        >= 2 * _contrast(picture)
+        > 0
+    )
 
 
 def test_a_faint_line_beside_boards_becomes_clear_too() -> None:
     picture = _faint_line(GRASS, 14)
     boards = np.array([(0, 0), (959, 0), (959, 310), (0, 160)])  # 20 px above the line
     cv2.fillPoly(picture, [boards], (200, 40, 30, 255))
-    assert _contrast(adjust_image(picture, DisplayAdjustment(enhance=True))) >= 1.8 * _contrast(picture)
+    assert _contrast(adjust_image(picture, DisplayAdjustment(enhance=True))) >= 1.8 * _contrast(
+        picture
+    )
 
 
 def test_a_line_comes_out_in_its_place_and_no_wider() -> None:

@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 
 from procc_annotator.errors import ImageError
-from procc_annotator.image import cache as cache_module
-from procc_annotator.image.cache import FrameCache
-from procc_annotator.image.decode import PixelArray, decode_bgra
+from procc_annotator.image import decoding as cache_module
+from procc_annotator.image.decoding import FrameCache, decode_bgra
+from procc_annotator.image.pixels import PixelArray
 
 PICTURE_BYTES = 20 * 10 * 4
 

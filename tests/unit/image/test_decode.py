@@ -12,10 +12,10 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from procc_annotator.dataset.picture_sizes import picture_size
 from procc_annotator.errors import ImageError
-from procc_annotator.image.decode import decode_bgra, decode_thumbnail, read_size
-from procc_annotator.image.header import header_size, displayed_size
-from procc_annotator.session.dataset.picture_sizes import picture_size
+from procc_annotator.image.decoding import decode_bgra, decode_thumbnail, read_size
+from procc_annotator.image.headers import displayed_size, header_size
 
 COLOUR = (40, 120, 200)  # b, g, r
 

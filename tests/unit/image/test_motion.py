@@ -14,11 +14,11 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.field.load import load_field
-from procc_annotator.field.sample import sample_evenly
-from procc_annotator.image.decode import decode_bgra
-from procc_annotator.image.motion import CameraMotion, transfer_points, estimate_motion
+from procc_annotator.field.sampling import sample_evenly
+from procc_annotator.image.decoding import decode_bgra
+from procc_annotator.image.motion import CameraMotion, estimate_motion, transfer_points
 
 SIZE = (960, 540)
 Pixels = NDArray[np.uint8]

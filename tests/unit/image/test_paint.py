@@ -10,15 +10,16 @@ import numpy as np
 import pytest
 
 from procc_annotator.annotation import points_px
+from procc_annotator.assist.line_evidence import ExpectedLines
+from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.field.appearance import ANY, BAR, LIGHTER, LINE, WHITE, Appearance
 from procc_annotator.field.load import load_field
-from procc_annotator.field.sample import sample_evenly
-from procc_annotator.image.decode import PixelArray, decode_bgra
-from procc_annotator.image.paint import snap_to_line, snap_points_to_lines
-from procc_annotator.image.sought import LineTarget
-from procc_annotator.io.annotation_files.soccernet_annotation import read_annotation
-from procc_annotator.session.dataset.camera_set import CameraSet
-from procc_annotator.session.strokes.expected_paint import ExpectedLines
+from procc_annotator.field.sampling import sample_evenly
+from procc_annotator.formats.annotations.soccernet import read_annotation
+from procc_annotator.image.decoding import decode_bgra
+from procc_annotator.image.line_profiles import LineTarget
+from procc_annotator.image.line_snapping import snap_points_to_lines, snap_to_line
+from procc_annotator.image.pixels import PixelArray
 
 FIELD = load_field()
 GRASS, PAINT, BOARD = (50, 120, 55), (235, 240, 238), (160, 60, 40)
@@ -141,7 +142,9 @@ def test_on_a_real_frame_clicks_come_back_to_the_annotated_lines(shared_data: Pa
             across = np.array([-direction[1], direction[0]])
             for _ in range(20):
                 click = point + rng.uniform(-5, 5) * across
-                found = snap_to_line(picture, (click[0], click[1]), sought, direction=tuple(direction))
+                found = snap_to_line(
+                    picture, (click[0], click[1]), sought, direction=tuple(direction)
+                )
                 if found is None:
                     stayed += 1
                 else:
@@ -246,7 +249,9 @@ def test_a_letters_stroke_is_no_line_of_any_tone() -> None:
     letters, line = lettered(18, 8), lettered(140, 1)
     for away in (-3.0, 2.0):
         for x in (70.0, 83.0, 96.0):
-            assert snap_to_line(letters, (x, 39.5 + away), DARK_ON_LIGHT, direction=(1.0, 0.0)) is None
+            assert (
+                snap_to_line(letters, (x, 39.5 + away), DARK_ON_LIGHT, direction=(1.0, 0.0)) is None
+            )
             found = snap_to_line(line, (x, 39.5 + away), DARK_ON_LIGHT, direction=(1.0, 0.0))
             assert found == pytest.approx((x, 39.5), abs=0.35)
 
@@ -270,7 +275,9 @@ def test_nothing_is_placed_beyond_reach(reach_px: float) -> None:
         direction = math.cos(turn), math.sin(turn)
         for x in range(72, 84, 2):
             for y in np.arange(34.5, 45.0, 0.5):
-                placed = snap_to_line(picture, (x, y), white, direction=direction, reach_px=reach_px)
+                placed = snap_to_line(
+                    picture, (x, y), white, direction=direction, reach_px=reach_px
+                )
                 if placed is not None:
                     away.append(math.dist(placed, (x, y)))
     assert len(away) >= 100

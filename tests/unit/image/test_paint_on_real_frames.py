@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from procc_annotator.image.paint import snap_to_line
-from procc_annotator.session.strokes.expected_paint import ExpectedLines
+from procc_annotator.assist.line_evidence import ExpectedLines
+from procc_annotator.image.line_snapping import snap_to_line
 from tests.bench.paint.truth import truth_frames
 
 # Of each sport and kind of paint: the largest share moved over 2.5 px off, the least moved at all.

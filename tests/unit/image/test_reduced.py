@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from procc_annotator.image.pixels import PixelArray
-from procc_annotator.image.reduced import DownscaledImages, downscaled
+from procc_annotator.image.pixels import DownscaledImages, PixelArray, downscaled
 
 
 def picture(seed: int) -> PixelArray:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from procc_annotator.image.strip import straighten_curve
+from procc_annotator.image.line_profiles import straighten_curve
 
 
 def ramp(width: int = 60, height: int = 40) -> np.ndarray:
@@ -39,6 +39,8 @@ def test_beyond_the_picture_its_edge_goes_on() -> None:
 
 
 def test_columns_stay_inside() -> None:
-    strip = straighten_curve(ramp(), np.array([[20.0, 20.0], [21.0, 20.0]]), np.tile([0, 1], (2, 1)), 3.0)
+    strip = straighten_curve(
+        ramp(), np.array([[20.0, 20.0], [21.0, 20.0]]), np.tile([0, 1], (2, 1)), 3.0
+    )
     assert len(strip.offsets_px[strip.columns(-9.0, -8.0)]) == 1
     assert strip.offsets_px[strip.columns(-1.0, 1.0)] == pytest.approx([-1, -0.5, 0, 0.5, 1])

@@ -14,19 +14,19 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from procc_annotator.batch.camera_proposals import mark_non_square_pixels
+from procc_annotator.calibration.result import FitResult
+from procc_annotator.calibration.single_image.proposal import SURE, UNSURE, Proposal
+from procc_annotator.dataset.sequence import open_pictures
 from procc_annotator.errors import ImageError
-from procc_annotator.fit.from_picture.proposal import SURE, UNSURE, Proposal
-from procc_annotator.fit.result import FitResult
-from procc_annotator.image.decode import decode_bgra, decode_thumbnail, read_size
+from procc_annotator.image.decoding import decode_bgra, decode_thumbnail, read_size
 from procc_annotator.image.video import (
     Video,
-    video_frame_of_path,
     frames_at_interval,
     open_shared_video,
     scene_cuts,
+    video_frame_of_path,
 )
-from procc_annotator.session.dataset.picture_source import open_pictures
-from procc_annotator.session.runs.proposal_run import mark_non_square_pixels
 
 WIDTH, HEIGHT = 320, 192
 Pixels = NDArray[np.uint8]
@@ -173,7 +173,9 @@ def test_a_camera_is_not_sure_if_the_video_says_that_its_pixels_are_not_square(
 ) -> None:
     path = _write_h264(tmp_path / "a.mp4", [_frame(n) for n in range(3)], aspect)
     fit = FitResult("R", (WIDTH, HEIGHT), None)
-    found = mark_non_square_pixels(Proposal(SURE, "", fit, 1.0, 1.0, 0.1, 1.0, None), path / "00000001")
+    found = mark_non_square_pixels(
+        Proposal(SURE, "", fit, 1.0, 1.0, 0.1, 1.0, None), path / "00000001"
+    )
     assert found.state == state
     assert found.reason.startswith("its pixels are 1.333 times as wide as high") == (aspect > 1)
     assert open_pictures(path).notices == ((f"{path}: {found.reason}",) if aspect > 1 else ())

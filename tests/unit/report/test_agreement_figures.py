@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from procc_annotator.metric.agreement import AgreementMetrics, AgreementSummary
-from procc_annotator.metric.chance.intervals import Interval
-from procc_annotator.metric.chance.sampling import BootstrapSettings
-from procc_annotator.report.agreement_figures import intervals_described, sample_size_table
-from procc_annotator.report.sheet.sheet import records
-from procc_annotator.session.runs.clusters import NONE, clusters_of
-from procc_annotator.session.runs.sure_agreement import AgreementIntervals, AgreementInference
+from procc_annotator.batch.agreement_statistics import AgreementInference, AgreementIntervals
+from procc_annotator.batch.grouping import NONE, clusters_of
+from procc_annotator.metrics.agreement import AgreementMetrics, AgreementSummary
+from procc_annotator.metrics.statistics.bootstrap import BootstrapSettings
+from procc_annotator.metrics.statistics.intervals import Interval
+from procc_annotator.report.agreement import intervals_described, sample_size_table
+from procc_annotator.report.tables.table import records
 
 
 def test_an_interval_that_ends_with_the_distances_tells_no_number_of_frames() -> None:
@@ -26,5 +26,7 @@ def test_an_interval_that_ends_with_the_distances_tells_no_number_of_frames() ->
 
 def test_intervals_of_few_frames_are_told_to_be_unreliable() -> None:
     few, enough = (clusters_of([str(n) for n in range(count)], NONE, {}) for count in (4, 5))
-    assert "fewer than 5 frames no interval is to be relied on" in intervals_described(BootstrapSettings(), few)
+    assert "fewer than 5 frames no interval is to be relied on" in intervals_described(
+        BootstrapSettings(), few
+    )
     assert "relied on" not in intervals_described(BootstrapSettings(), enough)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from procc_annotator.field.colours import linear_rgb
-from procc_annotator.interact.palette import SOURCE_COLOURS
-from procc_annotator.report.page.chart_parts import readable_on_both_themes
+from procc_annotator.field.appearance import linear_rgb
+from procc_annotator.interaction.palette import SOURCE_COLOURS
+from procc_annotator.report.page.chart_style import readable_on_both_themes
 
 PAGES = ("#ffffff", "#16181b")  # --paper of report.css, light and dark
 

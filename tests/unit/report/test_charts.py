@@ -9,19 +9,18 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pytest
 
+from procc_annotator.batch.audit import TAU_GRID, FrameAudit, Pose
+from procc_annotator.batch.frame_sums import FrameSums
 from procc_annotator.field.load import load_field
-from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.report.page import chart_frames, charts
-from procc_annotator.report.page.audit_report import (
+from procc_annotator.metrics.setup import EvaluationSetup
+from procc_annotator.report.page import charts
+from procc_annotator.report.page.chart_style import Chart, charted_sources, draw_chart
+from procc_annotator.report.page.report_data import (
     AuditReport,
     FrameMetrics,
     ReportedFrame,
     ReportedSource,
 )
-from procc_annotator.report.page.chart_parts import charted_sources
-from procc_annotator.report.page.chart_svg import Chart, draw_chart
-from procc_annotator.session.runs.audit import TAU_GRID, FrameAudit, Pose
-from procc_annotator.session.runs.frame_sums import FrameSums
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -45,7 +44,7 @@ def drawn(monkeypatch: pytest.MonkeyPatch) -> dict[str, Figure]:
         draw(figures[title])
         return chart
 
-    for module in (charts, chart_frames):
+    for module in (charts, charts):
         monkeypatch.setattr(module, "draw_chart", kept)
     return figures
 
@@ -87,7 +86,7 @@ BOTH = [(50, 50), (100, 80), (25, 75), (100, 100)]
 
 def test_the_ordered_curve_has_the_frames_values(drawn: dict[str, Figure]) -> None:
     report = report_of(several(A), several(B))
-    chart_frames.frame_charts(report, charted_sources(report, COLOURS))
+    charts.frame_charts(report, charted_sources(report, COLOURS))
     violins, curves = drawn["How the JaC of frames is distributed"].axes
     for line, jacs in zip(curves.lines, (A, B), strict=True):
         known = sorted(100 * jac for jac in jacs if jac is not None)
@@ -104,7 +103,7 @@ def test_the_scatter_has_the_pairs_and_the_curve_their_differences(
     drawn: dict[str, Figure],
 ) -> None:
     report = report_of(several(A), several(B))
-    chart_frames.frame_charts(report, charted_sources(report, COLOURS))
+    charts.frame_charts(report, charted_sources(report, COLOURS))
     scatter, ordered = drawn["Two sources, frame by frame"].axes
     (marks,) = scatter.collections
     shown = np.asarray(marks.get_offsets())
@@ -118,7 +117,7 @@ def test_the_scatter_has_the_pairs_and_the_curve_their_differences(
 @pytest.mark.parametrize("copies", [1, 10, 400])
 def test_marks_of_many_frames_do_not_hide_each_other(drawn: dict[str, Figure], copies: int) -> None:
     report = report_of(several(copies * A + [0.9]), several(copies * B + [0.9]))
-    chart_frames.frame_charts(report, charted_sources(report, COLOURS))
+    charts.frame_charts(report, charted_sources(report, COLOURS))
     (marks,) = drawn["Two sources, frame by frame"].axes[0].collections
     areas = np.asarray(marks.get_sizes())
     assert areas.max() <= 120
@@ -163,6 +162,6 @@ def test_frames_have_the_score_of_the_threshold_that_is_named(drawn: dict[str, F
     report = report_of(exact, several(B))
     found = report.jac_of_frames(report.sources[0])
     np.testing.assert_equal(found, [np.nan if jac is None else 0.125 for jac in A])
-    chart_frames.frame_charts(report, charted_sources(report, COLOURS))
+    charts.frame_charts(report, charted_sources(report, COLOURS))
     _, curves = drawn["How the JaC of frames is distributed"].axes
     np.testing.assert_allclose(np.asarray(curves.lines[0].get_ydata()), 12.5)

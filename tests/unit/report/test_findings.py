@@ -5,8 +5,14 @@ from __future__ import annotations
 import csv
 import io
 
-from procc_annotator.fit.labels.finding import Finding, Remedy, RemedyKind, Rule, Severity
-from procc_annotator.report.findings import CheckReport, ReportedFinding, findings_csv
+from procc_annotator.calibration.label_check.finding import (
+    Finding,
+    Remedy,
+    RemedyKind,
+    Rule,
+    Severity,
+)
+from procc_annotator.report.label_check import CheckReport, ReportedFinding, findings_csv
 
 LOOK = Remedy(RemedyKind.LOOK, "look at it")
 
@@ -21,7 +27,9 @@ def test_every_error_says_which_pixels_and_whose_camera() -> None:
     )
     bent = Finding(Rule.BENT, Severity.WARNING, ("Middle line",), "bent", (LOOK,))
     first, second = rows(
-        CheckReport(found=[ReportedFinding("a", off, (960, 540)), ReportedFinding("b", bent, (1920, 1080))])
+        CheckReport(
+            found=[ReportedFinding("a", off, (960, 540)), ReportedFinding("b", bent, (1920, 1080))]
+        )
     )
     assert (first["error_px"], first["model"]) == ("20.00", "R+")
     assert (first["width"], first["height"]) == ("960", "540")

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from procc_annotator.batch.scoring import LeftOutMetrics
 from procc_annotator.field.load import load_field
-from procc_annotator.io.camera_files.fitted_on import FitCounts
-from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.report.scores.held_out_sheet import left_out_table
-from procc_annotator.session.runs.held_out import LeftOutMetrics
+from procc_annotator.formats.cameras.fit_record import FitCounts
+from procc_annotator.metrics.setup import EvaluationSetup
+from procc_annotator.report.scores.score_tables import left_out_table
 
 ONE = FitCounts(1)
 

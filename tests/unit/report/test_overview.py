@@ -10,8 +10,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from procc_annotator.dataset.filter_query import STATUSES
 from procc_annotator.field.load import load_field
-from procc_annotator.report.overview import (
+from procc_annotator.report.window_tables import (
     TABLE_COLUMNS,
     OverviewRow,
     StatusFigures,
@@ -19,7 +20,6 @@ from procc_annotator.report.overview import (
     overview_csv,
     summarise,
 )
-from procc_annotator.session.filter.frame_query import STATUSES
 
 FIELD = load_field("soccer")
 EMPTY = OverviewRow("a", "untouched", {}, 0.0, 0, 0, None, {})

@@ -7,9 +7,9 @@ import io
 
 import numpy as np
 
-from procc_annotator.report.plotted import plot_table
-from procc_annotator.report.sheet.as_csv import CRLF, csv_bytes
-from procc_annotator.session.runs.audit_figures import PlotData
+from procc_annotator.batch.audit import PlotData
+from procc_annotator.report.tables.data_files import CRLF, csv_bytes
+from procc_annotator.report.window_tables import plot_table
 
 
 def test_a_table_leaves_out_what_is_undefined_and_runs_no_formula() -> None:

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from procc_annotator.metric.legacy import MetricAverage
-from procc_annotator.metric.spread import MapSummary
-from procc_annotator.report.page.report_pairs import ReportedPair, legacy_section
-from procc_annotator.report.sheet.figures import LEGACY
-from procc_annotator.session.runs.comparison_run import ComparisonSummary
+from procc_annotator.batch.comparison import ComparisonSummary
+from procc_annotator.metrics.error_maps import MapSummary
+from procc_annotator.metrics.legacy import MetricAverage
+from procc_annotator.report.page.pairs import ReportedPair, legacy_section
+from procc_annotator.report.tables.metrics import LEGACY
 
 
 def pair(name: str, frames: int, **fewer: int) -> ReportedPair:
     """A source of which some figures could be found in fewer frames than were compared."""
     spread = MapSummary(0.25, 0.5, 1.0)
-    legacy = {figure.key: MetricAverage(0.75, 0.5, fewer.get(figure.key, frames)) for figure in LEGACY}
+    legacy = {
+        figure.key: MetricAverage(0.75, 0.5, fewer.get(figure.key, frames)) for figure in LEGACY
+    }
     return ReportedPair("true", name, ComparisonSummary(frames, (), spread, spread, 0.5, legacy))
 
 

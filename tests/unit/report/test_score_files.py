@@ -11,20 +11,21 @@ import numpy as np
 import pytest
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
-from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.batch.scoring import FrameResult
+from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.errors import UsageError
 from procc_annotator.field.load import load_field
-from procc_annotator.metric.measure import measure
-from procc_annotator.metric.score import score
-from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.report.scores.score_csv import CsvScores, csv_fragment
+from procc_annotator.metrics.measurement import measure
+from procc_annotator.metrics.score import score
+from procc_annotator.metrics.setup import EvaluationSetup
 from procc_annotator.report.scores.score_files import (
+    CsvScores,
     JsonScores,
+    csv_fragment,
     json_fragment,
     score_format,
 )
-from procc_annotator.report.sheet.figure import shortest_number
-from procc_annotator.session.runs.evaluation_run import FrameResult
+from procc_annotator.report.tables.table import shortest_number
 
 CAMERA = PinholeCamera(
     0.0, np.deg2rad(78.0), 0.0, (0.0, 60.0, -14.0), (1400.0, 1400.0), (479.5, 269.5)

@@ -10,26 +10,29 @@ from typing import Any
 
 import pytest
 
+from procc_annotator.batch.scoring import FrameResult
 from procc_annotator.errors import InputError, ProccError, SaveError, UsageError
 from procc_annotator.field.load import load_field
-from procc_annotator.io.exclusive import exclusive_lock
-from procc_annotator.metric.clicked import AnnotatedExtent
-from procc_annotator.metric.setup import EvaluationSetup
-from procc_annotator.report.scores.score_columns import KEYS, NAMES, ScoreRow
+from procc_annotator.formats.atomic import exclusive_lock
+from procc_annotator.metrics.sets import AnnotatedExtent
+from procc_annotator.metrics.setup import EvaluationSetup
+from procc_annotator.report.scores.score_files import KEYS, NAMES, ScoreRow
 from procc_annotator.report.scores.score_table import (
     append_rows,
     check_table,
     figures_of,
+    read_csv_rows,
+    read_parquet_rows,
     table_csv,
     whole_rows,
 )
-from procc_annotator.report.scores.score_table_reading import read_csv_rows, read_parquet_rows
-from procc_annotator.session.runs.evaluation_run import FrameResult
 
 SETUP = EvaluationSetup(load_field("soccer"))
 
 
-def row(frame: str = "1", threshold: float = 5.0, jac: float | None = 0.1, **changes: Any) -> ScoreRow:
+def row(
+    frame: str = "1", threshold: float = 5.0, jac: float | None = 0.1, **changes: Any
+) -> ScoreRow:
     values = {
         "set": "wc14", "method": "pnl", "frame": frame, "threshold": threshold,
         "field": "soccer", "protocol": "soccernet", "width": 960, "height": 540,
@@ -171,7 +174,10 @@ def test_waiting_for_another_writer_has_an_end(tmp_path: Path) -> None:
         pass
     with exclusive_lock(path, timeout_s=0.1):
         pass
-    with pytest.raises(SaveError, match="choose another folder"), exclusive_lock(tmp_path / "no/x.csv"):
+    with (
+        pytest.raises(SaveError, match="choose another folder"),
+        exclusive_lock(tmp_path / "no/x.csv"),
+    ):
         pass
 
 

@@ -9,8 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from rich.console import Console
 
-from procc_annotator.metric.sets import ClassSummary, SetSummary
-from procc_annotator.report.scores.tables import (
+from procc_annotator.metrics.sets import ClassSummary, SetSummary
+from procc_annotator.report.scores.score_tables import (
     FrameRow,
     WorstFrames,
     classes_table,
@@ -18,8 +18,8 @@ from procc_annotator.report.scores.tables import (
     pixels,
     summary_table,
 )
-from procc_annotator.report.sheet.as_terminal import terminal_table
-from procc_annotator.report.sheet.sheet import MetricTable
+from procc_annotator.report.tables.table import MetricTable
+from procc_annotator.report.tables.terminal import terminal_table
 
 
 def row(name: str, jac: float, error: float | None = 1.0) -> FrameRow:

@@ -17,9 +17,8 @@ from procc_annotator.gui.panels.parts import box_of, choice, note_label, show_no
 from procc_annotator.gui.state.disagreement import Compared
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import fixed_width
-from procc_annotator.language import tr
-from procc_annotator.metric.contours import OFFSIDE_ACCURACY_M
-from procc_annotator.metric.spread import MapSummary
+from procc_annotator.metrics.error_maps import OFFSIDE_ACCURACY_M, MapSummary
+from procc_annotator.translation import tr
 
 _FIGURES = ("minimum", "median", "maximum")
 

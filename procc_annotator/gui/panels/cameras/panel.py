@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from procc_annotator.formats.cameras.registry import format_titles, suffixes_of
 from procc_annotator.gui.panels.cameras.comparing import ComparingSection
 from procc_annotator.gui.panels.cameras.source_list import SourceList
 from procc_annotator.gui.panels.parts import (
@@ -28,9 +29,8 @@ from procc_annotator.gui.panels.parts import (
 )
 from procc_annotator.gui.panels.refresher import Refresher, judged
 from procc_annotator.gui.state.document import Document
-from procc_annotator.io.camera_files.registry import format_titles, suffixes_of
-from procc_annotator.language import tr, word
-from procc_annotator.metric.setup import OFF_PLANE, PROTOCOLS
+from procc_annotator.metrics.setup import OFF_PLANE, PROTOCOLS
+from procc_annotator.translation import tr, word
 
 PROTOCOL_TITLES = {
     "soccernet": word("soccernet (official)"),

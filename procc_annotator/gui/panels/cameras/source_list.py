@@ -8,12 +8,12 @@ from weakref import WeakKeyDictionary
 from PySide6.QtWidgets import QButtonGroup, QRadioButton, QVBoxLayout, QWidget
 
 from procc_annotator.camera.base import projects_only_ground
+from procc_annotator.dataset.camera_set import FrameCameras
+from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.gui.panels.cameras.source_row import SourceRow
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
-from procc_annotator.language import tr, tr_count, word
-from procc_annotator.session.dataset.camera_set import FrameCameras
-from procc_annotator.session.dataset.workspace import Workspace
+from procc_annotator.translation import tr, tr_count, word
 
 NO_CAMERA = -1
 _NO_CAMERA_ID = -2  # -1 asks Qt for a number of its own

@@ -31,12 +31,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from procc_annotator.dataset.computed_cameras import TRACK_NAME
 from procc_annotator.gui.panels.parts import note_label, show_note
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.theme import blend, fixed_width
-from procc_annotator.interact.palette import SOURCE_COLOURS
-from procc_annotator.language import tr, word
-from procc_annotator.session.dataset.tracked_cameras import TRACK_NAME
+from procc_annotator.interaction.palette import SOURCE_COLOURS
+from procc_annotator.translation import tr, word
 
 _COLOUR_NAMES = (
     word("Yellow"),

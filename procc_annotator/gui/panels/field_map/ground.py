@@ -14,7 +14,7 @@ from procc_annotator.gui.picture.metre_map_picture import paint_shapes
 from procc_annotator.gui.state.map_sight import MapSight
 from procc_annotator.gui.state.metre_map_shapes import MapShapes
 from procc_annotator.gui.theme import blend
-from procc_annotator.interact.field_sight import VisibleField
+from procc_annotator.interaction.camera_view import VisibleField
 
 _RIM = 4.0  # widget points of grass around the lines
 _ACROSS = 0.08  # of the map's length that is shown of the half that is out of sight

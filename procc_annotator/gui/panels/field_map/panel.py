@@ -20,8 +20,9 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
+from procc_annotator.calibration.prediction.suggestions import AnnotationSuggestion
+from procc_annotator.dataset.review import StoredFinding
 from procc_annotator.field.model import Field
-from procc_annotator.fit.predict.suggestion import AnnotationSuggestion
 from procc_annotator.gui.element_keys import key_text
 from procc_annotator.gui.panels.field_map.ground import (
     paint_ground,
@@ -44,9 +45,8 @@ from procc_annotator.gui.picture.finding_sign import paint_finding_sign
 from procc_annotator.gui.roles import give_role
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import muted
-from procc_annotator.interact import palette as tones
-from procc_annotator.language import tr
-from procc_annotator.session.facts.frame_check import StoredFinding
+from procc_annotator.interaction import palette as tones
+from procc_annotator.translation import tr
 
 _PICK_POINTS = 9.0
 _MARGIN = 10.0

@@ -17,9 +17,9 @@ from procc_annotator.field.geometry import (
     Spot,
     Vector,
     angles_of,
-    points_at_angles,
     outline_of,
     parts_of,
+    points_at_angles,
 )
 from procc_annotator.field.model import Element, Field
 from procc_annotator.gui.panels.field_map.unfolding import Bounds, Unfold, unfolded, unfolded_spots

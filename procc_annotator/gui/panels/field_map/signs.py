@@ -7,7 +7,7 @@ from PySide6.QtGui import QColor, QPainter, QPalette
 
 from procc_annotator.gui.panels.states import ElementState, paint_symbol, state_colour
 from procc_annotator.gui.theme import muted
-from procc_annotator.interact import palette as tones
+from procc_annotator.interaction import palette as tones
 
 _SPOT = 2.2  # radius of a single place
 

@@ -18,7 +18,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.fit.labels.finding import Severity
+from procc_annotator.calibration.label_check.finding import Severity
+from procc_annotator.dataset.review import by_severity
 from procc_annotator.gui.panels.findings.rows import (
     Entry,
     FindingDelegate,
@@ -30,8 +31,7 @@ from procc_annotator.gui.panels.parts import empty_state, note_label, show_note
 from procc_annotator.gui.panels.refresher import Refresher
 from procc_annotator.gui.picture.finding_sign import finding_icon
 from procc_annotator.gui.state.document import Document
-from procc_annotator.language import tr, tr_count
-from procc_annotator.session.facts.frame_check import by_severity
+from procc_annotator.translation import tr, tr_count
 
 _FRAME, _SET = range(2)
 _MOST_REMEDIES = 4

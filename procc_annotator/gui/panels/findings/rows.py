@@ -22,13 +22,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.fit.labels.finding import Severity
+from procc_annotator.calibration.label_check.finding import Severity
+from procc_annotator.dataset.review import StoredFinding
 from procc_annotator.gui.panels.rows import Index, list_rows
 from procc_annotator.gui.picture.finding_sign import paint_finding_sign
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import blend, paint_row
-from procc_annotator.language import tr, word
-from procc_annotator.session.facts.frame_check import StoredFinding
+from procc_annotator.translation import tr, word
 
 Entry = tuple[str, StoredFinding]  # a frame's name and what was found in it
 

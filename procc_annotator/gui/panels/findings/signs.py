@@ -7,12 +7,12 @@ from collections.abc import Iterable, Mapping
 from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QTreeWidget, QTreeWidgetItem
 
-from procc_annotator.fit.labels.finding import Severity
+from procc_annotator.calibration.label_check.finding import Severity
+from procc_annotator.dataset.review import StoredFinding
 from procc_annotator.gui.panels.findings.rows import WORDS
 from procc_annotator.gui.picture.finding_sign import finding_icon
 from procc_annotator.gui.state.document import Document
-from procc_annotator.language import tr
-from procc_annotator.session.facts.frame_check import StoredFinding
+from procc_annotator.translation import tr
 
 
 def findings_by_element(document: Document) -> dict[str, tuple[StoredFinding, ...]]:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from procc_annotator.fit.labels.finding import Severity
+from procc_annotator.calibration.label_check.finding import Severity
 from procc_annotator.gui.state.document import Document
-from procc_annotator.language import tr, tr_count
+from procc_annotator.translation import tr, tr_count
 
 
 def frame_words(document: Document) -> str:

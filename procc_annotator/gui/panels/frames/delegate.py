@@ -6,15 +6,14 @@ from PySide6.QtCore import QRect, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetrics, QImage, QPainter, QPalette
 from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem
 
-from procc_annotator.fit.labels.finding import Severity
+from procc_annotator.calibration.label_check.finding import Severity
+from procc_annotator.dataset.records import FAULT_WORDS, FaultParty, Status
 from procc_annotator.gui.panels.frames.folder_row import indent, paint_folder, paint_jac
 from procc_annotator.gui.panels.frames.model import FramesModel, RowInfo
 from procc_annotator.gui.panels.rows import Index
 from procc_annotator.gui.picture.finding_sign import paint_finding_sign
 from procc_annotator.gui.theme import alarm_colours, blend
-from procc_annotator.language import tr, tr_count
-from procc_annotator.session.facts.origins import Status
-from procc_annotator.session.facts.verdict import FAULT_WORDS, FaultParty
+from procc_annotator.translation import tr, tr_count
 
 _THUMB = QSize(72, 41)
 _PAD = 5

@@ -8,15 +8,14 @@ from functools import partial
 
 from PySide6.QtCore import QObject, Signal
 
+from procc_annotator.dataset.filter_query import FrameFacts, FrameQuery, parse_query
+from procc_annotator.dataset.records import FrameRecord, Status, Verdict
+from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.set_scores import FrameScores
 from procc_annotator.gui.worker import JobControl
-from procc_annotator.session.dataset.workspace import Workspace
-from procc_annotator.session.facts.origins import FrameRecord, Status
-from procc_annotator.session.facts.verdict import Verdict
-from procc_annotator.session.filter.frame_query import FrameFacts, FrameQuery, parse_query
 
 _MANY = 500  # frames that are asked on the interface thread at most
 

@@ -8,10 +8,10 @@ from time import perf_counter
 import numpy as np
 from PySide6.QtCore import QObject, QTimer, Signal
 
+from procc_annotator.dataset.frames import Folder
+from procc_annotator.dataset.records import Status
 from procc_annotator.gui.soon import soon
 from procc_annotator.gui.state.document import Document
-from procc_annotator.session.dataset.frame_folders import Folder
-from procc_annotator.session.facts.origins import Status
 
 _BUDGET_S = 0.003
 _SOON_MS = 150

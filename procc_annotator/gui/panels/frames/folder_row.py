@@ -6,7 +6,7 @@ from PySide6.QtCore import QPointF, QRect, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QPainter, QPen
 
 from procc_annotator.gui.panels.frames.model import FolderInfo
-from procc_annotator.language import tr, tr_count
+from procc_annotator.translation import tr, tr_count
 
 _STEP, _MOST = 10, 3  # px a folder; deeper ones are not moved farther in
 _SIGN = 14

@@ -16,19 +16,18 @@ from PySide6.QtCore import (
 )
 from PySide6.QtGui import QImage
 
+from procc_annotator.calibration.label_check.finding import Severity
+from procc_annotator.dataset.frames import Folder, folders_of, rows_of
+from procc_annotator.dataset.records import FaultParty, Status
+from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import InputError
-from procc_annotator.fit.labels.finding import Severity
 from procc_annotator.gui.panels.frames.folder_figures import FolderFigures
 from procc_annotator.gui.panels.frames.thumbnails import Thumbnails
 from procc_annotator.gui.panels.rows import Index
 from procc_annotator.gui.soon import soon
 from procc_annotator.gui.state.document import Document
-from procc_annotator.image.cache import FrameCache
-from procc_annotator.language import tr, tr_count
-from procc_annotator.session.dataset.frame_folders import Folder, folders_of, rows_of
-from procc_annotator.session.dataset.workspace import Workspace
-from procc_annotator.session.facts.origins import Status
-from procc_annotator.session.facts.verdict import FaultParty
+from procc_annotator.image.decoding import FrameCache
+from procc_annotator.translation import tr, tr_count
 
 _BUDGET_S = 0.004
 _MAX_WAITING = 60  # rows on a large screen; others were only scrolled past

@@ -15,6 +15,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from procc_annotator.dataset.filter_query import QUERY_HELP
+from procc_annotator.dataset.frames import Folder
 from procc_annotator.gui.panels.frames.delegate import FrameDelegate
 from procc_annotator.gui.panels.frames.filter import FrameFilter
 from procc_annotator.gui.panels.frames.model import FramesModel
@@ -22,10 +24,8 @@ from procc_annotator.gui.panels.parts import SEARCH_KEYS, empty_state, note_labe
 from procc_annotator.gui.panels.rows import list_rows
 from procc_annotator.gui.soon import soon
 from procc_annotator.gui.state.document import Document
-from procc_annotator.image.cache import FrameCache
-from procc_annotator.language import tr, tr_count
-from procc_annotator.session.dataset.frame_folders import Folder
-from procc_annotator.session.filter.frame_query import QUERY_HELP
+from procc_annotator.image.decoding import FrameCache
+from procc_annotator.translation import tr, tr_count
 
 _TYPED_MS = 150  # after a key, so that a word is not looked for letter by letter
 _FOLD_KEYS = frozenset({Qt.Key.Key_Left, Qt.Key.Key_Right})

@@ -18,8 +18,8 @@ from PySide6.QtWidgets import QApplication
 from procc_annotator.errors import ImageError
 from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.worker import JobControl
-from procc_annotator.image.cache import FrameCache
-from procc_annotator.image.decode import PixelArray, decode_thumbnail, downscale_to
+from procc_annotator.image.decoding import FrameCache, decode_thumbnail, downscale_to
+from procc_annotator.image.pixels import PixelArray
 
 _KEPT = 150  # 192 x 108 x 4 bytes each: 12 MB
 _BATCH = 4
@@ -98,7 +98,9 @@ def _decode(paths: list[Path], cache: FrameCache, control: JobControl) -> Decode
             break
         try:
             picture = cache.peek(path)
-            small = decode_thumbnail(path, _SIDE) if picture is None else downscale_to(picture, _SIDE)
+            small = (
+                decode_thumbnail(path, _SIDE) if picture is None else downscale_to(picture, _SIDE)
+            )
             decoded.append((path, small))
         except ImageError:
             decoded.append((path, None))

@@ -19,9 +19,13 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.annotation import points_px
+from procc_annotator.assist.frame_analysis import FrameAnalysis
+from procc_annotator.calibration.result import (
+    ILL_CONDITIONED_LIMITS,
+    FitResult,
+    ill_conditioned_reason,
+)
 from procc_annotator.camera.base import projects_only_ground
-from procc_annotator.fit.determined import ILL_CONDITIONED_LIMITS, ill_conditioned_reason
-from procc_annotator.fit.result import FitResult
 from procc_annotator.gui.panels.judged.fit_table import (
     LARGEST,
     MEAN,
@@ -45,9 +49,8 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.judge import SecondOpinion
 from procc_annotator.gui.state.live_fit import MODELS
 from procc_annotator.gui.theme import fixed_width
-from procc_annotator.language import tr, tr_count, word
-from procc_annotator.metric.score import FrameScore
-from procc_annotator.session.clicks.insight import FrameAnalysis
+from procc_annotator.metrics.score import FrameScore
+from procc_annotator.translation import tr, tr_count, word
 
 MODEL_WORDS = {
     "auto": word("chosen automatically"),

@@ -9,11 +9,11 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QFont
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.calibration.result import ElementResidual, FitResult, PosedCamera
 from procc_annotator.field.model import Field
-from procc_annotator.fit.result import ElementResidual, FitResult, PosedCamera
 from procc_annotator.gui.panels.rows import RIGHT, ElementRowsModel, Index
 from procc_annotator.gui.panels.states import class_title
-from procc_annotator.language import tr, word
+from procc_annotator.translation import tr, word
 
 ELEMENT, MEAN, LARGEST = range(3)
 _HEADERS = (word("Element"), word("Mean"), word("Largest"))

@@ -10,9 +10,9 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 from procc_annotator.gui.panels.states import ElementState, state_colour
 from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU
 from procc_annotator.gui.theme import follow_theme, muted
-from procc_annotator.language import tr
-from procc_annotator.metric.measure import Measurement
-from procc_annotator.metric.score import jac_curve
+from procc_annotator.metrics.measurement import Measurement
+from procc_annotator.metrics.score import jac_curve
+from procc_annotator.translation import tr
 
 _TAUS = np.arange(MIN_TAU, MAX_TAU + 0.05, 0.1)
 

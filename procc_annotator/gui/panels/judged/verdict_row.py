@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
+from procc_annotator.dataset.records import FaultParty
 from procc_annotator.gui.panels.parts import note_label, show_note
 from procc_annotator.gui.state.document import Document
-from procc_annotator.language import tr, word
-from procc_annotator.session.facts.verdict import FaultParty
+from procc_annotator.translation import tr, word
 
 _WORDS = {
     FaultParty.CAMERA: word("Camera", "a verdict"),

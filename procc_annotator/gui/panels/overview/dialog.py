@@ -29,8 +29,8 @@ from procc_annotator.gui.panels.overview.tables import (
 )
 from procc_annotator.gui.panels.parts import empty_state
 from procc_annotator.gui.theme import fixed_width
-from procc_annotator.language import tr, tr_count, word
-from procc_annotator.report.overview import ClassFigures, SetOverview, StatusFigures
+from procc_annotator.report.window_tables import ClassFigures, SetOverview, StatusFigures
+from procc_annotator.translation import tr, tr_count, word
 
 _STATUS_HEADERS = (
     word("Status"),

@@ -10,8 +10,8 @@ from PySide6.QtWidgets import QLabel, QStackedWidget, QVBoxLayout, QWidget
 
 from procc_annotator.gui.panels.parts import empty_state
 from procc_annotator.gui.theme import follow_theme, muted
-from procc_annotator.language import tr, word
-from procc_annotator.report.overview import SetOverview, TimeHistogram
+from procc_annotator.report.window_tables import SetOverview, TimeHistogram
+from procc_annotator.translation import tr, word
 
 _UNITS = ((3600, "hours"), (60, "minutes"), (1, "seconds"))
 _CAPTIONS = {

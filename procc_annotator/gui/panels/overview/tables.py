@@ -22,7 +22,7 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.gui.panels.rows import RIGHT, Index, RowsModel, list_rows
 from procc_annotator.gui.theme import blend, fixed_width, muted
-from procc_annotator.language import tr
+from procc_annotator.translation import tr
 
 DASH = "–"
 _LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter

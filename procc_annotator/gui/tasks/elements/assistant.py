@@ -8,25 +8,21 @@ from functools import partial
 from PySide6.QtCore import QObject
 
 from procc_annotator.annotation import Polyline
+from procc_annotator.assist.copying import Copied, annotated_before, copy_along_track, copy_moved
+from procc_annotator.assist.line_evidence import ExpectedLines
+from procc_annotator.assist.regularise import Regularised, regularise
+from procc_annotator.dataset import editing
+from procc_annotator.dataset.frames import Frame
+from procc_annotator.dataset.records import OriginKind, PointKey
 from procc_annotator.field.appearance import BAR
 from procc_annotator.field.geometry import Arc, Circle, Line
 from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl
-from procc_annotator.image.decode import PixelArray, decode_bgra
-from procc_annotator.image.paint import snap_points_to_lines
-from procc_annotator.language import translatable, translatable_count, tr, tr_count, word
-from procc_annotator.session.dataset import edits
-from procc_annotator.session.dataset.frames import Frame
-from procc_annotator.session.facts.origins import OriginKind, PointKey
-from procc_annotator.session.strokes.copying import (
-    Copied,
-    annotated_before,
-    copy_along_track,
-    copy_moved,
-)
-from procc_annotator.session.strokes.expected_paint import ExpectedLines
-from procc_annotator.session.strokes.regularise import Regularised, regularise
+from procc_annotator.image.decoding import decode_bgra
+from procc_annotator.image.line_snapping import snap_points_to_lines
+from procc_annotator.image.pixels import PixelArray
+from procc_annotator.translation import tr, tr_count, translatable, translatable_count, word
 
 _NOTHING_REGULARISED = word("nothing changed: regular already, or no painted line was found there")
 
@@ -235,7 +231,7 @@ class Assistant(QObject):
         document = self._document
         if not document.begin_edit():
             return
-        proposed = edits.add_unconfirmed(document.annotation, outcome.polylines)
+        proposed = editing.add_unconfirmed(document.annotation, outcome.polylines)
         label = translatable("copy from {frame}", frame=source)
         if document.commit_edit(label, proposed, OriginKind.COPIED, unseen=outcome.unseen):
             if (

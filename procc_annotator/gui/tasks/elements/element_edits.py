@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.assist.regularise import close_gaps
+from procc_annotator.dataset import editing
+from procc_annotator.dataset.records import OriginKind
 from procc_annotator.errors import UsageError
 from procc_annotator.gui.state.document import Document
-from procc_annotator.interact.next_element import next_element
-from procc_annotator.interact.step_names import confirming
-from procc_annotator.language import translatable, translatable_count, tr, tr_count, word
-from procc_annotator.session.dataset import edits
-from procc_annotator.session.facts.origins import OriginKind
-from procc_annotator.session.strokes.gaps import close_gaps
+from procc_annotator.interaction.class_choice import next_element
+from procc_annotator.interaction.gestures import confirming
+from procc_annotator.translation import tr, tr_count, translatable, translatable_count, word
 
 
 class ElementEdits:
@@ -35,12 +35,12 @@ class ElementEdits:
             self._swap(old, new)
             return
         label = self._step(word("{element} becomes {other}"), element=old, other=new)
-        if self._edit((old, new), label, lambda seen: edits.change_class(seen, old, new)):
+        if self._edit((old, new), label, lambda seen: editing.change_class(seen, old, new)):
             self._document.select_class(new)
 
     def _swap(self, old: str, other: str) -> None:
         label = self._step(word("swap {element} and {other}"), element=old, other=other)
-        if self._edit((old, other), label, lambda seen: edits.swap_classes(seen, old, other)):
+        if self._edit((old, other), label, lambda seen: editing.swap_classes(seen, old, other)):
             self._document.select_class(other)
 
     def symmetric_classes(self) -> tuple[str, ...]:
@@ -70,9 +70,9 @@ class ElementEdits:
                 )
             )
             return
-        copy = edits.change_class(FrameAnnotation((polyline,)), old, new).polylines
+        copy = editing.change_class(FrameAnnotation((polyline,)), old, new).polylines
         label = self._step(word("duplicate {element} as {other}"), element=old, other=new)
-        if self._edit((old, new), label, lambda seen: edits.add_unconfirmed(seen, copy)):
+        if self._edit((old, new), label, lambda seen: editing.add_unconfirmed(seen, copy)):
             document.set_mode("edit")
             document.select_class(new)
             document.say(
@@ -89,7 +89,7 @@ class ElementEdits:
         """Turn the order of the selected element's points round."""
         if (name := self._selected()) is not None:
             label = self._step(word("reverse {element}"), element=name)
-            self._edit((name,), label, lambda seen: edits.reverse(seen, name))
+            self._edit((name,), label, lambda seen: editing.reverse(seen, name))
 
     def split(self, rest: str) -> None:
         """Cut the selected element at its chosen point; the rest becomes another class."""
@@ -101,7 +101,7 @@ class ElementEdits:
 
         def split(seen: FrameAnnotation) -> FrameAnnotation:
             try:
-                return edits.split(seen, name, index, rest)
+                return editing.split(seen, name, index, rest)
             except (IndexError, ValueError):
                 raise UsageError(
                     tr("an element is split at a point between its ends, into a class that is free")
@@ -115,7 +115,7 @@ class ElementEdits:
         if source is None:
             return
         label = self._step(word("merge {element} into {other}"), element=source, other=target)
-        if self._edit((source, target), label, lambda seen: edits.merge(seen, source, target)):
+        if self._edit((source, target), label, lambda seen: editing.merge(seen, source, target)):
             self._document.select_class(target)
 
     def close_gaps(self) -> None:
@@ -127,7 +127,7 @@ class ElementEdits:
         selected = document.selected_class
 
         def close(annotation: FrameAnnotation) -> FrameAnnotation:
-            changed = annotation if selected is None else edits.confirm(annotation, selected)
+            changed = annotation if selected is None else editing.confirm(annotation, selected)
             for polyline in changed.polylines:
                 if selected in (None, polyline.class_name):
                     closed = close_gaps(polyline, changed, document.field, size)
@@ -148,7 +148,7 @@ class ElementEdits:
         name = document.selected_class
         if name is not None and document.annotation.get_unconfirmed(name) is not None:
             label = confirming(document.field.title_of(name))
-            document.edit(label, lambda seen: edits.confirm(seen, name), OriginKind.COPIED)
+            document.edit(label, lambda seen: editing.confirm(seen, name), OriginKind.COPIED)
 
     def confirm_all(self) -> None:
         """Make all unconfirmed elements annotated ones; the next one is chosen, as after each that
@@ -158,7 +158,7 @@ class ElementEdits:
             name = document.selected_class or ""
             waited = document.annotation.get_unconfirmed(name) is not None
             label = translatable_count(waiting, "confirm {n} element", "confirm {n} elements")
-            if not document.edit(label, edits.confirm_all, OriginKind.COPIED):
+            if not document.edit(label, editing.confirm_all, OriginKind.COPIED):
                 return
             if waited and document.mode == "draw":
                 document.select_class(self._following(name))
@@ -178,7 +178,7 @@ class ElementEdits:
             label = translatable_count(
                 waiting, "drop {n} unconfirmed element", "drop {n} unconfirmed elements"
             )
-            if self._document.edit(label, edits.drop_unconfirmed):
+            if self._document.edit(label, editing.drop_unconfirmed):
                 self._document.say(
                     tr_count(
                         waiting,
@@ -209,7 +209,7 @@ class ElementEdits:
 
     def _touched(self, class_name: str) -> FrameAnnotation:
         """The annotation with this element confirmed, if it was not."""
-        return edits.confirm(self._document.annotation, class_name)
+        return editing.confirm(self._document.annotation, class_name)
 
     def _title(self, class_name: str) -> str:
         return tr(self._document.field.title_of(class_name))
@@ -217,7 +217,9 @@ class ElementEdits:
     def _step(self, words: str, **elements: str) -> str:
         """The name of a step of undo: what ``word`` marked, with elements by their classes."""
         title_of = self._document.field.title_of
-        return translatable(words, **{place: translatable(title_of(name)) for place, name in elements.items()})
+        return translatable(
+            words, **{place: translatable(title_of(name)) for place, name in elements.items()}
+        )
 
     def _edit(
         self,
@@ -230,7 +232,7 @@ class ElementEdits:
         seen = [self._touched(names[0]).get(name) for name in names]
 
         def apply(annotation: FrameAnnotation) -> FrameAnnotation:
-            touched = edits.confirm(annotation, names[0])
+            touched = editing.confirm(annotation, names[0])
             for name, polyline in zip(names, seen, strict=True):
                 if touched.get(name) != polyline:
                     title = self._title(name)

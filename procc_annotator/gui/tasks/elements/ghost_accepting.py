@@ -9,20 +9,21 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QInputDialog, QWidget
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.fit.predict.ghosts import Ghost
+from procc_annotator.assist.frame_analysis import FrameAnalysis
+from procc_annotator.assist.ghost_points import GhostPoints, accept, accept_all, find_points
+from procc_annotator.calibration.prediction.ghosts import Ghost
+from procc_annotator.dataset.records import OriginKind
 from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.settings import GHOST_SUPPORT, Settings
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.notices import Level
 from procc_annotator.gui.worker import JobControl
-from procc_annotator.language import TranslatableText, translatable, translatable_count, tr, tr_count
-from procc_annotator.session.clicks.insight import FrameAnalysis
-from procc_annotator.session.facts.origins import OriginKind
-from procc_annotator.session.strokes.ghost_points import (
-    GhostPoints,
-    accept,
-    accept_all,
-    find_points,
+from procc_annotator.translation import (
+    TranslatableText,
+    tr,
+    tr_count,
+    translatable,
+    translatable_count,
 )
 
 # Whoever leaves a frame waits for ghosts they have just accepted: 10 ms for each, as a rule.
@@ -216,7 +217,9 @@ class GhostAccepting(QObject):
             return tr("the frame was edited meanwhile")
         return tr("the camera is another one meanwhile")
 
-    def _commit(self, made_for: FrameAnalysis, annotation: FrameAnnotation, what: TranslatableText) -> bool:
+    def _commit(
+        self, made_for: FrameAnalysis, annotation: FrameAnnotation, what: TranslatableText
+    ) -> bool:
         document = self._document
         if not document.begin_edit() or document.annotation is not made_for.annotation:
             return False  # somebody else has the frame, or had it meanwhile: that is said

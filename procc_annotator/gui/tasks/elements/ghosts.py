@@ -6,17 +6,17 @@ from dataclasses import dataclass
 
 from PySide6.QtCore import QObject
 
-from procc_annotator.fit.predict.ghosts import Ghost
+from procc_annotator.calibration.prediction.ghosts import Ghost
+from procc_annotator.dataset.frames import Frame
 from procc_annotator.gui.picture.canvas import Canvas
 from procc_annotator.gui.picture.view import ViewPlace
 from procc_annotator.gui.settings import Settings
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.tasks.elements.ghost_accepting import GhostAccepting
-from procc_annotator.interact import palette as tones
-from procc_annotator.interact.overlay_ghosts import ghost_extent, nearest_ghost
-from procc_annotator.interact.overlay_shapes import EMPTY_OVERLAY
-from procc_annotator.language import tr, tr_count, word
-from procc_annotator.session.dataset.frames import Frame
+from procc_annotator.interaction import palette as tones
+from procc_annotator.interaction.overlay_predictions import ghost_extent, nearest_ghost
+from procc_annotator.interaction.overlay_primitives import EMPTY_OVERLAY
+from procc_annotator.translation import tr, tr_count, word
 
 _CHOOSE_FIRST = word("go to a ghost (Tab) or choose an element first")
 

@@ -11,10 +11,11 @@ from PySide6.QtGui import QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QMenu, QWidget
 
 from procc_annotator.annotation import points_px
+from procc_annotator.assist.copying import annotated_before
+from procc_annotator.calibration.prediction.suggestions import likely_classes
+from procc_annotator.calibration.prediction.visible_elements import visible_stretches
+from procc_annotator.calibration.result import FitResult
 from procc_annotator.camera.base import FloatArray
-from procc_annotator.fit.predict.likely_names import likely_classes
-from procc_annotator.fit.predict.sight import visible_stretches
-from procc_annotator.fit.result import FitResult
 from procc_annotator.gui.digit_row import keys_by_place
 from procc_annotator.gui.element_keys import element_keys
 from procc_annotator.gui.keymap import NATIVE
@@ -23,10 +24,8 @@ from procc_annotator.gui.panels.states import class_swatch
 from procc_annotator.gui.picture.canvas import Canvas
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.tasks.elements.element_edits import ElementEdits
-from procc_annotator.interact.naming import rank_classes
-from procc_annotator.interact.next_element import next_element
-from procc_annotator.language import tr
-from procc_annotator.session.strokes.copying import annotated_before
+from procc_annotator.interaction.class_choice import next_element, rank_classes
+from procc_annotator.translation import tr
 
 _BESIDE = QPoint(18, 12)  # of the pen, so that its next move chooses nothing
 _CURVE = 3  # points; two are on any curve

@@ -21,13 +21,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from procc_annotator.calibration.joint.field_dimensions import DEFAULT_DIMENSIONS
 from procc_annotator.field.dimensions import Dimension, violated_relation
+from procc_annotator.field.markings import has_off_centre_markings
 from procc_annotator.field.model import MEASURED_LINE, MIDDLE_LINE, Field
-from procc_annotator.field.painted_middle import has_off_centre_markings
-from procc_annotator.fit.together.stadium import DEFAULT_DIMENSIONS
 from procc_annotator.gui.decimal_box import RangeBox
 from procc_annotator.gui.panels.parts import note_label, show_note
-from procc_annotator.language import tr, tr_count, word
+from procc_annotator.translation import tr, tr_count, word
 
 _WIDTH = 440
 _OWN = word(
@@ -42,7 +42,10 @@ _AT_MIDDLE = word(
     "Scores then differ from those of official evaluations, which take lines where the rules"
     " measure them; they say so."
 )
-_LINES = ((MEASURED_LINE, word("where the rules measure")), (MIDDLE_LINE, word("the middle of the paint")))
+_LINES = (
+    (MEASURED_LINE, word("where the rules measure")),
+    (MIDDLE_LINE, word("the middle of the paint")),
+)
 _LINES_TIP = word(
     "Rules measure many lines at an edge of their paint. Clicks are put on its middle, half the"
     " paint's width away: choose it where that matters, as in halls and near the camera."

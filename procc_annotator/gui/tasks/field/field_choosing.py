@@ -13,7 +13,7 @@ from procc_annotator.field.load import field_titles, is_builtin_field
 from procc_annotator.gui.messages import Bar, as_sentence
 from procc_annotator.gui.settings import FIELD_FOLDER, OWN_FIELDS, Settings
 from procc_annotator.gui.state.document import Document
-from procc_annotator.language import tr
+from procc_annotator.translation import tr
 
 
 class FieldBar(Bar):

@@ -10,18 +10,18 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from procc_annotator.batch.joint_calibration import Estimate, estimate_dimensions
+from procc_annotator.calibration.joint.field_dimensions import FittedDimension
+from procc_annotator.field.load import stadium_of
+from procc_annotator.field.markings import has_off_centre_markings
 from procc_annotator.field.model import MEASURED_LINE
-from procc_annotator.field.painted_middle import has_off_centre_markings
-from procc_annotator.field.stadiums import stadium_of
-from procc_annotator.fit.together.stadium import FittedDimension
 from procc_annotator.gui.messages import as_sentence
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.tasks.dialog_task import DialogTask
 from procc_annotator.gui.tasks.field.dimensions_dialog import FieldDimensionsDialog
 from procc_annotator.gui.worker import JobControl
 from procc_annotator.gui.writing import opened_frame
-from procc_annotator.language import tr, tr_count
-from procc_annotator.session.runs.dimension_estimate import Estimate, estimate_dimensions
+from procc_annotator.translation import tr, tr_count
 
 _SETTLED_MS = 150  # after a change of a number, so that a held arrow does not score the set anew
 

@@ -21,14 +21,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from procc_annotator.dataset.landmarks.view_groups import NamedViews, ViewGroups
+from procc_annotator.dataset.layout import VIEWS_FILE
 from procc_annotator.gui.messages import as_sentence
 from procc_annotator.gui.panels.parts import note_label, show_note
 from procc_annotator.gui.panels.rows import Index, RowsModel, list_rows
 from procc_annotator.gui.theme import muted
-from procc_annotator.language import tr, tr_count, word
-from procc_annotator.session.dataset.dataset_folder import VIEWS_FILE
-from procc_annotator.session.landmarks.view_groups import ViewGroups
-from procc_annotator.session.landmarks.view_names import NamedViews
+from procc_annotator.translation import tr, tr_count, word
 
 _SIZE = (560, 520)
 _ASKED = word(

@@ -5,6 +5,14 @@ from __future__ import annotations
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QWidget
 
+from procc_annotator.dataset.landmarks.view_groups import (
+    NamedViews,
+    ViewGroups,
+    replace_views,
+    suggested_pattern,
+    views_by_name,
+)
+from procc_annotator.dataset.layout import VIEWS_FILE
 from procc_annotator.errors import UsageError
 from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.messages import as_sentence, ask_to_replace
@@ -12,14 +20,7 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.tasks.dialog_task import DialogTask
 from procc_annotator.gui.tasks.field.view_dialog import Preview, ViewDialog
 from procc_annotator.gui.writing import opened_frame
-from procc_annotator.language import tr, tr_count, word
-from procc_annotator.session.dataset.dataset_folder import VIEWS_FILE
-from procc_annotator.session.landmarks.view_groups import ViewGroups, replace_views
-from procc_annotator.session.landmarks.view_names import (
-    NamedViews,
-    suggested_pattern,
-    views_by_name,
-)
+from procc_annotator.translation import tr, tr_count, word
 
 _SETTLED_MS = 120  # after a key, so that a word is not looked up letter by letter
 _LOST = word("What it says now is lost, with everything else that is written in it.")

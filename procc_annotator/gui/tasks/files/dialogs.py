@@ -24,9 +24,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from procc_annotator.formats.annotations.registry import FORMATS, AnnotationFormat
 from procc_annotator.gui.decimal_box import DecimalBox
-from procc_annotator.io.annotation_files.annotation_formats import FORMATS, AnnotationFormat
-from procc_annotator.language import tr
+from procc_annotator.translation import tr
 
 _WIDTH = 560
 _WIDEST_LINE = 200.0

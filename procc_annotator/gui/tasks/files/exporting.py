@@ -7,15 +7,14 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QWidget
 
+from procc_annotator.dataset.camera_set import CameraSet
+from procc_annotator.dataset.workspace import DatasetFrames, Workspace
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl, run_in_background
 from procc_annotator.gui.writing import ask_where, opened_frame
-from procc_annotator.language import tr, tr_count
 from procc_annotator.report.export import Exported, Scoring, export_annotations, export_scores
-from procc_annotator.report.provenance import export_provenance
-from procc_annotator.session.dataset.annotated_frames import DatasetFrames
-from procc_annotator.session.dataset.camera_set import CameraSet
-from procc_annotator.session.dataset.workspace import Workspace
+from procc_annotator.report.release.contents import export_provenance
+from procc_annotator.translation import tr, tr_count
 
 Work = Callable[[Workspace, Callable[[int, int], None]], Exported]
 

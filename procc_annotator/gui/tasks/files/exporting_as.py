@@ -10,7 +10,7 @@ from PySide6.QtCore import QTimer
 from procc_annotator.gui.tasks.dialog_task import DialogTask
 from procc_annotator.gui.worker import JobControl
 from procc_annotator.gui.writing import opened_frame
-from procc_annotator.language import tr, tr_count
+from procc_annotator.translation import tr, tr_count
 
 if TYPE_CHECKING:
     from procc_annotator.gui.tasks.files.dialogs import ExportDialog

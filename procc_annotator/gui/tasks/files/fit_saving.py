@@ -8,15 +8,15 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject
 
+from procc_annotator.batch.calibration import fitted_folder, save_fit
+from procc_annotator.calibration.result import ill_conditioned_reason
+from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.errors import ProccError
-from procc_annotator.fit.determined import ill_conditioned_reason
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl, run_in_background
 from procc_annotator.gui.writing import opened_frame
-from procc_annotator.language import tr
-from procc_annotator.session.dataset.camera_set import CameraSet
-from procc_annotator.session.runs.saved_fit import fitted_folder, save_fit
+from procc_annotator.translation import tr
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,16 +8,13 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QPushButton, QToolButton
 
+from procc_annotator.dataset.layout import ForeignAnnotations, find_foreign_annotations
 from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.messages import Bar
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.tasks.files.importing import AnnotationImporter
 from procc_annotator.gui.worker import JobControl
-from procc_annotator.language import tr
-from procc_annotator.session.dataset.annotated_elsewhere import (
-    ForeignAnnotations,
-    find_foreign_annotations,
-)
+from procc_annotator.translation import tr
 
 
 class ImportBar(Bar):

@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QWidget
 
+from procc_annotator.dataset.records import OriginKind
+from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.many_edits import EditedFrames, ManyEdits
 from procc_annotator.gui.state.set_edits import (
@@ -21,14 +23,12 @@ from procc_annotator.gui.state.set_edits import (
 from procc_annotator.gui.tasks.dialog_task import DialogTask
 from procc_annotator.gui.tasks.files.label_look import LabelLook, LookedAt
 from procc_annotator.gui.writing import opened_frame
-from procc_annotator.language import translatable, tr, tr_count
-from procc_annotator.session.dataset.workspace import Workspace
-from procc_annotator.session.facts.origins import OriginKind
+from procc_annotator.translation import tr, tr_count, translatable
 
 if TYPE_CHECKING:
+    from procc_annotator.formats.annotations.registry import ReadSet
     from procc_annotator.gui.tasks.files.dialogs import ImportDialog
     from procc_annotator.gui.tasks.files.label_dialog import LabelDialog
-    from procc_annotator.io.annotation_files.read_set import ReadSet
 
 _LISTED = 200
 
@@ -142,7 +142,9 @@ class AnnotationImporter(DialogTask):
                 return why
         change = imported(incoming, replacing=self._replace)
         store, editing = self._document.store, self._document.editing
-        return edit_frame(store, editing, index, change, translatable("import", "a step"), OriginKind.FILE)
+        return edit_frame(
+            store, editing, index, change, translatable("import", "a step"), OriginKind.FILE
+        )
 
     def _advance(self, done: int, total: int) -> None:
         if self.dialog is not None:

@@ -20,12 +20,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from procc_annotator.assist.label_proposal import LabelProposal, order_choices, rule_words
 from procc_annotator.field.model import Field
+from procc_annotator.formats.annotations.label_map import LABELS_FILE, Rule
 from procc_annotator.gui.panels.parts import note_label, show_note
-from procc_annotator.io.annotation_files.label_map import LABELS_FILE, Rule
-from procc_annotator.language import tr, tr_count, word
-from procc_annotator.session.labels.label_choices import order_choices, rule_words
-from procc_annotator.session.labels.label_proposal import LabelProposal
+from procc_annotator.translation import tr, tr_count, word
 
 _SIZE = (960, 480)
 _HEADERS = (word("Label"), word("Shapes"), word("Stands for"), "", word("Why"))

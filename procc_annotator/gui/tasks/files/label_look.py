@@ -7,19 +7,24 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from procc_annotator.dataset.annotation_source import own_label_map
+from procc_annotator.dataset.layout import folder_of_dataset
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
+from procc_annotator.formats.annotations.label_map import (
+    LABELS_FILE,
+    LabelMap,
+    Rule,
+    WrittenRule,
+    label_map_text,
+)
+from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl
-from procc_annotator.io.annotation_files.label_map import LABELS_FILE, LabelMap, Rule
-from procc_annotator.io.annotation_files.label_map_text import WrittenRule, label_map_text
-from procc_annotator.io.atomic import write_atomic
-from procc_annotator.session.dataset.annotation_source import own_label_map
-from procc_annotator.session.dataset.dataset_folder import folder_of_dataset
 
 if TYPE_CHECKING:
-    from procc_annotator.io.annotation_files.read_set import ReadSet
-    from procc_annotator.session.labels.label_proposal import LabelProposal
+    from procc_annotator.assist.label_proposal import LabelProposal
+    from procc_annotator.formats.annotations.registry import ReadSet
 
 _HEAD = ("What the labels of other programs stand for; chosen at an import.",)  # not shown
 
@@ -67,11 +72,9 @@ class LabelLook:
             UsageError, InputError: as of `report.conversion.read_annotations`; the dataset's map
                 cannot be used.
         """
+        from procc_annotator.assist.label_matching import cameras_of, labelled_frames
+        from procc_annotator.assist.label_proposal import better_field, propose_labels
         from procc_annotator.report.conversion import read_annotations
-        from procc_annotator.session.labels.label_places import cameras_of
-        from procc_annotator.session.labels.label_proposal import propose_labels
-        from procc_annotator.session.labels.label_shapes import labelled_frames
-        from procc_annotator.session.labels.proposed_file import better_field
 
         workspace = self._reopen()
         field = workspace.field

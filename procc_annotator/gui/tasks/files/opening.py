@@ -8,16 +8,15 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QFileDialog, QWidget
 
+from procc_annotator.dataset.layout import copy_sample, has_pictures
 from procc_annotator.errors import InputError
 from procc_annotator.field.model import Field
 from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.settings import CAMERAS, FOLDER, RECENT, SECOND, Setting, Settings
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.tasks.files.video_opening import VideoOpening, keep_video_frame
-from procc_annotator.image.suffixes import PICTURE_SUFFIXES, VIDEO_SUFFIXES
-from procc_annotator.language import tr
-from procc_annotator.session.dataset.picture_tree import has_pictures
-from procc_annotator.session.dataset.sample_copy import copy_sample
+from procc_annotator.image.headers import PICTURE_SUFFIXES, VIDEO_SUFFIXES
+from procc_annotator.translation import tr
 
 _CAMERA_SUFFIXES = (".json", ".homographyMatrix", ".txt", ".npy", ".zip")
 

@@ -15,13 +15,12 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.errors import ProccError
+from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.gui.decimal_box import DecimalBox
 from procc_annotator.gui.picture.overlay_picture import OverlayPictures
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.writing import ask_where, write
-from procc_annotator.io.atomic import write_atomic
-from procc_annotator.language import tr, word
-from procc_annotator.report.scenes import (
+from procc_annotator.report.overlay_scene import (
     MAX_SCALE,
     MIN_SCALE,
     MOST_PIXELS,
@@ -29,6 +28,7 @@ from procc_annotator.report.scenes import (
     OverlayLook,
     Scene,
 )
+from procc_annotator.translation import tr, word
 
 _KINDS = {
     ".png": word("PNG: pixels, nothing is lost"),

@@ -10,19 +10,19 @@ from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QWidget
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.dataset.database.database import WorkspaceDatabase
+from procc_annotator.dataset.records import Origin, PointKey, count_points_by_origin
+from procc_annotator.dataset.review import BlindStatus, blind_status, setting_of
+from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import InputError
+from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.panels.overview.dialog import OverviewWindow
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl
 from procc_annotator.gui.writing import ask_where, write
-from procc_annotator.io.atomic import write_atomic
-from procc_annotator.language import tr, tr_count
-from procc_annotator.report.overview import OverviewRow, overview_csv, summarise
-from procc_annotator.session.database.database import WorkspaceDatabase
-from procc_annotator.session.dataset.workspace import Workspace
-from procc_annotator.session.facts.blind_work import BlindStatus, setting_of, blind_status
-from procc_annotator.session.facts.origins import Origin, PointKey, count_points_by_origin
+from procc_annotator.report.window_tables import OverviewRow, overview_csv, summarise
+from procc_annotator.translation import tr, tr_count
 
 T = TypeVar("T")
 
@@ -153,7 +153,9 @@ def gather_rows(
                 comments=record.comments if record is not None else 0,
                 open_comments=record.open_comments if record is not None else 0,
                 jac=scores.get(frame.name),
-                origins={k.value: n for k, n in count_points_by_origin(annotation, origins).items()},
+                origins={
+                    k.value: n for k, n in count_points_by_origin(annotation, origins).items()
+                },
                 blind=work.value,
             )
         )

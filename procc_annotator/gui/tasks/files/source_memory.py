@@ -10,12 +10,12 @@ from pathlib import Path
 import msgspec
 from PySide6.QtCore import QObject
 
+from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.errors import ProccError
 from procc_annotator.gui.settings import SOURCES, Settings
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl, run_in_background
-from procc_annotator.language import tr
-from procc_annotator.session.dataset.camera_set import CameraSet
+from procc_annotator.translation import tr
 
 
 @dataclass(frozen=True)

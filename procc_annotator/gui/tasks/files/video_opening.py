@@ -19,6 +19,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from procc_annotator.dataset.dataset_field import field_of_dataset, own_field_file
+from procc_annotator.dataset.diagnostics import loadable
+from procc_annotator.dataset.layout import frames_folder
+from procc_annotator.dataset.sequence import keep_frame, open_video
 from procc_annotator.errors import FieldError
 from procc_annotator.field.load import field_titles, load_field
 from procc_annotator.field.model import Field
@@ -29,11 +33,7 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl
 from procc_annotator.gui.writing import write
 from procc_annotator.image.video import Video, frames_at_interval, open_shared_video, scene_cuts
-from procc_annotator.language import tr, tr_count
-from procc_annotator.session.dataset.dataset_field import field_of_dataset, own_field_file
-from procc_annotator.session.dataset.dataset_folder import frames_folder
-from procc_annotator.session.dataset.field_match import loadable
-from procc_annotator.session.dataset.video_frames import keep_frame, open_video
+from procc_annotator.translation import tr, tr_count
 
 T = TypeVar("T")
 

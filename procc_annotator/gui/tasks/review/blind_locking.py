@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtWidgets import QMessageBox, QWidget
 
 from procc_annotator.gui.state.document import Document
-from procc_annotator.language import tr, word
+from procc_annotator.translation import tr, word
 
 _UNLOCKS_SHARED = word(
     "Unlocking shows cameras, ghosts and the fit to everybody who annotates it. It is recorded with"

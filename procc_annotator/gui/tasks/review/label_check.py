@@ -9,18 +9,25 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
 
 from procc_annotator.annotation import FrameAnnotation, points_px
+from procc_annotator.assist.frame_analysis import apply_remedy
+from procc_annotator.calibration.label_check.finding import Finding, Remedy, RemedyKind, Severity
+from procc_annotator.dataset.review import StoredFinding, by_severity
 from procc_annotator.errors import ProccError, UsageError
-from procc_annotator.fit.labels.finding import Finding, Remedy, RemedyKind, Severity
+from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.gui.panels.findings.panel import FindingsPanel
 from procc_annotator.gui.panels.findings.rows import Entry
 from procc_annotator.gui.panels.findings.words import so_many
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.writing import ask_where, opened_frame
-from procc_annotator.io.atomic import write_atomic
-from procc_annotator.language import TranslatableText, translatable, translatable_count, tr, tr_count, word
-from procc_annotator.report.findings import CheckReport, ReportedFinding, findings_csv
-from procc_annotator.session.clicks.remedies import apply_remedy
-from procc_annotator.session.facts.frame_check import StoredFinding, by_severity
+from procc_annotator.report.label_check import CheckReport, ReportedFinding, findings_csv
+from procc_annotator.translation import (
+    TranslatableText,
+    tr,
+    tr_count,
+    translatable,
+    translatable_count,
+    word,
+)
 
 _MOST_NAMED = 2  # elements that fit the status bar by name
 
@@ -237,7 +244,9 @@ class LabelCheckCommands(QObject):
             element = title(finding.elements[0])
             if finding.point is None:
                 return translatable("removed point of {element}", element=element)
-            return translatable("removed point {n} of {element}", n=finding.point + 1, element=element)
+            return translatable(
+                "removed point {n} of {element}", n=finding.point + 1, element=element
+            )
         if remedy.kind is RemedyKind.SWAP and len(renamed) == 2:
             first, second = title(renamed[0][0]), title(renamed[1][0])
             return translatable("swapped {element} and {other}", element=first, other=second)

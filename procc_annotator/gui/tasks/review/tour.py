@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from procc_annotator.dataset.records import Status
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.review_state import UNFINISHED
-from procc_annotator.language import tr
-from procc_annotator.session.facts.origins import Status
+from procc_annotator.translation import tr
 
 
 class Tour:

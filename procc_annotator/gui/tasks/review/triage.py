@@ -9,16 +9,16 @@ from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QInputDialog, QWidget
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.batch.triage import JudgedVerdict, judge_verdict
+from procc_annotator.dataset.camera_set import CameraSet
+from procc_annotator.dataset.records import FAULT_WORDS, FaultParty, Verdict, place_by_name
+from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.gui.panels.judged.verdict_row import VerdictRow
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl
 from procc_annotator.gui.writing import ask_where, opened_frame, write
-from procc_annotator.io.atomic import write_atomic
-from procc_annotator.language import tr, tr_count
-from procc_annotator.report.verdicts import verdicts_csv
-from procc_annotator.session.dataset.camera_set import CameraSet
-from procc_annotator.session.facts.verdict import FAULT_WORDS, FaultParty, Verdict, place_by_name
-from procc_annotator.session.runs.triage import JudgedVerdict, judge_verdict
+from procc_annotator.report.window_tables import verdicts_csv
+from procc_annotator.translation import tr, tr_count
 
 
 class Triage(QObject):

@@ -5,13 +5,13 @@ from __future__ import annotations
 from PySide6.QtWidgets import QWidget
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.dataset import editing
+from procc_annotator.dataset.records import OriginKind
+from procc_annotator.dataset.workspace import restore_version
 from procc_annotator.errors import InputError, SaveError, UsageError
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.tasks.review.versions_dialog import VersionRow, VersionsDialog
-from procc_annotator.language import translatable, tr
-from procc_annotator.session.dataset import edits
-from procc_annotator.session.dataset.putting_back import restore_version
-from procc_annotator.session.facts.origins import OriginKind
+from procc_annotator.translation import tr, translatable
 
 
 class Versions:
@@ -75,7 +75,7 @@ def apply_version(document: Document, version: str) -> None:
     def restore(annotation: FrameAnnotation) -> FrameAnnotation:
         if annotation is not seen:  # nobody decided to give up what somebody else just saved
             raise UsageError(tr("the frame was changed elsewhere: look at it, then restore again"))
-        return edits.add_unconfirmed(restored, annotation.unconfirmed)
+        return editing.add_unconfirmed(restored, annotation.unconfirmed)
 
     if document.edit(translatable("restore an earlier version"), restore, OriginKind.FILE):
         document.say(tr("the earlier version is back; undo takes it away again"))

@@ -34,8 +34,8 @@ from procc_annotator.gui.panels.rows import Index
 from procc_annotator.gui.panels.states import class_title
 from procc_annotator.gui.picture.annotation_preview import AnnotationPreview
 from procc_annotator.gui.theme import blend, paint_row
-from procc_annotator.image.decode import PixelArray
-from procc_annotator.language import tr, tr_count, word
+from procc_annotator.image.pixels import PixelArray
+from procc_annotator.translation import tr, tr_count, word
 
 _LIST_WIDTH = 350
 _PAD = 7

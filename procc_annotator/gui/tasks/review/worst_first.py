@@ -8,19 +8,19 @@ from typing import Literal
 
 from PySide6.QtCore import QObject, Signal
 
-from procc_annotator.gui.latest import Latest
-from procc_annotator.gui.state.camera_sources import CameraSource
-from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.worker import JobControl
-from procc_annotator.language import tr, word
-from procc_annotator.session.runs.audit import FrameAudit
-from procc_annotator.session.runs.triage import (
+from procc_annotator.batch.audit import FrameAudit
+from procc_annotator.batch.triage import (
     SetDisagreement,
     largest_error,
     next_worst,
     set_disagreement,
     worst_frames_first,
 )
+from procc_annotator.gui.latest import Latest
+from procc_annotator.gui.state.camera_sources import CameraSource
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.worker import JobControl
+from procc_annotator.translation import tr, word
 
 Order = Literal["jac", "error", "disagreement"]
 Values = Callable[[], Mapping[str, float]]

@@ -10,23 +10,23 @@ import numpy as np
 from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.assist.ghost_points import accept_all, find_points
+from procc_annotator.calibration.prediction.ghosts import find_ghosts
+from procc_annotator.calibration.tracking.track import TrackedFrame
+from procc_annotator.dataset.computed_cameras import review_reason
+from procc_annotator.dataset.frames import Frame
+from procc_annotator.dataset.records import OriginKind
+from procc_annotator.dataset.sequence import FrameSequence
 from procc_annotator.errors import ImageError
+from procc_annotator.field.load import field_for_frame
 from procc_annotator.field.model import Field
-from procc_annotator.field.stadiums import field_for_frame
-from procc_annotator.fit.predict.ghosts import find_ghosts
-from procc_annotator.fit.through_shot.track import TrackedFrame
 from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.many_edits import EditedFrames, ManyEdits
 from procc_annotator.gui.state.set_edits import edit_frame
 from procc_annotator.gui.worker import JobControl
 from procc_annotator.image.pixels import PixelArray
-from procc_annotator.language import translatable, tr, tr_count, word
-from procc_annotator.session.dataset.frame_sequence import FrameSequence
-from procc_annotator.session.dataset.frames import Frame
-from procc_annotator.session.dataset.tracked_cameras import review_reason
-from procc_annotator.session.facts.origins import OriginKind
-from procc_annotator.session.strokes.ghost_points import accept_all, find_points
+from procc_annotator.translation import tr, tr_count, translatable, word
 
 _NOTHING = FrameAnnotation(())
 _ANNOTATED = word("it is annotated by now")

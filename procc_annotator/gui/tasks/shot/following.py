@@ -7,26 +7,29 @@ from dataclasses import dataclass, replace
 
 from PySide6.QtCore import QObject, Signal
 
+from procc_annotator.assist.track_anchors import (
+    CameraCorrection,
+    align_to_lines,
+    anchors_of,
+    as_anchor,
+)
+from procc_annotator.batch.tracking import UsablePictures, lost_frame
+from procc_annotator.calibration.tracking.frame_reader import shot_range_around
+from procc_annotator.calibration.tracking.shot_tracker import track_shot
+from procc_annotator.calibration.tracking.track import Track, TrackedFrame
 from procc_annotator.camera.base import Camera
-from procc_annotator.camera.homography import HomographyCamera
-from procc_annotator.camera.pinhole import PinholeCamera
+from procc_annotator.camera.models import HomographyCamera, PinholeCamera
+from procc_annotator.dataset.computed_cameras import review_reason
+from procc_annotator.dataset.records import OriginKind
+from procc_annotator.dataset.sequence import FrameSequence
+from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import CameraError
+from procc_annotator.field.load import field_for_frame, field_for_stadium, stadium_of
 from procc_annotator.field.model import Field
-from procc_annotator.field.stadiums import field_for_frame, field_for_stadium, stadium_of
-from procc_annotator.fit.through_shot.bounds import shot_range_around
-from procc_annotator.fit.through_shot.following_shot import track_shot
-from procc_annotator.fit.through_shot.track import Track, TrackedFrame
 from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl, Stopped
-from procc_annotator.language import tr, tr_count
-from procc_annotator.session.clicks.anchors import anchors_of
-from procc_annotator.session.clicks.correction import CameraCorrection, as_anchor, align_to_lines
-from procc_annotator.session.dataset.frame_sequence import FrameSequence
-from procc_annotator.session.dataset.tracked_cameras import review_reason
-from procc_annotator.session.dataset.usable_pictures import UsablePictures, lost_frame
-from procc_annotator.session.dataset.workspace import Workspace
-from procc_annotator.session.facts.origins import OriginKind
+from procc_annotator.translation import tr, tr_count
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,7 +73,9 @@ class ShotFollowing(QObject):
         self._work = Latest(self, self._fail)
         self._far = (0, 0)
         self._corrected: dict[int, None] = {}  # numbers of anchors, in the order of their edits
-        self._skipped_frames = -1  # the index of the frame on screen, to be looked at once it is left
+        self._skipped_frames = (
+            -1
+        )  # the index of the frame on screen, to be looked at once it is left
         document.shot_track.forgotten.connect(self.forget)
         document.blindChanged.connect(self._hide)
         document.annotationChanged.connect(self._note_edit)

@@ -7,11 +7,11 @@ from collections.abc import Iterable, Mapping
 from PySide6.QtCore import QEvent, QObject, QTimer, Signal
 from PySide6.QtWidgets import QApplication
 
-from procc_annotator.fit.through_shot.track import TrackedFrame
+from procc_annotator.calibration.tracking.track import TrackedFrame
+from procc_annotator.dataset.computed_cameras import review_reason
 from procc_annotator.gui.picture.canvas import Canvas
 from procc_annotator.gui.state.document import Document
-from procc_annotator.language import tr, word
-from procc_annotator.session.dataset.tracked_cameras import review_reason
+from procc_annotator.translation import tr, word
 
 _SLOWEST_MS = 1000  # between frames that lie seconds apart, nobody wants to wait as long
 

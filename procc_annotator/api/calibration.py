@@ -1,0 +1,162 @@
+"""Fit, propose and track cameras."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from procc_annotator.annotation import FrameAnnotation, as_size
+from procc_annotator.api.inputs import (
+    as_annotation,
+    as_camera,
+    as_field,
+    as_path,
+    as_picture,
+    as_pixels,
+    kind_of,
+)
+from procc_annotator.calibration import fitting
+from procc_annotator.calibration.result import FitResult
+from procc_annotator.calibration.single_image import propose
+from procc_annotator.calibration.single_image.proposal import KnownPosition, Proposal
+from procc_annotator.calibration.tracking import shot_tracker
+from procc_annotator.calibration.tracking.track import Track, TrackedFrame
+from procc_annotator.camera.base import Camera
+from procc_annotator.errors import UsageError
+from procc_annotator.field.model import Field
+from procc_annotator.formats.cameras.fit_record import annotation_digest
+from procc_annotator.image.pixels import PixelArray
+from procc_annotator.image.video import open_shared_video
+
+
+def fit_camera(
+    annotation: FrameAnnotation,
+    field: Field | str | None = None,
+    *,
+    model: str = "R",
+    size: tuple[int, int] = fitting.DEFAULT_SIZE,
+    start: Camera | None = None,
+) -> FitResult:
+    """Fit a camera to annotated elements; no picture and no start is needed.
+
+    **Give the size of the picture**, or any size of its shape, unless it is 16:9. Annotations are
+    normalised and do not tell their picture's shape: fitted as 960x540, those of a 4:3 picture give
+    a camera that is wrong, and nothing notices.
+
+    A fit that cannot be is no error: ``camera`` is then None and ``failure`` says why.
+
+    Args:
+        annotation: what is annotated, points normalised.
+        field: the elements, metres; or a field's name, see `load_field`; the usual one (SoccerNet's
+            classes, nominal size) if None.
+        model: H (homography of the ground), P (pinhole, one focal length), R (P and one radial
+            coefficient), R+ (R, aspect ratio and principal point), R2 (R+ and a second radial
+            coefficient), F (OpenCV's fisheye), or auto (the simplest of P, R and R+ that the points
+            support, or R2 or F).
+        size: (width, height) px of the picture the camera is for.
+        start: a camera that is nearly right, px of ``size``.
+
+    Returns:
+        The camera in px of ``size``, with residuals (px) and standard deviations (rad, metres, px);
+        see `procc_annotator.calibration.fitting.fit_camera` and docs/fitting.md for how it is
+        found.
+
+    Raises:
+        UsageError: an argument of another kind, no such model, or a size without pixels.
+        FieldError: no such field.
+    """
+    given = as_annotation(annotation), as_field(field)
+    if isinstance(start, FitResult):
+        raise UsageError("start: expected a camera, found a fit (its `camera` is one)")
+    if start is not None:
+        as_camera(start, "start")
+    fit = fitting.fit_camera(*given, model=model, size=as_size(size), start=start)
+    return fit if fit.camera is None else replace(fit, fitted_on=annotation_digest(given[0]))
+
+
+def propose_camera(
+    picture: PixelArray | str | Path,
+    field: Field | str | None = None,
+    *,
+    known: Sequence[KnownPosition] = (),
+) -> Proposal:
+    """Find the camera of a picture from the paint in it, without a click.
+
+    Args:
+        picture: a picture's file; or its pixels, (H, W, 3) or (H, W, 4) uint8, BGR as OpenCV reads
+            them.
+        field: the elements, metres; or a field's name, see `load_field`; the usual one (SoccerNet's
+            classes, nominal size) if None.
+        known: where its camera may be known to stand (`KnownPosition`: metres and covariance), as
+            on the tripod of other frames: searched in addition to all other positions, and never
+            a replacement for a better camera found without it.
+
+    Returns:
+        ``state`` (``sure``, ``unsure`` or ``none``), the ``reason`` in words, and ``fit``: the
+        camera in px of the picture with its standard deviations; its ``camera`` is None if there is
+        none. ``coverage`` is the share of the visible model found on paint, ``explained`` the share
+        of the paint that the model explains, ``margin`` how much better it is than the
+        ``runner_up``, each 0 to 1. Rely on those that are sure only.
+
+    Raises:
+        UsageError: an argument of another kind.
+        ImageError: the file cannot be read.
+        FieldError: no such field.
+    """
+    return propose.propose_camera(as_picture(picture), as_field(field), known=known)
+
+
+def track(
+    frames: Sequence[PixelArray] | str | Path,
+    field: Field | str | None = None,
+    *,
+    anchors: Mapping[int, Camera] | None = None,
+    on_frame: Callable[[TrackedFrame], None] | None = None,
+) -> Track:
+    """Follow the camera through a video or through consecutive pictures.
+
+    Cuts end a shot; where no camera is known in one, it is found in the picture, as
+    `propose_camera` does.
+
+    Args:
+        frames: a video's file; or pictures of one size, each as `propose_camera` takes its pixels.
+            Of a sequence only one picture at a time is asked for, perhaps more than once, and by
+            another thread.
+        field: the elements, metres; or a field's name, see `load_field`; the usual one if None.
+        anchors: cameras that are known, by number of the frame (0 is the first), px of the
+            pictures. The track passes through them.
+        on_frame: told of each frame as soon as it was followed; what is returned at the end is
+            surer. What it raises ends the work.
+
+    Returns:
+        ``frames``, one a picture: ``number``, ``state`` (``anchor``, ``followed``, ``bridged`` by
+        the picture's motion, ``lost``), the ``reason`` in words, ``fit`` with the camera in px of
+        the picture and its standard deviations (None if lost), ``coverage``, ``residual_px``,
+        ``anchor_distance`` in frames; and ``shots``, the first and last number of each.
+
+    Raises:
+        UsageError: an argument of another kind.
+        ImageError: a picture or the video cannot be read.
+        FieldError: no such field.
+    """
+    if isinstance(frames, str | Path):
+        video = open_shared_video(as_path(frames, "a video"))
+        count, frame = video.frame_count, video.frame
+    else:
+        count, frame = _length(frames), lambda number: as_pixels(frames[number])
+    known = dict(anchors or {})
+    for number, camera in known.items():
+        if number not in range(count):
+            raise UsageError(f"anchors: no frame {number!r} among {count}, of which 0 is the first")
+        as_camera(camera, f"anchors[{number}]")
+    told = on_frame or (lambda _: None)
+    return shot_tracker.track_shot(
+        frame, range(count), as_field(field), anchors=known, on_frame=told
+    )
+
+
+def _length(frames: object) -> int:
+    if isinstance(frames, Sequence):
+        return len(frames)
+    raise UsageError(f"expected a video's path or a sequence of pictures, found {kind_of(frames)}")

@@ -1,0 +1,208 @@
+"""Check and convert the arguments of public functions."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from procc_annotator.annotation import FrameAnnotation, as_size
+from procc_annotator.calibration.result import FitResult
+from procc_annotator.camera.base import (
+    Camera,
+    CameraOrProjections,
+    ElementProjections,
+    scaled_camera,
+)
+from procc_annotator.camera.custom import validated_camera
+from procc_annotator.camera.models import model_name
+from procc_annotator.errors import UsageError
+from procc_annotator.field.load import load_field
+from procc_annotator.field.model import Field
+from procc_annotator.formats.cameras.loaded_camera import (
+    NAME_THE_FORMAT,
+    LoadedCamera,
+    field_mismatch,
+)
+from procc_annotator.formats.cameras.registry import fit_to_size
+from procc_annotator.image.decoding import decode_bgra
+from procc_annotator.image.pixels import PixelArray, bgra_from_bgr
+from procc_annotator.metrics.projection import clipped_projection_error
+from procc_annotator.metrics.setup import EvaluationSetup
+
+AnyCamera = Camera | ElementProjections | FitResult | LoadedCamera
+"""A camera as a caller has it: of any model, fitted, or read from a file."""
+
+
+@dataclass(frozen=True)
+class CameraInPixels:
+    """A camera in px of a size.
+
+    Attributes:
+        model: as tables call it.
+        fitted_on: what it was fitted to, see `LoadedCamera`.
+    """
+
+    camera: CameraOrProjections
+    model: str
+    fitted_on: str | None = None
+
+
+def camera_at_size(
+    camera: object,
+    size: tuple[int, int],
+    camera_size: tuple[int, int] | None = None,
+    name: str = "camera",
+    *,
+    field: Field,
+) -> CameraInPixels:
+    """A camera in px of a picture size; what those of others return is checked from now on.
+
+    Args:
+        camera: as a caller gave it.
+        size: (width, height) px.
+        camera_size: (width, height) px that cameras belong to which do not say it; None for
+            ``size``.
+        name: how to call it where it is none.
+        field: what its picture shows.
+
+    Raises:
+        UsageError: it is no camera, a fit that failed, or would be taken for one of another field.
+    """
+    if isinstance(camera, LoadedCamera):
+        if problem := field_mismatch(camera.assumed_field, field):
+            raise UsageError(f"{name}: {problem} ({NAME_THE_FORMAT})")
+        loaded = fit_to_size(camera, size, camera_size)[0]
+        model = model_name(loaded, camera.model, size)
+        return CameraInPixels(validated_camera(loaded, name), model, camera.fitted_on)
+    if isinstance(camera, FitResult):
+        if camera.camera is None:
+            raise UsageError(f"there is no camera to evaluate, the fit failed: {camera.failure}")
+        of_fit = camera.camera
+        at = of_fit if camera.size == size else scaled_camera(of_fit, camera.size, size)
+        return CameraInPixels(at, camera.model, camera.fitted_on)
+    own = as_camera(camera, name)
+    at = own if camera_size in (None, size) else scaled_camera(own, camera_size, size)
+    return CameraInPixels(at, str(getattr(own, "model", type(own).__name__)))
+
+
+def evaluated_camera(
+    camera: object,
+    setup: EvaluationSetup,
+    camera_size: tuple[int, int] | None = None,
+    name: str = "camera",
+) -> CameraInPixels:
+    """As `camera_at_size`, for a camera that is judged.
+
+    Raises:
+        UsageError: as of `camera_at_size`, or projections that the protocol cannot judge.
+    """
+    found = camera_at_size(camera, setup.size, camera_size, name, field=setup.field)
+    if problem := clipped_projection_error(found.camera, setup):
+        raise UsageError(f"{name}: {problem}")
+    return found
+
+
+def as_camera(camera: object, name: str) -> CameraOrProjections:
+    """A camera of any model, its answers checked from now on.
+
+    Raises:
+        UsageError: it is none.
+    """
+    if isinstance(camera, type):
+        raise UsageError(f"{name}: {camera.__name__} is a class; give a camera made of it")
+    if isinstance(camera, ElementProjections) or callable(getattr(camera, "project", None)):
+        return validated_camera(camera, name)  # type: ignore[arg-type]
+    if camera is None:
+        raise UsageError("there is no camera to evaluate (a fit that failed says why in `failure`)")
+    hint = ""
+    if callable(camera):
+        hint = "; camera_from_function makes one of a function"
+    elif isinstance(camera, np.ndarray):
+        hint = "; camera_from_projection and camera_from_homography make one of a matrix"
+    raise UsageError(
+        f"{name}: expected a camera (an object with `project`), found {kind_of(camera)}{hint}"
+    )
+
+
+def as_annotation(annotation: object) -> FrameAnnotation:
+    """An annotation.
+
+    Raises:
+        UsageError: it is none.
+    """
+    if isinstance(annotation, FrameAnnotation):
+        return annotation
+    hint = ""
+    if isinstance(annotation, str | Path):
+        hint = " (load_annotation(path) reads one)"
+    elif isinstance(annotation, Mapping):
+        hint = " (FrameAnnotation.from_dict makes one)"
+    raise UsageError(f"expected an annotation (FrameAnnotation), found {kind_of(annotation)}{hint}")
+
+
+def as_field(field: object) -> Field:
+    """A field, or the one of that name or file; the usual one for None.
+
+    Raises:
+        UsageError: it is none. FieldError: there is no such field.
+    """
+    if isinstance(field, Field):
+        return field
+    if field is None:
+        return load_field()
+    if isinstance(field, str | Path):
+        return load_field(field)
+    raise UsageError(f"expected a field, its name or its .toml file, found {kind_of(field)}")
+
+
+def as_path(path: object, what: str) -> Path:
+    """A path.
+
+    Raises:
+        UsageError: it is none; ``what`` says of what.
+    """
+    if isinstance(path, str | Path):
+        return Path(path)
+    raise UsageError(f"expected the path of {what}, found {kind_of(path)}")
+
+
+def as_optional_size(size: Any) -> tuple[int, int] | None:
+    """The same; None stays None."""
+    return None if size is None else as_size(size)
+
+
+def as_picture(picture: object) -> PixelArray:
+    """(H, W, 4) BGRA of a picture's file or its pixels.
+
+    Raises:
+        UsageError: it is no picture. ImageError: it cannot be read.
+    """
+    if isinstance(picture, str | Path):
+        return decode_bgra(Path(picture))
+    return as_pixels(picture)
+
+
+def as_pixels(picture: object) -> PixelArray:
+    """(H, W, 4) BGRA of a picture's pixels.
+
+    Raises:
+        UsageError: they are none.
+    """
+    right = isinstance(picture, np.ndarray) and picture.dtype == np.uint8 and picture.ndim == 3
+    if not isinstance(picture, np.ndarray) or not right or picture.shape[2] not in (3, 4):
+        raise UsageError(
+            "expected a picture: the path of one, or (H, W, 3) or (H, W, 4) uint8 pixels, found"
+            f" {kind_of(picture)}"
+        )
+    if min(picture.shape[:2]) < 2:
+        raise UsageError(f"the picture of {picture.shape[1]}x{picture.shape[0]} px is too small")
+    return bgra_from_bgr(picture) if picture.shape[2] == 3 else picture
+
+
+def kind_of(value: object) -> str:
+    """What a value is, in a word."""
+    return "nothing" if value is None else type(value).__name__

@@ -1,0 +1,259 @@
+"""Propose a label map for labels of another program, and write it as text."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Literal
+
+from procc_annotator.assist.label_matching import (
+    CameraOf,
+    LabelCount,
+    LabelledFrame,
+    LabelPlaces,
+    LineOrders,
+    find_orders,
+    find_places,
+    fitted_cameras,
+    label_counts,
+)
+from procc_annotator.dataset.diagnostics import loadable
+from procc_annotator.field.load import field_names, load_field
+from procc_annotator.field.model import Field
+from procc_annotator.field.name_matching import ClassMatch, matching_classes
+from procc_annotator.formats.annotations.label_map import (
+    LABELS_FILE,
+    LEFT_TO_RIGHT,
+    ORDERS,
+    TOP_DOWN,
+    LabelMap,
+    OrderedClasses,
+    Rule,
+    WrittenRule,
+    label_map_text,
+)
+from procc_annotator.messages import pluralize
+
+Confidence = Literal["sure", "likely", "open"]
+_MOST_FRAMES = 16  # are looked at with a camera
+_MOST = 0.7  # of the shapes or frames, that something is called likely by geometry
+_FEWEST = 2  # shapes, frames
+_SAME = 0.99  # of two names
+
+_NO_PLACES = LabelPlaces.none()
+
+
+@dataclass(frozen=True, slots=True)
+class LabelProposal:
+    """What a label may stand for.
+
+    Attributes:
+        count: the label, and how often it occurs.
+        rule: what is proposed; None where nothing is.
+        surety: ``sure`` by two ways that agree, or by the very words; ``likely`` by one; ``open``
+            where somebody has to say.
+        why: in words.
+        like: classes that it may be, where it is open.
+    """
+
+    count: LabelCount
+    rule: Rule
+    surety: Confidence
+    why: str
+    like: tuple[str, ...] = ()
+
+
+def propose_labels(
+    frames: Sequence[LabelledFrame], field: Field, camera_of: CameraOf | None = None
+) -> list[LabelProposal]:
+    """Propose what the labels of a set stand for.
+
+    By name first. Labels that several straight lines share are put in the order that all frames
+    fit best. Then cameras show which elements the shapes lie on: those that are given, or those
+    that are fitted to what is known by then.
+
+    Args:
+        frames: of the set.
+        field: the elements, metres.
+        camera_of: given cameras; None: none are.
+    """
+    counts = label_counts(frames)
+    names = {count.label: matching_classes(count.label, field) for count in counts}
+    alone = {label: found.classes[0] for label, found in names.items() if len(found.classes) == 1}
+    orders = LineOrders({})
+    if camera_of is None:
+        families = {
+            c.label: names[c.label].classes
+            for c in counts
+            if 1 < len(names[c.label].classes) == c.copies
+        }
+        orders = find_orders(frames, alone, families, field)
+        first = LabelMap(Path(LABELS_FILE), {**alone, **orders.rules})
+        camera_of = fitted_cameras(first, field)
+    best = sorted(frames, key=lambda frame: -sum(map(len, frame.shapes.values())))[:_MOST_FRAMES]
+    places = find_places(best, camera_of, field)
+    return _each_once([
+        _proposal(count, names[count.label], orders, places.get(count.label, _NO_PLACES))
+        for count in counts
+    ])  # fmt: skip
+
+
+def _each_once(proposals: list[LabelProposal]) -> list[LabelProposal]:
+    """Two labels of one class: nobody knows which of them is it, or whether both are parts."""
+    takers: dict[str, list[str]] = {}
+    for one in proposals:
+        if isinstance(one.rule, str):
+            takers.setdefault(one.rule, []).append(one.count.label)
+    found = []
+    for one in proposals:
+        own = one.count.label
+        others = [t for t in takers.get(str(one.rule), ()) if t != own] if one.rule else []
+        if others:
+            also = f"{one.why}; but so is {', '.join(map(repr, others))}"
+            like = (str(one.rule),)
+            one = replace(one, rule=None, surety="open", why=also, like=like)
+        found.append(one)
+    return found
+
+
+def _proposal(
+    count: LabelCount, similar: ClassMatch, orders: LineOrders, places: LabelPlaces
+) -> LabelProposal:
+    if (ordered := orders.rules.get(count.label)) is not None:
+        return _by_order(count, ordered, orders, places)
+    if count.copies > 1:
+        return _of_several(count, similar, places)
+    return _of_one(count, similar, places)
+
+
+def _by_order(
+    count: LabelCount, rule: OrderedClasses, orders: LineOrders, places: LabelPlaces
+) -> LabelProposal:
+    fit = f"in this order {orders.fitting} of {pluralize(orders.frames, 'frame')} fit one camera"
+    surety: Confidence = (
+        "sure" if orders.fitting >= max(_FEWEST, _MOST * orders.frames) else "likely"
+    )
+    if not orders.fitting:
+        return LabelProposal(count, None, "open", f"by name, but {fit}", rule.classes)
+    on = sum(places.on[name] for name in rule.classes)
+    seen = f"; {on} of {pluralize(places.shapes, 'shape')} on them" if places.shapes else ""
+    return LabelProposal(count, rule, surety, f"by name; {fit}{seen}")
+
+
+def _of_several(count: LabelCount, similar: ClassMatch, places: LabelPlaces) -> LabelProposal:
+    """Of a label that a frame has several shapes of, and no order by homographies."""
+    found = next(iter(places.orders.most_common(1)), None)
+    if found is not None:
+        rule, times = found
+        why = f"on these lines in this order in {times} of {pluralize(places.frames, 'frame')}"
+        if times >= max(_FEWEST, _MOST * places.frames):
+            named = set(rule.classes) <= set(similar.classes)
+            return LabelProposal(count, rule, "sure" if named else "likely", why)
+        return LabelProposal(count, None, "open", f"only {why}", rule.classes)
+    if len(similar.classes) == 1:
+        why = f"by name, and {count.copies} shapes in a frame would be joined"
+        return LabelProposal(count, similar.classes[0], "likely", why)
+    return LabelProposal(count, None, "open", _nothing(similar), similar.classes)
+
+
+def _of_one(count: LabelCount, similar: ClassMatch, places: LabelPlaces) -> LabelProposal:
+    """Of a label that a frame has one shape of."""
+    place, times = next(iter(places.on.most_common(1)), ("", 0))
+    on = f"{times} of {pluralize(places.shapes, 'shape')} on it"
+    clear = times >= max(_FEWEST, _MOST * places.shapes)
+    if clear and place in similar.classes:
+        return LabelProposal(count, place, "sure", f"by name; {on}")
+    if clear and not similar.classes:
+        return LabelProposal(count, place, "likely", f"by geometry alone: {on}")
+    if clear:
+        why = f"its name is like one, its shapes lie on another ({on})"
+        return LabelProposal(count, None, "open", why, (*similar.classes, place))
+    if len(similar.classes) == 1:
+        same = similar.likeness >= _SAME
+        why = "by name, the same words" if same else f"by name, {similar.likeness:.0%} alike"
+        return LabelProposal(count, similar.classes[0], "sure" if same else "likely", why)
+    return LabelProposal(count, None, "open", _nothing(similar), similar.classes)
+
+
+def _nothing(similar: ClassMatch) -> str:
+    return "its name may be any of these" if similar.classes else "no class is called alike"
+
+
+_DIRECTIONS = {LEFT_TO_RIGHT: "left to right", TOP_DOWN: "top down"}
+
+
+def order_choices(proposal: LabelProposal) -> list[OrderedClasses]:
+    """The orders that a label which two lines share may have, the proposed one first."""
+    own = proposal.rule if isinstance(proposal.rule, OrderedClasses) else None
+    pair = own.classes if own is not None else proposal.like
+    found = [own] if own is not None else []
+    if len(pair) == proposal.count.copies == 2:
+        found += [OrderedClasses(way, names) for way in ORDERS for names in (pair, pair[::-1])]
+    return list(dict.fromkeys(found))
+
+
+def rule_words(rule: Rule, field: Field) -> str:
+    """A rule in a few words, with the titles of the classes."""
+    if isinstance(rule, OrderedClasses):
+        titles = ", ".join(field.title_of(name) for name in rule.classes)
+        return f"{titles} ({_DIRECTIONS[rule.order]})"
+    return field.title_of(rule) if isinstance(rule, str) else "Leave out"
+
+
+_MUCH_MORE = 1.3  # of the likeness of all labels
+
+
+def proposed_text(
+    proposals: Sequence[LabelProposal], source: str, field: Field, *, given_cameras: bool
+) -> str:
+    """The ``labels.toml`` of a proposal.
+
+    Args:
+        proposals: of all labels.
+        source: what the labels are of, for people.
+        field: whose classes they are.
+        given_cameras: whether cameras were given, which say what is left and what is right.
+    """
+    head = [
+        f"What the labels of {source} may stand for on a field of {field.title}.",
+        "Proposed by procc-annotator propose-map: sure by two ways, likely by one. What is open is"
+        " a comment:",
+        "write a class there, or leave the label out with false, and take the # away.",
+    ]
+    ordered = any(p.rule is not None and not isinstance(p.rule, str) for p in proposals)
+    if field.symmetries and ordered and not given_cameras:
+        head.append(
+            "The field looks the same after a turn: the classes of the other end are as good, as"
+            " long as all lines agree."
+        )
+    return label_map_text(head, [_written(one) for one in proposals])
+
+
+def _written(one: LabelProposal) -> WrittenRule:
+    shapes = pluralize(one.count.shapes, "shape")
+    like = f"; may be {', '.join(name.strip() for name in one.like)}" if one.like else ""
+    comment = f"{one.surety}, {shapes}: {one.why}{like}"
+    return WrittenRule(one.count.label, one.rule, comment, used=one.surety != "open")
+
+
+def better_field(labels: Sequence[str], field: Field) -> str | None:
+    """The field that the package ships whose classes are called much more like some labels.
+
+    Args:
+        labels: of a set.
+        field: what they were taken for.
+
+    Returns:
+        What `load_field` takes; None where no field is.
+    """
+    own = _likeness(labels, field)
+    others = [load_field(name) for name in field_names() if name != field.name]
+    best = max(others, key=lambda other: _likeness(labels, other))
+    much = _likeness(labels, best)
+    return loadable(best) if much > own * _MUCH_MORE and much >= len(labels) / 2 else None
+
+
+def _likeness(labels: Sequence[str], field: Field) -> float:
+    found = (matching_classes(label, field) for label in labels)
+    return sum(one.likeness for one in found if one.classes)

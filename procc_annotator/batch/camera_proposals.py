@@ -1,0 +1,343 @@
+"""Propose a camera per picture: known positions, detector plug-ins, second pass."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, replace
+from functools import cache
+from pathlib import Path
+from typing import Protocol
+
+import numpy as np
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.batch.checkpoint import hex_digest, serialize, stamp_of_file
+from procc_annotator.batch.set_run import SetRun
+from procc_annotator.calibration.fitting import fit_camera
+from procc_annotator.calibration.single_image.proposal import (
+    SURE,
+    UNSURE,
+    KnownPosition,
+    Proposal,
+    cluster_camera_positions,
+    cluster_fit_positions,
+)
+from procc_annotator.calibration.single_image.propose import propose_camera
+from procc_annotator.camera.models import PinholeCamera
+from procc_annotator.dataset.frames import Frame
+from procc_annotator.errors import CameraError, InputError, ProccError, UsageError
+from procc_annotator.field.load import field_for_frame
+from procc_annotator.field.model import Field
+from procc_annotator.formats.cameras.collection import CameraCollection
+from procc_annotator.formats.cameras.registry import discover
+from procc_annotator.formats.cameras.writers import OFFICIAL_SIZE
+from procc_annotator.formats.csv_tables import read_table
+from procc_annotator.image.decoding import decode_for_camera
+from procc_annotator.image.pixels import PixelArray
+from procc_annotator.image.video import open_shared_video, video_frame_of_path
+
+_PLACE, _DEVIATIONS = ("x_m", "y_m", "z_m"), ("sd_x_m", "sd_y_m", "sd_z_m")
+_ADVICE = "expected positions.csv of calibrate --shared-position, or cameras"
+_LEAST_SD_M = 0.05  # a table that says less than it can know
+
+
+def read_positions(path: Path, field: Field, fmt: str = "auto") -> tuple[KnownPosition, ...]:
+    """The positions that a file tells.
+
+    Args:
+        path: folder, archive or file of cameras; or a ``.csv`` with columns ``x_m``, ``y_m``,
+            ``z_m`` and their standard deviations, as ``calibrate --shared-position`` writes it.
+        field: the elements.
+        fmt: of the cameras, one of `CAMERA_FORMATS`.
+
+    Raises:
+        InputError: no position can be read from it.
+        UsageError: nothing at the path.
+    """
+    if path.suffix.lower() == ".csv":
+        return _from_table(path)
+    with CameraCollection.open(path, fmt, field=field) as collection:
+        found = []
+        for frame in collection.frames:
+            try:
+                loaded = collection.read(frame)
+            except CameraError:  # a set is known by its others
+                continue
+            if isinstance(loaded.camera, PinholeCamera):
+                found.append((loaded.camera, loaded.size or OFFICIAL_SIZE))
+    if not found:
+        raise InputError(path, "holds no camera with a position (a homography has none)")
+    return cluster_camera_positions(found, field)
+
+
+def _from_table(path: Path) -> tuple[KnownPosition, ...]:
+    _, rows = read_table(path, (*_PLACE, *_DEVIATIONS), _ADVICE)
+    found = []
+    for line, row in rows:
+        try:
+            place = np.array([float(row[name]) for name in _PLACE])
+            sd = np.array([float(row[name]) for name in _DEVIATIONS])
+        except ValueError as error:
+            why = "expected numbers for position and standard deviations"
+            raise InputError(path, why, place=f"line {line}") from error
+        if not (np.isfinite(place).all() and np.isfinite(sd).all()):
+            raise InputError(path, "expected finite numbers", place=f"line {line}")
+        found.append(KnownPosition(place, np.diag(np.maximum(sd, _LEAST_SD_M) ** 2)))
+    if not found:
+        raise InputError(path, "holds no position")
+    return tuple(found)
+
+
+GROUP = "procc_annotator.proposers"
+# How surely a detector knows where a camera stands, and how many places are tried.
+_SD_M, _MOST_POSITIONS = 2.0, 5
+
+# What a detector says of a picture: cameras in its px, or points by class, normalised.
+Hint = PinholeCamera | FrameAnnotation
+
+
+@dataclass(frozen=True)
+class PictureProposer:
+    """A detector.
+
+    Attributes:
+        name: typed after ``--with``.
+        title: for people.
+        propose: picture, (H, W, 4) BGRA uint8, and field -> cameras in px of the picture, or
+            annotations of normalised points, the likeliest first; nothing where it sees nothing.
+    """
+
+    name: str
+    title: str
+    propose: Callable[[PixelArray, Field], Iterable[Hint]]
+
+
+@cache
+def proposers() -> tuple[dict[str, PictureProposer], tuple[str, ...]]:
+    """The detectors that are installed, by name, and what is wrong with others, one line each."""
+    found, problems = discover(PictureProposer, GROUP, "proposer plug-in")
+    by_name: dict[str, PictureProposer] = {}
+    for point, given in found:
+        if given.name in by_name:
+            problems.append(f"the proposer plug-in {point!r} gives {given.name!r}, which there is")
+        else:
+            by_name[given.name] = given
+    return by_name, tuple(problems)
+
+
+@dataclass(frozen=True)
+class WithPlugin:
+    """`propose_camera`, also where a detector says that the camera stands: what it says is made
+    right on the paint, and judged by the same rules.
+
+    It survives the trip to a worker, where the detector is loaded anew.
+
+    Attributes:
+        name: of the detector.
+    """
+
+    name: str
+
+    def __call__(
+        self, picture: PixelArray, field: Field, *, known: Sequence[KnownPosition]
+    ) -> Proposal:
+        hinted = _positions(self.hints(picture, field))
+        return propose_camera(picture, field, known=(*known, *hinted))
+
+    def hints(self, picture: PixelArray, field: Field) -> list[PinholeCamera]:
+        """The cameras that the detector's answers come to.
+
+        Raises:
+            ProccError: it went wrong, or gives something else.
+        """
+        try:
+            hints = list(chosen_proposer(self.name).propose(picture, field))
+        except ProccError:
+            raise
+        # Whatever somebody else's code raises is told as its fault.
+        except Exception as error:
+            said = " ".join(str(error).split())[:300] or "no reason given"
+            raise self._error(f"{type(error).__name__}: {said}") from error
+        size = (picture.shape[1], picture.shape[0])
+        found = [self._camera(hint, field, size) for hint in hints]
+        return [camera for camera in found if camera is not None]
+
+    def _camera(self, hint: object, field: Field, size: tuple[int, int]) -> PinholeCamera | None:
+        if isinstance(hint, FrameAnnotation):
+            camera = fit_camera(hint, field, model="P", size=size).camera
+            return camera if isinstance(camera, PinholeCamera) else None
+        if not isinstance(hint, PinholeCamera):
+            raise self._error(f"gives {type(hint).__name__}, not PinholeCamera or FrameAnnotation")
+        if not all(map(math.isfinite, hint.position_world)):
+            raise self._error("gives a camera whose position is not finite")
+        return hint
+
+    def _error(self, why: str) -> ProccError:
+        return ProccError(f"the proposer {self.name!r} cannot be used: {why}")
+
+
+def _positions(cameras: Sequence[PinholeCamera]) -> list[KnownPosition]:
+    """Where cameras stand, the first few of different ones."""
+    found: list[np.ndarray] = []
+    for camera in cameras:
+        place = np.array(camera.position_world)
+        if all(np.linalg.norm(place - other) > _SD_M for other in found):
+            found.append(place)
+    return [KnownPosition(place, np.eye(3) * _SD_M**2) for place in found[:_MOST_POSITIONS]]
+
+
+def chosen_proposer(name: str) -> PictureProposer:
+    """An installed detector.
+
+    Raises:
+        UsageError: there is none of this name.
+    """
+    by_name, problems = proposers()
+    if name not in by_name:
+        there = ", ".join(by_name) or "none is installed"
+        raise UsageError("; ".join((f"--with {name}: no such proposer ({there})", *problems)))
+    return by_name[name]
+
+
+class Proposer(Protocol):
+    """Proposes a camera for a picture, as `propose_camera` does; survives the trip to a worker."""
+
+    def __call__(
+        self, picture: PixelArray, field: Field, *, known: Sequence[KnownPosition]
+    ) -> Proposal: ...
+
+
+@dataclass(frozen=True, slots=True)
+class Proposed:
+    """What was proposed for one frame.
+
+    Attributes:
+        name: of the frame.
+        proposal: the camera, or why there is none; None if the picture cannot be used.
+        seconds: that it took.
+        error: why the picture cannot be used.
+        from_agreement: whether it was looked for where sure frames agree that cameras stand.
+    """
+
+    name: str
+    proposal: Proposal | None = None
+    seconds: float = 0.0
+    error: str = ""
+    from_agreement: bool = False
+
+    @property
+    def is_sure(self) -> bool:
+        """Whether there is a camera that may be relied on."""
+        return self.proposal is not None and self.proposal.state == SURE
+
+
+@dataclass(frozen=True)
+class ProposeCameras:
+    """Proposes cameras for chunks of frames.
+
+    Attributes:
+        field: the elements, metres.
+        known: where their cameras may be known to stand.
+        propose: finds the camera of a picture.
+    """
+
+    field: Field
+    known: tuple[KnownPosition, ...]
+    propose: Proposer
+
+    def __call__(self, chunk: Sequence[Frame]) -> tuple[list[Proposed], None]:
+        return [self._propose(frame) for frame in chunk], None
+
+    def _propose(self, frame: Frame) -> Proposed:
+        began = time.perf_counter()
+        try:
+            picture = decode_for_camera(frame.image_path)
+        except InputError as error:
+            return Proposed(frame.name, error=str(error))
+        field = field_for_frame(self.field, frame.name)
+        proposal = mark_non_square_pixels(
+            self.propose(picture, field, known=self.known), frame.image_path
+        )
+        return Proposed(frame.name, proposal, time.perf_counter() - began)
+
+
+def mark_non_square_pixels(proposal: Proposal, picture: Path) -> Proposal:
+    """A camera is not sure if the picture is of a video whose pixels are not square."""
+    found = video_frame_of_path(picture)
+    squeezed = "" if found is None else open_shared_video(found[0]).squeezed
+    if proposal.state != SURE or not squeezed:
+        return proposal
+    return replace(proposal, state=UNSURE, reason=squeezed)
+
+
+class ProposalRun(SetRun[Frame, Proposed, None]):
+    """One pass over pictures; iterate it once, then ask whether `again` is worth it."""
+
+    chunk = 1  # a second's work, and what is found is written as it comes
+    task: ProposeCameras
+
+    def __init__(
+        self,
+        frames: Sequence[Frame],
+        field: Field,
+        propose: Proposer,
+        known: tuple[KnownPosition, ...] = (),
+    ) -> None:
+        super().__init__(frames, ProposeCameras(field, known, propose))
+
+    def _digest(self, chunk: Sequence[Frame]) -> str:
+        parts: list[object] = [serialize(self.task.known)]
+        for frame in chunk:
+            # A frame of a video lies in the video's file.
+            file = frame.image_folder if frame.image_folder.is_file() else frame.image_path
+            parts += [frame.name, stamp_of_file(file)]
+        return hex_digest(*parts)
+
+    def _sums_of(self, results: Sequence[Proposed]) -> None:
+        return None
+
+
+@dataclass(frozen=True)
+class SecondPass:
+    """Frames that are looked at once more where the sure ones say that cameras stand.
+
+    Attributes:
+        positions: on which frames agree.
+        run: over the frames without a sure camera; it takes their results one by one.
+        before: what was proposed for those.
+    """
+
+    positions: tuple[KnownPosition, ...]
+    run: ProposalRun
+    before: dict[str, Proposed]
+
+    def better(self, found: Proposed) -> Proposed:
+        """A frame's second proposal if it is sure, else its first one."""
+        first = self.before[found.name]
+        seconds = first.seconds + found.seconds
+        if found.is_sure:
+            return replace(found, seconds=seconds, from_agreement=True)
+        return replace(first, seconds=seconds)
+
+
+def second_pass(run: ProposalRun, found: Sequence[Proposed]) -> SecondPass | None:
+    """What a second look at a set is to be, if its sure frames agree on a position and others may
+    gain by it.
+
+    Args:
+        run: that is done; its executor does this one too.
+        found: its results.
+    """
+    before = {one.name: one for one in found if one.proposal is not None and not one.is_sure}
+    sure = [one.proposal.fit for one in found if one.is_sure and one.proposal is not None]
+    others = [one.proposal.fit for one in before.values() if one.proposal is not None]
+    positions = cluster_fit_positions(sure, run.task.field, others) if before else ()
+    if not positions:
+        return None
+    frames = [frame for frame in run.frames if frame.name in before]
+    known = (*run.task.known, *positions)
+    again = ProposalRun(frames, run.task.field, run.task.propose, known)
+    again.executor, again.kept = run.executor, run.kept
+    return SecondPass(positions, again, before)

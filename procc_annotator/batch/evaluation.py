@@ -1,0 +1,249 @@
+"""Evaluate the cameras of a method on a set.
+
+One bad file never stops the set. Frames come in natural order whoever does the work, and memory
+does not grow with the set beyond its file names.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TypeVar
+
+from procc_annotator.batch.execution.executor import Executor
+from procc_annotator.batch.grouping import Grouping
+from procc_annotator.batch.scoring import (
+    Evaluated,
+    FrameFiles,
+    FrameResult,
+    LeftOutMetrics,
+    ScoreChunk,
+    Tally,
+)
+from procc_annotator.batch.set_run import (
+    SetRun,
+    annotations_for,
+    choice_of,
+    reopenable_cameras,
+    reopenable_source,
+)
+from procc_annotator.dataset.diagnostics import found_instead_of_cameras
+from procc_annotator.errors import UsageError
+from procc_annotator.formats.cameras.collection import CameraCollection
+from procc_annotator.formats.cameras.fit_record import NOT_FITTED
+from procc_annotator.formats.file_source import FileSource
+from procc_annotator.metrics.sets import SetSummary
+from procc_annotator.metrics.setup import EvaluationSetup, check_thresholds
+
+__all__ = [
+    "CHUNK",
+    "Evaluated",
+    "EvaluationRun",
+    "FrameResult",
+    "GroupSummary",
+    "check_thresholds",
+    "run_digested",
+    "run_evaluation",
+]
+
+# Frames a worker takes at once. The sums are made chunk by chunk in one process too, so that the
+# figures are the same to the last bit for any number of workers.
+CHUNK = 64
+
+T = TypeVar("T")
+
+
+@dataclass(frozen=True)
+class GroupSummary:
+    """The figures of the frames that share a value.
+
+    Attributes:
+        by: what they are grouped by, a column of tags or ``model``.
+        value: None for frames that have none.
+        summaries: by threshold; their ``images`` and ``evaluated`` say how many frames there are.
+    """
+
+    by: str
+    value: str | None
+    summaries: Mapping[float, SetSummary]
+
+
+class EvaluationRun(SetRun[FrameFiles, T, Tally]):
+    """One pass over a set; iterate it once, then ask for the `summary`.
+
+    Attributes:
+        matched: number of frames that have a camera file.
+        tagged: number of frames that have tags.
+        unmatched_cameras: frames with a camera file but no annotation: reported, not counted.
+        notices: remarks on the cameras.
+        counted, with_camera: frames so far that count, and those of them that were scored.
+        ground_only: whether one of the cameras so far knows only the ground.
+        fitted: how many of the cameras so far were fitted to the annotations they are judged by.
+    """
+
+    task: ScoreChunk[T]
+
+    def __init__(
+        self,
+        annotations: FileSource,
+        cameras: CameraCollection,
+        task: ScoreChunk[T],
+        executor: Executor | None = None,
+        grouping: Grouping | None = None,
+        chunk: int = 0,
+    ) -> None:
+        annotated, with_camera = annotations_for(cameras.frames, annotations), cameras.frames
+        tags = grouping or Grouping()
+        frames = [
+            FrameFiles(name, file, name in with_camera, tags.of(name))
+            for name, file in annotated.items()
+        ]
+        super().__init__(frames, task, executor)
+        self.chunk = chunk or CHUNK
+        self.matched = sum(frame.has_camera for frame in frames)
+        self.tagged = sum(frame.name in tags.values for frame in frames)
+        used = {with_camera.name_there(frame.name) for frame in frames if frame.has_camera}
+        self.unmatched_cameras = tuple(name for name in with_camera if name not in used)
+        self.notices = cameras.notices
+        self.counted = self.with_camera = 0
+        self.fitted = NOT_FITTED
+        self.ground_only = False
+        self._sums = task.new_tally()
+        self._require_cameras(annotations, cameras)
+
+    @property
+    def setup(self) -> EvaluationSetup:
+        """What every frame is scored with."""
+        return self.task.setup
+
+    @property
+    def thresholds(self) -> tuple[float, ...]:
+        """At which every frame is scored, px."""
+        return self.task.thresholds
+
+    def _require_cameras(self, annotations: FileSource, cameras: CameraCollection) -> None:
+        if not cameras.frames:
+            raise UsageError(
+                f"nothing to do: no camera (format {cameras.format}) in {cameras.path}"
+                + (found_instead_of_cameras(cameras.path) or choice_of(cameras))
+            )
+        if not self.matched:
+            first = next(iter(cameras.frames))
+            if instead := found_instead_of_cameras(cameras.path):
+                raise UsageError(f"nothing to do: no camera in {cameras.path}{instead}")
+            if cameras.path.is_file() and len(cameras.frames) == 1:
+                cameras.read(first)  # of a file of many that cannot be read only this is known
+            annotated, called = self.frames[0].name, cameras.frames.only_folder + first
+            raise UsageError(
+                "nothing to do: no camera has the name of an annotation (annotations are named"
+                f" like {annotated!r}, cameras like {called!r})"
+                + (choice_of(annotations) if "/" in annotated else "")
+            )
+
+    def _take(self, results: Sequence[T], sums: Tally) -> None:
+        self._sums.merge(sums)
+        self.counted += sums.counted
+        self.with_camera += sums.with_camera
+        self.ground_only |= sums.ground_only
+        self.fitted += sums.fitted
+
+    @property
+    def held_out(self) -> LeftOutMetrics:
+        """What is known of elements left out of the fits among the cameras so far."""
+        return self._sums.held_out.at(self.setup)
+
+    @property
+    def annotation_notes(self) -> tuple[str, ...]:
+        """What the annotations so far have that lowers every score, see `AnnotationNotes`."""
+        return self._sums.notes.lines()
+
+    def summary(self) -> dict[float, SetSummary]:
+        """Figures of the frames seen so far, by threshold."""
+        return self._sums.sums.summary()
+
+    def group_summaries(self) -> tuple[GroupSummary, ...]:
+        """The same for the frames of each group, in the order of what they are grouped by."""
+        return tuple(
+            GroupSummary(by, value, sums.summary())
+            for by in self.task.by
+            for value, sums in self._sums.groups_by(by)
+        )
+
+    def describe(self) -> str:
+        """Protocol, size and what else the numbers depend on, in words."""
+        described = self.setup.describe(self.ground_only)
+        mark = self.fitted.among(self.with_camera)
+        return f"{described}, {mark}" if mark else described
+
+
+def run_evaluation(
+    annotations: FileSource,
+    cameras: CameraCollection,
+    setup: EvaluationSetup,
+    thresholds: Sequence[float],
+    *,
+    camera_size: tuple[int, int] | None = None,
+    executor: Executor | None = None,
+    grouping: Grouping | None = None,
+) -> EvaluationRun[FrameResult]:
+    """Score every annotated frame that has a camera.
+
+    Args:
+        annotations: folder or archive of annotation files.
+        cameras: the cameras, by frame name.
+        setup: field, size, protocol.
+        thresholds: px, at least one.
+        camera_size: picture size the cameras refer to, where their files do not say.
+        executor: who does the work; this process unless given.
+        grouping: what else to make figures by.
+
+    Raises:
+        UsageError: nothing to evaluate, or a threshold that is none.
+        InputError: a folder or archive that cannot be listed.
+    """
+    return run_digested(
+        annotations,
+        cameras,
+        setup,
+        thresholds,
+        _itself,
+        camera_size=camera_size,
+        executor=executor,
+        grouping=grouping,
+    )
+
+
+def run_digested(
+    annotations: FileSource,
+    cameras: CameraCollection,
+    setup: EvaluationSetup,
+    thresholds: Sequence[float],
+    digest: Callable[[Evaluated], T],
+    *,
+    camera_size: tuple[int, int] | None = None,
+    executor: Executor | None = None,
+    grouping: Grouping | None = None,
+    chunk: int = 0,
+) -> EvaluationRun[T]:
+    """As `run_evaluation`, but yields ``digest(evaluated)``, computed where the frame was scored.
+
+    Args:
+        digest: survives the trip into a worker process (a module's function, a partial of one).
+        chunk: frames a worker takes at once, where they take much longer than scoring does. It
+            belongs to the task, not to the machine: sums of other chunks may differ in their last
+            digit.
+    """
+    task = ScoreChunk(
+        reopenable_source(annotations),
+        reopenable_cameras(cameras),
+        setup,
+        check_thresholds(thresholds),
+        camera_size,
+        grouping.by if grouping else (),
+        digest,
+    )
+    return EvaluationRun(annotations, cameras, task, executor, grouping, chunk)
+
+
+def _itself(evaluated: Evaluated) -> FrameResult:
+    return evaluated.result

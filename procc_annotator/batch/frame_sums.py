@@ -1,0 +1,330 @@
+"""Per-frame sums for bootstrap resampling, scores under perturbed clicks, confidence bands."""
+
+from __future__ import annotations
+
+import math
+import zlib
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px, points_px
+from procc_annotator.batch.audit import TAU_GRID, FrameAudit, Pose, pose_in_degrees
+from procc_annotator.batch.grouping import FrameOrder, clusters_of
+from procc_annotator.batch.scoring import Evaluated
+from procc_annotator.formats.cameras.fit_record import NOT_FITTED, FitCounts, name_with_mark
+from procc_annotator.metrics.measurement import Measurement, measure_projected
+from procc_annotator.metrics.polylines import BoolArray, FloatArray
+from procc_annotator.metrics.score import FrameScore, jac_curve
+from procc_annotator.metrics.statistics.bootstrap import BootstrapSettings, RatioMetrics, bootstrap
+from procc_annotator.metrics.statistics.intervals import CurveBand, curve_band
+
+REPEATS = 20
+
+
+@dataclass(frozen=True)
+class ClickNoise:
+    """How points are moved.
+
+    Attributes:
+        px: standard deviation along x and along y, px of the evaluation size or of ``of_size``.
+        repeats: how often the whole evaluation is repeated.
+        seed: the same one moves the same points of a frame alike, for every source.
+        of_size: (width, height) of the picture in whose px it was measured.
+        told_by: what it was measured by.
+    """
+
+    px: float
+    repeats: int = REPEATS
+    seed: int = 1
+    of_size: tuple[int, int] | None = None
+    told_by: str = ""
+
+    def at(self, size: tuple[int, int]) -> tuple[float, float]:
+        """The deviations along x and y, px of a picture of this (width, height)."""
+        if self.of_size is None:
+            return self.px, self.px
+        along, down = ((n - 1) / (m - 1) for n, m in zip(size, self.of_size, strict=True))
+        return self.px * along, self.px * down
+
+    @property
+    def described(self) -> str:
+        """How points are moved, in words."""
+        of, told_by = "", ""
+        if self.of_size is not None:
+            of, told_by = f" of {self.of_size[0]}x{self.of_size[1]}", f", from {self.told_by}"
+        return (
+            f"Every point moved by {self.px:.3g} px{of} (standard deviation along x and y"
+            f"{told_by}), {self.repeats} times, seed {self.seed}."
+        )
+
+
+def perturbed_jac(
+    frame: str,
+    annotation: FrameAnnotation,
+    measurement: Measurement,
+    noise: ClickNoise,
+    thresholds: Sequence[float],
+) -> NDArray[np.float32]:
+    """(R, T) JaC of a frame at some thresholds, in each repeat.
+
+    Args:
+        frame: its name; it decides, with the seed, how its points are moved.
+        annotation: what was clicked. measurement: of it.
+    """
+    rng = np.random.default_rng((noise.seed, zlib.crc32(frame.encode("utf-8", "surrogatepass"))))
+    taus = np.asarray(thresholds, dtype=np.float64)
+    size = measurement.setup.size
+    found = np.empty((noise.repeats, len(taus)), dtype=np.float32)
+    for repeat in range(noise.repeats):
+        moved = _perturbed(annotation, size, noise.at(size), rng)
+        again = measure_projected(moved, measurement.projected, measurement.setup)
+        found[repeat] = jac_curve(again, taus)
+    return found
+
+
+def _perturbed(
+    annotation: FrameAnnotation,
+    size: tuple[int, int],
+    px: tuple[float, float],
+    rng: np.random.Generator,
+) -> FrameAnnotation:
+    return replace(
+        annotation,
+        polylines=tuple(_perturbed_polyline(p, size, px, rng) for p in annotation.polylines),
+    )
+
+
+def _perturbed_polyline(
+    polyline: Polyline, size: tuple[int, int], px: tuple[float, float], rng: np.random.Generator
+) -> Polyline:
+    points = points_px(polyline, size)
+    points += np.array(px) * rng.standard_normal(points.shape)
+    return replace(polyline, points=tuple(point_from_px(x, y, size) for x, y in points.tolist()))
+
+
+# Where a difference is followed over tau with moved clicks: every 0.5 px.
+SPARSE = slice(0, None, 5)
+SPARSE_TAUS = tuple(TAU_GRID[SPARSE].tolist())
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class FrameSums:
+    """One frame that counts, under one source; T thresholds.
+
+    Attributes:
+        frame: its name.
+        figures: (T, 5) JaC, precision, recall, sum of distances and their count; NaN where one is
+            undefined, all of them without a camera.
+        curve: JaC at each of `TAU_GRID`, float32; None without a camera.
+        elements: how many elements are annotated.
+        spread: the share of the picture that their points enclose; None where there are none.
+        pose: of the camera; None without one, or where its model has none.
+        model: of the camera; empty without one.
+        moved: (R, T + S) JaC with all points moved R times, at each threshold and each of
+            `SPARSE_TAUS`; None unless it was asked for.
+        fitted: whether the camera was fitted to the annotation it is judged by, or to another
+            version of it.
+        ground_only: whether the camera knows only the ground.
+    """
+
+    frame: str
+    figures: FloatArray
+    curve: NDArray[np.float32] | None
+    elements: int = 0
+    pose: Pose | None = None
+    model: str = ""
+    moved: NDArray[np.float32] | None = None
+    fitted: FitCounts = NOT_FITTED
+    ground_only: bool = False
+    spread: float | None = None
+
+
+def frame_sums(
+    evaluated: Evaluated, thresholds: Sequence[float], noise: ClickNoise | None = None
+) -> FrameSums | None:
+    """Keep what a frame adds; None for one that belongs to no figure of the set."""
+    result = evaluated.result
+    if not result.counted:
+        return None
+    measurement, how_much = evaluated.measurement, result.clicked
+    elements = 0 if how_much is None else how_much.annotated_elements
+    spread = None if how_much is None else how_much.spread
+    if measurement is None or evaluated.camera is None:
+        nothing = np.full((len(thresholds), 5), np.nan)
+        return FrameSums(result.name, nothing, None, elements=elements, spread=spread)
+    moved = None
+    if noise is not None and evaluated.annotation is not None:
+        taus = (*thresholds, *SPARSE_TAUS)
+        moved = perturbed_jac(result.name, evaluated.annotation, measurement, noise, taus)
+    return FrameSums(
+        result.name,
+        np.array([_figures(result.scores[tau]) for tau in thresholds]),
+        jac_curve(measurement, TAU_GRID).astype(np.float32),
+        elements,
+        pose_in_degrees(evaluated.camera),
+        evaluated.model,
+        moved,
+        result.fitted,
+        result.ground_only,
+        spread,
+    )
+
+
+def _figures(score: FrameScore) -> tuple[float, ...]:
+    precision, recall = score.precision, score.recall
+    return (
+        score.jac,
+        math.nan if precision is None else precision,
+        math.nan if recall is None else recall,
+        score.read.error_sum,
+        float(len(score.read.all_distances)),
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class SourceSums:
+    """A source over the F frames of a set that count.
+
+    Attributes:
+        name: of the source.
+        thresholds: T, px.
+        frames: in natural order.
+    """
+
+    name: str
+    thresholds: tuple[float, ...]
+    frames: tuple[FrameSums, ...]
+
+    @classmethod
+    def of(
+        cls, name: str, thresholds: Sequence[float], frames: Iterable[FrameSums | None]
+    ) -> SourceSums:
+        """The frames that count."""
+        return cls(name, tuple(thresholds), tuple(f for f in frames if f is not None))
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The frames."""
+        return tuple(frame.frame for frame in self.frames)
+
+    @property
+    def with_camera(self) -> BoolArray:
+        """(F,) whether the source has a camera."""
+        return np.array([frame.curve is not None for frame in self.frames], dtype=bool)
+
+    @property
+    def fitted(self) -> FitCounts:
+        """Its cameras that were fitted to the annotations they are judged by: no method among
+        methods, and never the best of them."""
+        return sum((frame.fitted for frame in self.frames), NOT_FITTED)
+
+    @property
+    def ground_only(self) -> bool:
+        """Whether some of its cameras know only the ground: their errors are of fewer points."""
+        return any(frame.ground_only for frame in self.frames)
+
+    @property
+    def marked_name(self) -> str:
+        """Its name as tables tell it beside others."""
+        return name_with_mark(self.name, self.fitted)
+
+    def ratios(self, key: str) -> RatioMetrics:
+        """A figure of the set at each threshold, by its key in `SetSummary`."""
+        figures = np.array([frame.figures for frame in self.frames])
+        figures = figures.reshape(len(self.frames), len(self.thresholds), 5)
+        if key in _MEANS:
+            return RatioMetrics.mean(figures[..., _MEANS[key]])
+        there = np.repeat(self.with_camera[:, None], len(self.thresholds), axis=1)
+        if key == "mean_error":
+            # A distance that is undefined leaves the set without a mean.
+            counts = np.where(there, figures[..., 4], 0.0)
+            return RatioMetrics(np.where(there, figures[..., 3], 0.0), counts)
+        every = np.ones(there.shape)
+        if key == "completeness":
+            return RatioMetrics(there.astype(np.float64), every)
+        if key == "final_score":
+            if not self.with_camera.any():  # no mean that the completeness could be taken of
+                every = np.zeros(there.shape)
+            return RatioMetrics(np.where(there, figures[..., 0], 0.0), every)
+        raise KeyError(key)
+
+    def curves(self) -> RatioMetrics:
+        """The mean JaC at each of `TAU_GRID`."""
+        nothing = np.full(len(TAU_GRID), np.nan, dtype=np.float32)
+        return RatioMetrics.mean(
+            np.array([nothing if f.curve is None else f.curve for f in self.frames]).reshape(
+                len(self.frames), len(TAU_GRID)
+            )
+        )
+
+
+_MEANS = {"mean_jac": 0, "mean_precision": 1, "mean_recall": 2}
+
+
+# Bands are smooth: every 0.5 px is enough, and a few hundredths of a second for a thousand frames.
+_EVERY = 5
+_DRAWS = BootstrapSettings(1000)
+
+
+@dataclass(frozen=True, eq=False)
+class AuditBand:
+    """A curve over `TAU_GRID` with its band.
+
+    Attributes:
+        band: the curve.
+        frames: how many it is of.
+        clustered: what frames are drawn together, in words.
+    """
+
+    band: CurveBand
+    frames: int
+    clustered: str
+
+
+def mean_band(
+    audits: Mapping[str, FrameAudit], frames: Sequence[str], order: FrameOrder | None = None
+) -> AuditBand:
+    """The mean JaC of a source over the frames that it has.
+
+    Args:
+        audits: by frame. frames: all names, in their order.
+        order: the dataset's table of frames; without it names tell which ones are of one shot.
+    """
+    names = [name for name in frames if name in audits]
+    return _band([audits[name].jac.astype(np.float64) for name in names], names, 0.0, order)
+
+
+def difference_band(
+    a: Mapping[str, FrameAudit],
+    b: Mapping[str, FrameAudit],
+    frames: Sequence[str],
+    order: FrameOrder | None = None,
+) -> AuditBand:
+    """What the mean JaC of one source has more than that of another, over the frames of both.
+
+    Args: as of `mean_band`.
+    """
+    names = [name for name in frames if name in a and name in b]
+    off = [a[name].jac.astype(np.float64) - b[name].jac for name in names]
+    return _band(off, names, -1.0, order)
+
+
+def _band(
+    curves: Sequence[FloatArray], names: Sequence[str], least: float, order: FrameOrder | None
+) -> AuditBand:
+    clusters = clusters_of(names, None, {}, order)
+    count = len(TAU_GRID)
+    if not curves:
+        nothing = np.full(count, np.nan)
+        return AuditBand(CurveBand(nothing, nothing, nothing), 0, clusters.described)
+    every = np.array(curves, dtype=np.float64)
+    found = curve_band(
+        bootstrap(RatioMetrics.mean(every[:, ::_EVERY]), clusters.numbers, _DRAWS), _DRAWS
+    )
+    values, taus = every.mean(axis=0), TAU_GRID[::_EVERY]
+    half = np.interp(TAU_GRID, taus, found.high - found.values)
+    low, high = (np.clip(values + sign * half, least, 1.0) for sign in (-1, 1))
+    return AuditBand(CurveBand(values, low, high), len(names), clusters.described)

@@ -1,0 +1,499 @@
+"""Shared parameters of many frames with each frame's camera eliminated; fits at a known
+position.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property, partial
+
+import numpy as np
+from numpy.typing import NDArray
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.calibration.model_selection import fit_result_from
+from procc_annotator.calibration.optimization.camera_parameters import (
+    FISHEYE_FLAG,
+    FREE_PARAMETERS,
+    KAPPA,
+    LOG_FOCAL,
+    MIN_KAPPA,
+    ROLL,
+    X,
+    Z,
+    is_wide_angle,
+    lower_bounded_parameter,
+)
+from procc_annotator.calibration.optimization.camera_placement import camera_placement_prior
+from procc_annotator.calibration.optimization.covariance import estimate_element_offsets
+from procc_annotator.calibration.optimization.initialization import (
+    initial_cameras_at_position,
+    prior_near,
+)
+from procc_annotator.calibration.optimization.observations import (
+    FloatArray,
+    ImageFrame,
+    Observations,
+    build_observations,
+)
+from procc_annotator.calibration.optimization.residuals import (
+    Residuals,
+    estimate_click_sd,
+    linear_map,
+    pinhole_residuals,
+    residual_components,
+    whitened,
+)
+from procc_annotator.calibration.optimization.robust_fit import CameraSolution
+from procc_annotator.calibration.optimization.solver import (
+    FINAL_LOSS,
+    ROBUST_LOSS,
+    SEARCH_LOSS,
+    GaussianPrior,
+    Problem,
+    RobustLoss,
+    solve,
+)
+from procc_annotator.calibration.result import FitResult
+from procc_annotator.field.model import Field
+
+_ITERATIONS = 12
+_STEP_HALVINGS = 5
+_CONVERGED_STEP_SD = 0.02  # a step smaller than this many standard deviations ends the search
+
+
+@dataclass(frozen=True, eq=False)
+class ReducedFrame:
+    """A frame with the camera that is best for the shared parameters.
+
+    Attributes:
+        vector: (11,) of the camera.
+        cost: robust cost, the camera's own prior included.
+        gradient: (s,) of that by the shared parameters.
+        normal: (s, s) its Gauss-Newton matrix, reduced by the camera's own parameters.
+        components: (M,) solver px, what the residuals of the points with a say are made of.
+        own: number of the camera's own parameters.
+    """
+
+    vector: FloatArray
+    cost: float
+    gradient: FloatArray
+    normal: FloatArray
+    components: FloatArray
+    own: int
+
+
+@dataclass(frozen=True, eq=False)
+class SharedParameterPrior:
+    """Where shared parameters are expected, and between which limits they must stay: all (s,)."""
+
+    mean: FloatArray
+    inverse_sd: FloatArray
+    lowest: FloatArray
+    highest: FloatArray
+
+
+@dataclass(frozen=True, eq=False)
+class SharedSolution:
+    """Shared parameters of F frames.
+
+    Attributes:
+        values: (s,).
+        covariance: (s, s).
+        error_px: standard deviation of a point across its element, solver px.
+        profiles: of the frames, in their order.
+    """
+
+    values: FloatArray
+    covariance: FloatArray
+    error_px: float
+    profiles: tuple[ReducedFrame, ...]
+
+
+def reduce_frame(
+    vector: FloatArray,
+    residuals: Residuals,
+    weights: FloatArray,
+    prior: GaussianPrior,
+    own: NDArray[np.intp],
+) -> ReducedFrame:
+    """A frame with its best camera, its own parameters taken out.
+
+    Args:
+        vector: (11,) of the camera.
+        residuals: of it, with derivatives by the shared parameters first, then by ``own``.
+        weights: (N,) of the points; 0 for those that have no say.
+        prior: on the camera.
+        own: (n,) its own parameters, as indices of ``vector``.
+    """
+    costs, robust = FINAL_LOSS.cost_and_weight(residuals.distances[0])
+    inverse = prior.inverse_sd[0, own]
+    off = (vector[own] - prior.mean[0, own]) * inverse
+    shared = residuals.derivatives.shape[1] - len(own)
+    gradient, normal = schur_complement(
+        residuals, robust * weights, off * inverse, np.diag(inverse**2), shared
+    )
+    cost = float(costs @ weights) + float(off @ off) / 2
+    own_components = residual_components(residuals.values[0], residuals.whole[0], weights > 0)
+    return ReducedFrame(vector, cost, gradient, normal, own_components, len(own))
+
+
+def unbounded_parameters(vector: FloatArray, free: int) -> NDArray[np.intp]:
+    """Free parameters of a camera; a radial coefficient on its bound is none."""
+    bound = free > KAPPA and not is_wide_angle(vector) and vector[KAPPA] in (0.0, MIN_KAPPA)
+    return np.array([i for i in range(free) if not (bound and i == KAPPA)], dtype=np.intp)
+
+
+FrameReducer = Callable[[FloatArray, Sequence[FloatArray]], list[ReducedFrame]]
+
+
+def schur_complement(
+    residuals: Residuals,
+    weights: FloatArray,
+    own_gradient: FloatArray,
+    own_normal: FloatArray,
+    shared: int,
+) -> tuple[FloatArray, FloatArray]:
+    """Gradient (s,) and normal matrix (s, s) by shared parameters, a camera's own taken out.
+
+    Args:
+        residuals: of one camera, with derivatives by the s shared parameters first, then its own.
+        weights: (N,) of the points, that of the robust loss included.
+        own_gradient: (n,) of the camera's prior.
+        own_normal: (n, n) of the camera's prior.
+        shared: s.
+    """
+    rows = residuals.derivatives[0].reshape(len(residuals.derivatives[0]), -1)
+    weighted = rows * np.tile(weights, 2)
+    normal = weighted @ rows.T
+    gradient = weighted @ residuals.values[0].reshape(-1)
+    normal[shared:, shared:] += own_normal
+    gradient[shared:] += own_gradient
+    taken = np.linalg.solve(
+        normal[shared:, shared:] + 1e-12 * np.eye(len(own_normal)),
+        np.column_stack([normal[shared:, :shared], gradient[shared:]]),
+    )
+    across = normal[:shared, shared:]
+    return (
+        gradient[:shared] - across @ taken[:, -1],
+        normal[:shared, :shared] - across @ taken[:, :-1],
+    )
+
+
+def solve_shared(
+    profiler: FrameReducer,
+    start: FloatArray,
+    vectors: Sequence[FloatArray],
+    prior: SharedParameterPrior,
+) -> SharedSolution:
+    """Minimise the cost of all frames over the parameters they share.
+
+    Args:
+        profiler: shared parameters (s,) and nearly right cameras -> the frames' profiles.
+        start: (s,) shared parameters to start from.
+        vectors: (11,) of each frame's camera to start from.
+        prior: on the shared parameters.
+    """
+    values = np.clip(start, prior.lowest, prior.highest)
+    profiles = profiler(values, vectors)
+    cost = _total_cost(values, profiles, prior)
+    for _ in range(_ITERATIONS):
+        step, sd = _gauss_newton_step(values, profiles, prior)
+        length = float(np.abs(step / sd).max())
+        for _ in range(_STEP_HALVINGS):
+            tried = np.clip(values + step, prior.lowest, prior.highest)
+            found = profiler(tried, [p.vector for p in profiles])
+            new = _total_cost(tried, found, prior)
+            if new < cost:
+                break
+            step = step / 2
+        else:
+            break
+        values, profiles, cost = tried, found, new
+        if length < _CONVERGED_STEP_SD:
+            break
+    error_px = _pooled_click_sd(profiles, len(values))
+    return SharedSolution(
+        values, _shared_covariance(profiles, prior, error_px), error_px, tuple(profiles)
+    )
+
+
+def _total_cost(
+    values: FloatArray, profiles: Sequence[ReducedFrame], prior: SharedParameterPrior
+) -> float:
+    off = (values - prior.mean) * prior.inverse_sd
+    return sum(p.cost for p in profiles) + float(off @ off) / 2
+
+
+def _gauss_newton_step(
+    values: FloatArray, profiles: Sequence[ReducedFrame], prior: SharedParameterPrior
+) -> tuple[FloatArray, FloatArray]:
+    """The Gauss-Newton step, and the standard deviations it is measured by."""
+    normal = _summed_normal_matrix(profiles) + np.diag(prior.inverse_sd**2)
+    gradient = np.sum([p.gradient for p in profiles], axis=0)
+    gradient = gradient + (values - prior.mean) * prior.inverse_sd**2
+    # What lies on its limit and is pushed through it stays there.
+    held = (values <= prior.lowest) & (gradient > 0) | (values >= prior.highest) & (gradient < 0)
+    free = ~held
+    step = np.zeros(len(values))
+    if free.any():
+        step[free] = -np.linalg.solve(normal[np.ix_(free, free)], gradient[free])
+    return step, 1 / np.sqrt(np.diag(normal))
+
+
+def _summed_normal_matrix(profiles: Sequence[ReducedFrame]) -> FloatArray:
+    return np.asarray(np.sum([p.normal for p in profiles], axis=0))
+
+
+def _pooled_click_sd(profiles: Sequence[ReducedFrame], shared: int) -> float:
+    """As for single frames, but with the residuals of all of them."""
+    every = np.concatenate([p.components for p in profiles])
+    return estimate_click_sd(every, sum(p.own for p in profiles) + shared)
+
+
+def _shared_covariance(
+    profiles: Sequence[ReducedFrame], prior: SharedParameterPrior, error_px: float
+) -> FloatArray:
+    """(s, s), from the errors of the points or from how the frames pull, whichever is larger.
+
+    Points of one frame err together where the model is not the whole truth. How differently the
+    frames pull at the shared parameters shows that (the sandwich estimator, with frames as its
+    clusters; e.g. Cameron and Miller, A Practitioner's Guide to Cluster-Robust Inference, 2015).
+    """
+    belief = np.diag(prior.inverse_sd**2)
+    normal = _summed_normal_matrix(profiles)
+    plain = np.linalg.inv(normal / error_px**2 + belief)
+    pulls = np.array([p.gradient for p in profiles])
+    pulls = pulls - pulls.mean(axis=0)  # on a limit all of them pull through it
+    spare = max(len(profiles) - len(prior.mean), 1)
+    inverse = np.linalg.inv(normal + belief * error_px**2)
+    pulled = inverse @ (pulls.T @ pulls * len(profiles) / spare) @ inverse
+    grown = np.sqrt(np.maximum(np.diag(pulled) / np.diag(plain), 1.0))
+    covariance = plain * grown[:, None] * grown
+    return np.asarray((covariance + covariance.T) / 2)
+
+
+POSITION_PARAMETERS = np.arange(X, Z + 1)
+_FIXED_POSITION_SD_M = 1e-3  # what the position may be off in a fit that is not to move it
+
+
+@dataclass(frozen=True, eq=False)
+class LensAndRollPrior:
+    """What the lens and the level of a camera are known to be beside its position: means and
+    standard deviations of roll (rad) and kappa."""
+
+    roll: tuple[float, float]
+    kappa: tuple[float, float]
+
+
+@dataclass(frozen=True, eq=False)
+class FrameObservations:
+    """One frame to be fitted together with others.
+
+    Attributes:
+        seen: its points.
+        left_out: (E,) elements taken for mistakes, which have no say.
+        frame: the picture.
+        model: P, R or R+.
+        vector: (11,) its camera, or what to start from.
+    """
+
+    seen: Observations
+    left_out: NDArray[np.bool_]
+    frame: ImageFrame
+    model: str
+    vector: FloatArray
+
+    @cached_property
+    def kept(self) -> Observations:
+        """The points, with weight 0 for those that have no say."""
+        return self.seen.with_excluded(self.left_out)
+
+
+def frame_observations(
+    annotation: FrameAnnotation, fit: FitResult, field: Field
+) -> FrameObservations:
+    """A frame as its own fit sees it.
+
+    Args:
+        annotation: what was fitted.
+        fit: has a pinhole camera.
+        field: the elements.
+    """
+    frame = ImageFrame(fit.size)
+    seen = build_observations(annotation, field, frame)
+    if seen is None or fit.vector is None:
+        raise ValueError("a failed fit has no camera")
+    out = set(fit.left_out)
+    left_out = np.array([element.name in out for element in seen.elements])
+    seen = whitened(seen, linear_map(fit.vector))
+    return FrameObservations(seen, left_out, frame, fit.model, fit.vector)
+
+
+def prior_at_position(
+    vector: FloatArray, field: Field, free: int, usual: LensAndRollPrior | None = None
+) -> GaussianPrior:
+    """Weak priors on everything but the position, which is held.
+
+    Args:
+        vector: (11,) a camera at that position, nearly right.
+        field: where cameras stand around it.
+        free: number of the model's parameters.
+        usual: what is known of the camera besides.
+    """
+    around = camera_placement_prior(field)
+    prior = prior_near(vector, around, free)
+    mean, inverse = prior.mean.copy(), prior.inverse_sd.copy()
+    mean[:, POSITION_PARAMETERS], inverse[:, POSITION_PARAMETERS] = (
+        vector[POSITION_PARAMETERS],
+        1 / _FIXED_POSITION_SD_M,
+    )
+    if usual is not None:
+        mean[:, ROLL], inverse[:, ROLL] = usual.roll[0], 1 / usual.roll[1]
+        if free > KAPPA and not is_wide_angle(vector):
+            mean[:, KAPPA], inverse[:, KAPPA] = usual.kappa[0], 1 / usual.kappa[1]
+    return GaussianPrior(mean, inverse)
+
+
+def fit_at_position(
+    sighting: FrameObservations,
+    position: FloatArray,
+    field: Field,
+    *,
+    usual: LensAndRollPrior | None = None,
+    tolerance: float = 1e-5,
+) -> CameraSolution:
+    """The camera of a frame at a known position, from one that is nearly right.
+
+    Args:
+        sighting: the frame.
+        position: (3,) metres.
+        field: the elements.
+        usual: what is known of the camera besides.
+        tolerance: see `solve`.
+    """
+    start = sighting.vector.copy()
+    start[POSITION_PARAMETERS] = position
+    prior = prior_at_position(start, field, FREE_PARAMETERS[sighting.model], usual)
+    return _fit_at_position(sighting, start[None], position, prior, FINAL_LOSS, tolerance)
+
+
+def search_at_position(
+    sighting: FrameObservations,
+    position: FloatArray,
+    field: Field,
+    usual: LensAndRollPrior | None = None,
+) -> CameraSolution:
+    """The camera of a frame at a known position, without a start.
+
+    Args:
+        sighting: the frame; its vector does not matter.
+        position: (3,) metres.
+        field: the elements.
+        usual: what is known of the camera besides.
+    """
+    starts = initial_cameras_at_position(position, sighting.seen, field)
+    prior = prior_at_position(starts[0], field, FREE_PARAMETERS["P"], usual)
+    first = _fit_at_position(
+        replace(sighting, model="P"), starts, position, prior, SEARCH_LOSS, 1e-4
+    )
+    prior = prior_at_position(starts[0], field, FREE_PARAMETERS[sighting.model], usual)
+    begin = first.vector[None].copy()
+    # Whose other pictures show barrel distortion: only from below 0 is a fit led there.
+    begin[:, KAPPA] = 0.0 if usual is None else min(usual.kappa[0], 0.0)
+    robust = _fit_at_position(sighting, begin, position, prior, ROBUST_LOSS, 1e-4)
+    return _fit_at_position(sighting, robust.vector[None], position, prior, FINAL_LOSS, 1e-5)
+
+
+def _fit_at_position(
+    sighting: FrameObservations,
+    starts: FloatArray,
+    position: FloatArray,
+    prior: GaussianPrior,
+    loss: RobustLoss,
+    tolerance: float,
+) -> CameraSolution:
+    free = FREE_PARAMETERS[sighting.model]
+    vectors = starts.copy()
+    vectors[:, free:FISHEYE_FLAG] = 0.0
+    problem = Problem(
+        partial(
+            pinhole_residuals,
+            seen=sighting.kept,
+            half_diagonal=sighting.frame.half_diagonal,
+            free=free,
+        ),
+        sighting.kept.weights,
+        loss,
+        prior,
+        bounded=lower_bounded_parameter(vectors),
+    )
+    found = solve(problem, vectors, iterations=20, tolerance=tolerance)
+    best = int(np.argmin(found.costs))
+    only = found.chosen(np.array([best]))
+    vector = found.vectors[best].copy()
+    vector[POSITION_PARAMETERS] = position  # the same to the last digit in all frames
+    return CameraSolution(vector, only, prior, sighting.seen, sighting.left_out)
+
+
+def profile_at_position(
+    sighting: FrameObservations, position: FloatArray, field: Field
+) -> ReducedFrame:
+    """What a frame says of a position, once its camera is the best one for it."""
+    found = fit_at_position(sighting, position, field)
+    free, vector = FREE_PARAMETERS[sighting.model], found.vector
+    residuals = pinhole_residuals(vector[None], sighting.seen, sighting.frame.half_diagonal, free)
+    own = frame_parameters(vector, free)
+    order = np.concatenate([POSITION_PARAMETERS, own])
+    ordered = replace(residuals, derivatives=residuals.derivatives[:, order])
+    return reduce_frame(vector, ordered, sighting.kept.weights, found.prior, own)
+
+
+def frame_parameters(vector: FloatArray, free: int) -> NDArray[np.intp]:
+    """Free parameters beside the position; a radial coefficient on its bound is none."""
+    return np.setdiff1d(unbounded_parameters(vector, free), POSITION_PARAMETERS)
+
+
+def fit_result_at_position(
+    found: CameraSolution, sighting: FrameObservations, field: Field, covariance: FloatArray
+) -> FitResult:
+    """The result of a fit at a known position, which is itself uncertain.
+
+    Args:
+        found: from `fit_at_position` or `search_at_position`.
+        sighting: the frame.
+        field: the elements.
+        covariance: (3, 3) of the position, metres squared.
+    """
+    result = fit_result_from(found, field, sighting.frame, sighting.model, False)
+    if result.camera is None or result.error_px is None or result.deviations is None:
+        return result
+    free = FREE_PARAMETERS[sighting.model]
+    own = np.setdiff1d(np.arange(free), POSITION_PARAMETERS)
+    error_px = result.error_px * sighting.frame.scale
+    information = found.solution.normal[0] / error_px**2 + np.diag(found.prior.inverse_sd[0] ** 2)
+    alone = np.linalg.inv(information[np.ix_(own, own)])
+    # How the camera's own parameters follow the position.
+    follow = -alone @ information[np.ix_(own, POSITION_PARAMETERS)]
+    full = np.zeros((free, free))
+    full[np.ix_(POSITION_PARAMETERS, POSITION_PARAMETERS)] = covariance
+    full[np.ix_(own, POSITION_PARAMETERS)] = follow @ covariance
+    full[np.ix_(POSITION_PARAMETERS, own)] = full[np.ix_(own, POSITION_PARAMETERS)].T
+    full[np.ix_(own, own)] = alone + follow @ covariance @ follow.T
+    of_clicks, at_place = full, np.zeros((free, free))
+    at_place[np.ix_(own, own)] = alone
+    full = of_clicks + estimate_element_offsets(found, sighting.frame, error_px).covariance(
+        at_place
+    )
+    sd = np.sqrt(np.diag(full)).tolist()
+    focal = float(np.exp(found.vector[LOG_FOCAL])) / sighting.frame.scale
+    deviations = replace(
+        result.deviations,
+        pan_rad=sd[0],
+        tilt_rad=sd[1],
+        roll_rad=sd[2],
+        position_m=(sd[X], sd[X + 1], sd[Z]),
+        focal_px=focal * sd[LOG_FOCAL],
+    )
+    return replace(result, covariance=full, of_clicks=of_clicks, deviations=deviations)

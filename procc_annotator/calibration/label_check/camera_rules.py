@@ -1,0 +1,395 @@
+"""Findings from the fitted camera: swapped, misplaced and mirrored labels."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.calibration.label_check.candidate_classes import (
+    distances_to_classes,
+    leave_one_out_errors,
+)
+from procc_annotator.calibration.label_check.evidence import (
+    FrameEvidence,
+    element_error,
+    in_image_px,
+    suspect_limit,
+)
+from procc_annotator.calibration.label_check.explanation import (
+    MIN_CORRECT,
+    Explanation,
+    SuspectFrame,
+    best_explanation,
+)
+from procc_annotator.calibration.label_check.finding import (
+    LOOK,
+    Finding,
+    Remedy,
+    RemedyKind,
+    Rule,
+    Severity,
+)
+from procc_annotator.calibration.label_check.orientation import (
+    MIRROR_REMEDY_TEXTS,
+    MIRROR_X,
+    MIRROR_Y,
+    mirrored_names,
+    relabelled,
+)
+from procc_annotator.calibration.optimization.camera_parameters import WIDE_ANGLE_MODELS
+from procc_annotator.calibration.optimization.camera_placement import insufficient_reason
+from procc_annotator.calibration.optimization.observations import ImageFrame, build_observations
+from procc_annotator.calibration.optimization.robust_fit import MIN_ELEMENTS, OUTLIER_PX
+from procc_annotator.calibration.result import FitResult, PosedCamera
+from procc_annotator.field.landmarks import landmark_covariances
+from procc_annotator.translation import (
+    TranslatableText,
+    translatable,
+    translatable_all,
+    translatable_joined,
+)
+
+# A whole frame is called reflected if its reflection fits at least so many times as well.
+_MIRROR_FIT_RATIO = 2.0
+_MIRROR_MAX_PX = 6.0
+# An element counts at most this in the comparison of two labellings.
+_MAX_COUNTED_PX = 30.0
+# Only a fit this bad makes it worth while to look.
+_POOR_FIT_MEDIAN_PX = 4.0
+_POOR_FIT_ELEMENTS = 2
+_MIN_REPORTED_PX = 0.1
+_MIRROR_FIT_REASONS = {
+    MIRROR_Y: translatable("all labels fit with far and near exchanged"),
+    MIRROR_X: translatable("all labels fit with left and right exchanged"),
+}
+# Carelessly clicked frames have points so many times as far off as elements usually are.
+_USUAL_ERROR_RATIO = 3.0
+
+
+def suspect_elements(fit: FitResult, frame: ImageFrame) -> tuple[str, ...]:
+    """The elements that are farther off than the limit, in the order of the fit."""
+    limit = suspect_limit(fit, frame)
+    return tuple(e.name for e in fit.elements if element_error(e, frame) > limit)
+
+
+def camera_findings(looked_at: FrameEvidence, known: Sequence[Finding]) -> tuple[Finding, ...]:
+    """What does not fit the camera of the other elements, explained; costs several fits. Nothing
+    where all of it fits."""
+    fit, frame = looked_at.fit, looked_at.frame
+    if len(looked_at.clicked) < MIN_ELEMENTS:
+        return ()
+    if fit.camera is not None and not suspect_elements(fit, frame):
+        return ()
+    # A model without distortion leaves lines off that are right; so does one of the ground alone.
+    model = fit.model if fit.model in ("R+", *WIDE_ANGLE_MODELS) else "R"
+    polylines = looked_at.annotation.polylines
+    doubted = SuspectFrame(
+        FrameAnnotation(polylines), looked_at.field, frame, model, go_on=looked_at.go_on
+    )
+    if len(doubted.names) < MIN_ELEMENTS or (fit.camera is None and _has_too_few_clicks(doubted)):
+        return ()
+    if fit.model != model:
+        fit = doubted.fit(doubted.annotation, fit.camera)
+    suspects = suspect_elements(fit, frame)
+    if fit.camera is not None and not suspects:
+        return ()
+    reversed_frame = _mirror_finding(doubted, fit)
+    if reversed_frame is not None:
+        return (reversed_frame,)
+    found = best_explanation(replace(doubted, limit_px=suspect_limit(fit, frame)), fit, suspects)
+    if found is None:
+        return _contradiction_finding(doubted, fit, suspects)
+    return tuple(_mistake_findings(doubted, found))
+
+
+def _has_too_few_clicks(doubted: SuspectFrame) -> bool:
+    """Whether there is no camera because there are too few clicks: nothing is wrong with those."""
+    seen = build_observations(doubted.annotation, doubted.field, doubted.frame)
+    return insufficient_reason(seen, needed=MIN_ELEMENTS, planar=False) is not None
+
+
+def _mean_capped_error(fit: FitResult, count: int, frame: ImageFrame) -> float:
+    """Mean of the elements' largest distances, solver px, none counting more than a mistake."""
+    if fit.camera is None or not fit.elements:
+        return _MAX_COUNTED_PX
+    worst = [min(element_error(e, frame), _MAX_COUNTED_PX) for e in fit.elements]
+    return float(sum(worst) + _MAX_COUNTED_PX * max(count - len(worst), 0)) / max(count, len(worst))
+
+
+def _mirror_finding(doubted: SuspectFrame, fit: FitResult) -> Finding | None:
+    field, frame = doubted.field, doubted.frame
+    if fit.camera is not None:
+        worst = [element_error(e, frame) for e in fit.elements]
+        if (
+            np.median(worst) < _POOR_FIT_MEDIAN_PX
+            and len(suspect_elements(fit, frame)) < _POOR_FIT_ELEMENTS
+        ):
+            return None
+    ways = [(names, signs) for signs in (MIRROR_Y, MIRROR_X)
+            if (names := mirrored_names(field, signs, doubted.names)) is not None]  # fmt: skip
+    if not ways:
+        return None
+    before = _mean_capped_error(fit, len(doubted.names), frame)
+    better = doubted.fit(relabelled(doubted.annotation, ways[0][0]))
+    after = _mean_capped_error(better, len(doubted.names), frame)
+    if after * _MIRROR_FIT_RATIO > before or after > _MIRROR_MAX_PX:
+        return None
+    # Both reflections fit alike; the main camera stands on the near side.
+    near = isinstance(better.camera, PosedCamera) and better.camera.position_world[1] > 0
+    remedies = [
+        Remedy(RemedyKind.RELABEL, MIRROR_REMEDY_TEXTS[signs], _swap_pairs(doubted.names, names))
+        for names, signs in ways
+    ]
+    if not near:
+        remedies.reverse()
+        ways.reverse()
+    after_px, before_px = in_image_px(after, frame), in_image_px(before, frame)
+    off = (
+        translatable(
+            "elements are {after:.1f} px off on average, no camera fits the labels as they are",
+            after=after_px,
+        )
+        if fit.camera is None
+        else translatable(
+            "elements are {after:.1f} px off on average, {before:.1f} px as they are",
+            after=after_px,
+            before=before_px,
+        )
+    )
+    return Finding(
+        Rule.REFLECTED,
+        Severity.ERROR,
+        doubted.names,
+        translatable_joined(": ", (_MIRROR_FIT_REASONS[ways[0][1]], off)),
+        tuple(remedies),
+        model=doubted.model,
+    )
+
+
+def _swap_pairs(names: Collection[str], becomes: Mapping[str, str]) -> tuple[tuple[str, str], ...]:
+    return tuple((name, becomes[name]) for name in names if becomes[name] != name)
+
+
+def _mistake_findings(doubted: SuspectFrame, found: Explanation) -> Iterator[Finding]:
+    severity = Severity.ERROR if found.right >= MIN_CORRECT else Severity.WARNING
+    done: set[str] = set()
+    for name in sorted(found.off_px, key=lambda name: -found.off_px[name]):
+        if name in done:
+            continue
+        group = _label_cycle(name, found.names)
+        done.update(group)
+        if len(group) > 1:
+            yield _swap_finding(doubted, found, group, severity)
+        elif name in found.points:
+            yield _outlier_point_finding(doubted, found, name, severity)
+        else:
+            yield _misplaced_finding(doubted, found, name, severity)
+
+
+def _label_cycle(name: str, names: Mapping[str, str]) -> tuple[str, ...]:
+    """The classes that exchange their labels, beginning with this one; it alone if none do."""
+    group = [name]
+    while (following := names.get(group[-1])) is not None and following != name:
+        if following in group or following not in names:
+            return (name,)
+        group.append(following)
+    return tuple(group) if following == name else (name,)
+
+
+def _swap_finding(
+    doubted: SuspectFrame, found: Explanation, group: Sequence[str], severity: Severity
+) -> Finding:
+    title = {name: translatable(doubted.field.title_of(name)) for name in group}
+    renames = tuple((name, found.names[name]) for name in group)
+    off = max(_displayed_error_px(doubted, found, name) for name in group)
+    if len(group) == 2:
+        a, b = title.values()
+        fact = translatable("{a} and {b} fit with each other's label", a=a, b=b)
+        remedy = Remedy(RemedyKind.SWAP, translatable("swap {a} and {b}", a=a, b=b), renames)
+    else:
+        fact = translatable(
+            "{titles} fit with each other's labels", titles=translatable_all([*title.values()])
+        )
+        steps = [translatable("{a} to {b}", "labels", a=title[a], b=title[b]) for a, b in renames]
+        text = translatable("relabel {steps}", steps=translatable_joined(", ", steps))
+        remedy = Remedy(RemedyKind.RELABEL, text, renames)
+    return Finding(
+        Rule.SWAPPED,
+        severity,
+        tuple(group),
+        translatable_joined("; ", (fact, *_leave_one_out_sentence(doubted, found))),
+        (remedy, LOOK),
+        error_px=off,
+        model=doubted.model,
+    )
+
+
+def _outlier_point_finding(
+    doubted: SuspectFrame, found: Explanation, name: str, severity: Severity
+) -> Finding:
+    bad = found.points[name]
+    if bad.off_px <= max(_usual_error_limit(found), _USUAL_ERROR_RATIO * bad.rest_px):
+        severity = Severity.WARNING
+    title, number = translatable(doubted.field.title_of(name)), bad.index + 1
+    polyline = doubted.annotation.get(name)
+    count = 0 if polyline is None else len(polyline.points)
+    look = translatable("look at point {number}", number=number)
+    remedies: tuple[Remedy, ...] = (Remedy(RemedyKind.LOOK, look),)
+    if count > 2:
+        remove = translatable("remove point {number}", number=number)
+        remedies = (Remedy(RemedyKind.REMOVE_POINT, remove), *remedies)
+    off = in_image_px(bad.off_px, doubted.frame)
+    rest = in_image_px(bad.rest_px, doubted.frame)
+    reason = translatable(
+        "point {number} of {title} is {off:.0f} px off, its other points at most {rest:.1f} px",
+        number=number,
+        title=title,
+        off=off,
+        rest=rest,
+    )
+    if count == 2:
+        reason = translatable(
+            "point {number} of {title} is {off:.0f} px off, its other point at most {rest:.1f} px",
+            number=number,
+            title=title,
+            off=off,
+            rest=rest,
+        )
+    return Finding(
+        Rule.POINT,
+        severity,
+        (name,),
+        reason,
+        remedies,
+        point=bad.index,
+        error_px=off,
+        model=doubted.model,
+    )
+
+
+def _misplaced_finding(
+    doubted: SuspectFrame, found: Explanation, name: str, severity: Severity
+) -> Finding:
+    field, title = doubted.field, translatable(doubted.field.title_of(name))
+    off = _displayed_error_px(doubted, found, name)
+    if name not in found.names and found.off_px[name] <= max(OUTLIER_PX, _usual_error_limit(found)):
+        severity = Severity.WARNING  # the label may be right and the clicks bad
+    fact = (
+        translatable(
+            "{title} is up to {px:.0f} px from where the camera of the others shows it",
+            title=title,
+            px=off,
+        )
+        if off < doubted.frame.size[0]
+        else translatable(
+            "{title} is nowhere near where the camera of the others shows it", title=title
+        )
+    )
+    if name in landmark_covariances(field):
+        fact = translatable_joined(
+            ", ", (fact, translatable("more than its own place is uncertain"))
+        )
+    facts = [fact]
+    becomes = found.names.get(name)
+    remedies: list[Remedy] = []
+    if becomes is not None:
+        meant = translatable(field.title_of(becomes))
+        facts.append(translatable("it lies where {title} should be", title=meant))
+        free = [becomes, *(p.class_name for p in found.places.get(name, ()))]
+        taken = {*doubted.names, *found.names.values()} - {becomes}
+        for other in dict.fromkeys(free):
+            if other not in taken or other == becomes:
+                renames = ((name, other),)
+                text = translatable("relabel to {title}", title=translatable(field.title_of(other)))
+                remedies.append(Remedy(RemedyKind.RELABEL, text, renames))
+    else:
+        twin = next((p.class_name for p in found.places.get(name, ())), None)
+        if twin is not None and twin != name:
+            lies_on = translatable(field.title_of(twin))
+            facts.append(
+                translatable("it lies on {title}, which is annotated as well", title=lies_on)
+            )
+    return Finding(
+        Rule.RESIDUAL,
+        severity,
+        (name,),
+        translatable_joined("; ", (*facts, *_leave_one_out_sentence(doubted, found))),
+        (*remedies, LOOK),
+        error_px=off,
+        model=doubted.model,
+    )
+
+
+def _displayed_error_px(doubted: SuspectFrame, found: Explanation, name: str) -> float:
+    """How far off an element is in the picture, px of it, however much of that counts."""
+    polyline = doubted.annotation.get(name)
+    assert polyline is not None  # it was found to be off
+    distances = distances_to_classes(polyline, [name], doubted.field, doubted.frame, found.vector)
+    return in_image_px(float(distances[name].max()), doubted.frame)
+
+
+def _leave_one_out_sentence(
+    doubted: SuspectFrame, found: Explanation
+) -> tuple[TranslatableText, ...]:
+    """The leave-one-out sentence, for all mistakes of the frame together."""
+    wrong = tuple(found.off_px)
+    means = leave_one_out_errors(
+        doubted.annotation, wrong, doubted.field, doubted.frame, found.vector, doubted.model
+    )
+    if means is None:
+        return ()
+    titles = [translatable(doubted.field.title_of(name)) for name in wrong]
+    before, after = (in_image_px(mean, doubted.frame) for mean in means)
+    if before - after < _MIN_REPORTED_PX:
+        return (translatable("the others are {px:.1f} px off with and without it", px=after),)
+    return (
+        translatable(
+            "without {titles} the others drop from {before:.1f} to {after:.1f} px",
+            titles=translatable_all(titles),
+            before=before,
+            after=after,
+        ),
+    )
+
+
+def _usual_error_limit(found: Explanation) -> float:
+    """How far off a point may be where the right elements lie as far off as they do, solver px."""
+    return _USUAL_ERROR_RATIO * found.correct_px
+
+
+def _contradiction_finding(
+    doubted: SuspectFrame, fit: FitResult, suspects: Collection[str]
+) -> tuple[Finding, ...]:
+    """The labels contradict each other, and too few are right to say which are wrong."""
+    if fit.camera is None:
+        return (
+            Finding(
+                Rule.RESIDUAL,
+                Severity.WARNING,
+                doubted.names,
+                fit.failure or translatable("no camera fits these labels together"),
+                (LOOK,),
+                model=doubted.model,
+            ),
+        )
+    return tuple(
+        Finding(
+            Rule.RESIDUAL,
+            Severity.WARNING,
+            (element.name,),
+            translatable(
+                "{title} is up to {px:.0f} px from where the camera shows it; too few elements fit"
+                " to say which are wrong",
+                title=translatable(doubted.field.title_of(element.name)),
+                px=element.max_px,
+            ),
+            (LOOK,),
+            error_px=element.max_px,
+            model=doubted.model,
+        )
+        for element in fit.elements
+        if element.name in suspects
+    )

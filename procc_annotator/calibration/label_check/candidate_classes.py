@@ -1,0 +1,249 @@
+"""Classes whose elements are close to a polyline under a camera, and leave-one-element-out
+refits.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+
+from procc_annotator.annotation import FrameAnnotation, Polyline
+from procc_annotator.calibration.label_check.evidence import FITS_PX, SUSPECT_LIMIT_PX
+from procc_annotator.calibration.optimization.camera_parameters import (
+    FREE_PARAMETERS,
+    lower_bounded_parameter,
+)
+from procc_annotator.calibration.optimization.camera_placement import camera_placement_prior
+from procc_annotator.calibration.optimization.initialization import prior_near
+from procc_annotator.calibration.optimization.observations import (
+    FloatArray,
+    ImageFrame,
+    build_observations,
+)
+from procc_annotator.calibration.optimization.residuals import (
+    linear_map,
+    pinhole_residuals,
+    projected_spot_covariance,
+    whitened,
+)
+from procc_annotator.calibration.optimization.solver import FINAL_LOSS, Problem, RobustLoss, solve
+from procc_annotator.field.geometry import Spot
+from procc_annotator.field.landmarks import landmark_covariances
+from procc_annotator.field.model import Element, Field
+
+# Two or three points along a straight line lie on many a curve as well.
+_MIN_CURVE_POINTS = 4
+
+
+@dataclass(frozen=True, slots=True)
+class CandidateClass:
+    """How near the points of one polyline are to one class, solver px."""
+
+    class_name: str
+    max_px: float
+    mean_px: float
+
+
+def distances_to_classes(
+    polyline: Polyline,
+    names: Iterable[str],
+    field: Field,
+    frame: ImageFrame,
+    vector: FloatArray,
+    *,
+    as_counted: bool = False,
+) -> dict[str, FloatArray]:
+    """Distances of a polyline's distinct points to elements as a camera shows them.
+
+    Args:
+        polyline: n points.
+        names: classes of the field.
+        field: the elements.
+        frame: the picture.
+        vector: (11,) pinhole parameters.
+        as_counted: those to landmarks that are not known exactly count less, as in a fit.
+
+    Returns:
+        Class -> (n,) solver px; nothing if the polyline has no usable point.
+    """
+    disguised = FrameAnnotation(tuple(Polyline(name, polyline.points) for name in names))
+    seen = build_observations(disguised, field, frame)
+    if seen is None:
+        return {}
+    if as_counted:
+        seen = whitened(seen, linear_map(vector))
+    found = pinhole_residuals(
+        vector[None], seen, frame.half_diagonal, FREE_PARAMETERS["P"]
+    ).distances[0]
+    parts = dict(zip(seen.elements, np.split(found, seen.starts[1:]), strict=True))
+    return {element.name: part for element, part in parts.items()}
+
+
+def candidate_classes(
+    polyline: Polyline,
+    field: Field,
+    frame: ImageFrame,
+    vector: FloatArray,
+    within_px: float = FITS_PX,
+) -> tuple[CandidateClass, ...]:
+    """The classes that all points of a polyline are near enough to, the nearest first.
+
+    Its own class is among them if it fits. A curve is offered for what was drawn as something else
+    only where there are points enough to tell; a spot for a single point and for what was clicked
+    as one; and nothing but spots for a single point clicked as one.
+    """
+    own, count = field.element(polyline.class_name), len(polyline.points)
+    names = [e.name for e in field.elements if _is_possible_class(e, own, count)]
+    distances = distances_to_classes(polyline, names, field, frame, vector)
+    near = [
+        CandidateClass(name, float(d.max()), float(d.mean()))
+        for name, d in distances.items()
+        if d.max() <= within_px
+    ]
+    return tuple(sorted(near, key=lambda place: place.mean_px))
+
+
+def _is_possible_class(element: Element, own: Element | None, count: int) -> bool:
+    """Whether so many points that were clicked as ``own`` may be those of another element."""
+    was_spot = own is not None and own.is_spot
+    if element.is_spot:
+        return was_spot or count == 1
+    if was_spot and count == 1:
+        return False
+    was_curved = own is not None and own.is_curved
+    return element.is_straight or was_curved or count >= _MIN_CURVE_POINTS
+
+
+def farthest_point(
+    polyline: Polyline, field: Field, frame: ImageFrame, vector: FloatArray
+) -> tuple[int, float, float] | None:
+    """The point of a polyline that is farthest from its element.
+
+    Returns:
+        Its index, its distance, and the largest distance of the other points (0 without others),
+        solver px as they count; None for a polyline without usable points.
+    """
+    known = [i for i, p in enumerate(polyline.points) if np.isfinite((p.u, p.v)).all()]
+    name = polyline.class_name
+    alone = (Polyline(name, (polyline.points[i],)) for i in known)
+    found = [
+        distances_to_classes(one, [name], field, frame, vector, as_counted=True) for one in alone
+    ]
+    each = [float(d[name][0]) for d in found if d]
+    if not each:
+        return None
+    order = np.argsort(each)
+    worst = int(order[-1])
+    rest = each[int(order[-2])] if len(each) > 1 else 0.0
+    return known[worst], each[worst], rest
+
+
+def uncertain_landmarks(field: Field, vector: FloatArray) -> frozenset[str]:
+    """Landmarks that may be anywhere within more than what a label is judged by: that they fit
+    says nothing for a camera.
+
+    Args:
+        field: the elements.
+        vector: (11,) pinhole parameters.
+    """
+    spreads = landmark_covariances(field)
+    marks = [e for e in field.elements if e.name in spreads and isinstance(e.geometry, Spot)]
+    if not marks:
+        return frozenset()
+    spots = np.array([e.geometry.position for e in marks if isinstance(e.geometry, Spot)]).T
+    known = np.array([spreads[e.name] for e in marks])
+    variances = np.linalg.eigvalsh(projected_spot_covariance(spots, known, linear_map(vector)))[
+        :, -1
+    ]
+    vague = variances > SUSPECT_LIMIT_PX**2
+    return frozenset(e.name for e, far in zip(marks, vague, strict=True) if far)
+
+
+# A mistake pulls the camera as far as it can.
+SQUARED_LOSS = RobustLoss("squared", 1.0)
+# Points that lie a little beside their element do not: as in the last step of `fit_camera`.
+HUBER_LOSS = FINAL_LOSS
+_ITERATIONS = 30
+
+
+def refit_all_points(
+    annotation: FrameAnnotation,
+    field: Field,
+    frame: ImageFrame,
+    vector: FloatArray,
+    model: str,
+    *,
+    loss: RobustLoss = HUBER_LOSS,
+    without: Collection[str] = (),
+) -> dict[str, float]:
+    """Fit a pinhole from a camera that is nearly right; nothing is taken for a mistake.
+
+    Args:
+        annotation: normalised points.
+        field: the elements.
+        frame: the picture.
+        vector: (11,) where to begin.
+        model: P, R or R+.
+        loss: of a point's distance.
+        without: classes that have no say; their distances are given all the same.
+
+    Returns:
+        Class -> the largest distance of its points, solver px, as it counts; nothing without usable
+        points.
+    """
+    seen = build_observations(annotation, field, frame)
+    if seen is None:
+        return {}
+    seen = whitened(seen, linear_map(vector))
+    names = [element.name for element in seen.elements]
+    used = seen.with_excluded(np.array([name in without for name in names]))
+    around = camera_placement_prior(field)
+    residuals = partial(
+        pinhole_residuals, seen=used, half_diagonal=frame.half_diagonal, free=FREE_PARAMETERS[model]
+    )
+    prior = prior_near(vector, around, FREE_PARAMETERS[model])
+    problem = Problem(residuals, used.weights, loss, prior, bounded=lower_bounded_parameter(vector))
+    # A mistake at the other end of the field may send a step anywhere; it is not taken then.
+    with np.errstate(over="ignore", invalid="ignore"):
+        found = solve(problem, vector[None].copy(), iterations=_ITERATIONS)
+    worst = seen.max_per_element(found.distances[0])
+    return dict(zip(names, worst.tolist(), strict=True))
+
+
+def leave_one_out_errors(
+    annotation: FrameAnnotation,
+    wrong: Collection[str],
+    field: Field,
+    frame: ImageFrame,
+    vector: FloatArray,
+    model: str,
+) -> tuple[float, float] | None:
+    """Leave-one-out: how far the other elements are off when all count, and without some.
+
+    Both fits are plain least squares: a robust fit would hardly notice the mistake.
+
+    Args:
+        annotation: normalised points.
+        wrong: the classes in question.
+        field: the elements.
+        frame: the picture.
+        vector: (11,) the camera without the mistakes, where both fits begin.
+        model: P, R or R+.
+
+    Returns:
+        Mean over the other elements of each one's largest distance, solver px, with and without
+        ``wrong``; None where nothing else is left.
+    """
+    means = []
+    for without in ((), wrong):
+        found = refit_all_points(
+            annotation, field, frame, vector, model, loss=SQUARED_LOSS, without=without
+        )
+        others = [distance for name, distance in found.items() if name not in wrong]
+        if not others:
+            return None
+        means.append(sum(others) / len(others))
+    return means[0], means[1]

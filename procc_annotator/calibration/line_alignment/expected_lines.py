@@ -1,0 +1,233 @@
+"""Points along the line markings of a field, and where a camera projects them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+
+from procc_annotator.calibration.optimization.closest_points import MIN_DEPTH_M
+from procc_annotator.calibration.optimization.observations import FloatArray, ImageFrame, IntArray
+from procc_annotator.calibration.optimization.projection import Lens
+from procc_annotator.field.appearance import BAR, DARKER, LIGHTER, LINE
+from procc_annotator.field.geometry import (
+    Line,
+    Part,
+    Spot,
+    angles_of,
+    outline_of,
+    parts_of,
+    points_at_angles,
+)
+from procc_annotator.field.markings import marking_normal
+from procc_annotator.field.model import Element, Field
+
+# Between two places, of half the field's length; curves turn by this much at most.
+_SPACING_SHARE = 0.004
+_MAX_STEP_RAD = 0.05
+_TONE_SIGNS = {LIGHTER: 1, DARKER: -1}
+
+
+@dataclass(frozen=True, eq=False)
+class MarkingPoints:
+    """N places in the middle of the paint of E elements.
+
+    Attributes:
+        names: (E,) classes, those of the field that are painted lines or bars.
+        world: (3, N) metres.
+        along: (3, N) unit vectors along the element.
+        across: (3, N) unit vectors across it, in the plane of the paint; 0 for bars, which show
+            their diameter to everybody.
+        element: (N,) index in ``names``.
+        run: (N,) which smooth part of an element it is on, ascending.
+        width_m: (N,) of the band, or diameter of the bar; 0 where nobody knows.
+        tone: (N,) 1 for paint lighter than what is beside it, -1 for darker, 0 where either may be.
+    """
+
+    names: tuple[str, ...]
+    world: FloatArray
+    along: FloatArray
+    across: FloatArray
+    element: IntArray
+    run: IntArray
+    width_m: FloatArray
+    tone: IntArray
+
+
+def marking_points(field: Field) -> MarkingPoints:
+    """The places of a field's paint.
+
+    Args:
+        field: its elements are taken for the middle of their paint, as they are where clicks are
+            put there: whoever wants them where they are painted asks for ``lines = middle``.
+    """
+    return _marking_points(field.elements)
+
+
+@lru_cache(maxsize=8)
+def _marking_points(elements: tuple[Element, ...]) -> MarkingPoints:
+    sought = [e for e in elements if e.appearance.kind in (LINE, BAR) and not e.is_spot]
+    reach = max((float(np.abs(outline_of(e.geometry)).max()) for e in sought), default=1.0)
+    world, along, across, counts, owners = [], [], [], [], []
+    for number, element in enumerate(sought):
+        normal = None if element.appearance.kind == BAR else marking_normal(element)
+        for part in _marking_parts(element):
+            places, ways = _points_along(part, _SPACING_SHARE * reach)
+            world.append(places)
+            along.append(ways)
+            across.append(np.zeros_like(ways) if normal is None else np.cross(normal, ways))
+            counts.append(len(places))
+            owners.append(number)
+    if not sought:
+        nothing = np.zeros((3, 0))
+        rows = np.zeros(0, dtype=np.intp)
+        return MarkingPoints((), nothing, nothing, nothing, rows, rows, np.zeros(0), rows)
+    element_of = np.repeat(owners, counts)
+    return MarkingPoints(
+        tuple(e.name for e in sought),
+        np.concatenate(world).T.copy(),
+        np.concatenate(along).T.copy(),
+        np.concatenate(across).T.copy(),
+        element_of,
+        np.repeat(np.arange(len(counts)), counts),
+        np.array([e.appearance.width_m for e in sought])[element_of],
+        np.array([_TONE_SIGNS.get(e.appearance.tone, 0) for e in sought], dtype=np.intp)[
+            element_of
+        ],
+    )
+
+
+def _marking_parts(element: Element) -> list[Part]:
+    return [part for part in parts_of(element.geometry) if not isinstance(part, Spot)]
+
+
+def _points_along(part: Part, spacing_m: float) -> tuple[FloatArray, FloatArray]:
+    """(n, 3) metres along a part, and (n, 3) unit vectors along it there."""
+    if isinstance(part, Spot):
+        raise TypeError("a spot has no course")
+    if isinstance(part, Line):
+        start, end = np.array(part.start), np.array(part.end)
+        length = float(np.linalg.norm(end - start))
+        shares = np.linspace(0.0, 1.0, max(2, int(np.ceil(length / spacing_m)) + 1))[:, None]
+        places = start + shares * (end - start)
+        return places, np.broadcast_to((end - start) / length, places.shape)
+    first, last = angles_of(part)
+    step = min(spacing_m / part.radius, _MAX_STEP_RAD)
+    angles = np.linspace(first, last, max(3, int(np.ceil((last - first) / step)) + 1))
+    ahead, aside = np.array(part.ahead), np.array(part.aside)
+    ways = -np.sin(angles)[:, None] * ahead + np.cos(angles)[:, None] * aside
+    return points_at_angles(part, angles), ways
+
+
+_IMAGE_MARGIN_PX = 3.0  # a cut any nearer to the picture's edge has but one flank
+
+
+@dataclass(frozen=True, eq=False)
+class ExpectedLinePoints:
+    """n places where paint should be.
+
+    Attributes:
+        rows: (n,) of `MarkingPoints`.
+        px: (2, n) solver px.
+        normal: (2, n) unit vectors across the element in the picture.
+        width_px: (n,) solver px of the band, across it; 0 where nobody knows.
+        run: (n,) which unbroken stretch in sight it is on, ascending.
+        length_px: (n,) solver px of the stretch that a place stands for.
+    """
+
+    rows: IntArray
+    px: FloatArray
+    normal: FloatArray
+    width_px: FloatArray
+    run: IntArray
+    length_px: FloatArray
+
+    def chosen(self, places: IntArray) -> ExpectedLinePoints:
+        """Some of them, in order."""
+        return ExpectedLinePoints(
+            self.rows[places],
+            self.px[:, places],
+            self.normal[:, places],
+            self.width_px[places],
+            self.run[places],
+            self.length_px[places],
+        )
+
+
+def expected_line_points(
+    vector: FloatArray, painted: MarkingPoints, frame: ImageFrame, spacing_px: float
+) -> ExpectedLinePoints:
+    """What of the paint a camera has in its picture.
+
+    Args:
+        vector: (11,) of the camera.
+        painted: the field's paint.
+        frame: the picture.
+        spacing_px: between two places, solver px; where the paint's places are farther apart, those
+            are taken.
+    """
+    lens = Lens.of(vector[None], frame.half_diagonal)
+    px, shown = project_points(lens, painted.world)
+    limit = (np.array(frame.size)[:, None] - 1) / 2 * frame.scale - _IMAGE_MARGIN_PX
+    inside = np.flatnonzero(shown & (np.abs(px) <= limit).all(axis=0))
+    if not len(inside):
+        nothing = np.zeros((2, 0))
+        return ExpectedLinePoints(inside, nothing, nothing, np.zeros(0), inside, np.zeros(0))
+    seen = px[:, inside]
+    begins = np.empty(len(inside), dtype=bool)
+    begins[0] = True
+    begins[1:] = (np.diff(inside) > 1) | (np.diff(painted.run[inside]) > 0)
+    steps = np.zeros(len(inside))
+    steps[1:] = np.hypot(*np.diff(seen, axis=1))
+    steps[begins] = 0.0
+    run = np.cumsum(begins) - 1
+    gone = np.cumsum(steps)
+    within = np.floor((gone - gone[np.flatnonzero(begins)][run]) / spacing_px)
+    kept = begins | (np.diff(within, prepend=-1.0) > 0)
+    rows, chosen = inside[kept], run[kept]
+    normal, width = _normals_and_widths(lens, painted, rows, seen[:, kept])
+    length = np.diff(gone[kept], append=gone[-1])
+    length[np.diff(chosen, append=-1) != 0] = spacing_px
+    return ExpectedLinePoints(rows, seen[:, kept], normal, width, chosen, length)
+
+
+def project_points(lens: Lens, world: FloatArray) -> tuple[FloatArray, np.ndarray]:
+    """(3, N) metres -> (2, N) solver px of one camera, and (N,) whether it shows them."""
+    place = lens.linear[0, :, :3] @ world + lens.linear[0, :, 3:]
+    ahead = place[2] > MIN_DEPTH_M
+    v = place[:2] / np.where(ahead, place[2], 1.0)
+    squares = (v * v).sum(axis=0)
+    bend = float(lens.bend[0, 0])
+    if bend < 0:  # what lies beyond the fold is shown by no lens
+        ahead &= -3 * bend * squares < 1
+    vector = lens.vectors[0]
+    px = v * (1 + bend * squares)
+    px[0] *= 1 + vector[8]
+    px += vector[9:11, None]
+    return px, ahead
+
+
+def _normals_and_widths(
+    lens: Lens, painted: MarkingPoints, rows: IntArray, px: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """(2, n) unit normals in the picture, and (n,) solver px of the bands' widths."""
+    world = painted.world[:, rows]
+    linear = lens.linear[0]
+    depth = linear[2, :3] @ world + linear[2, 3]
+    v = (linear[:2, :3] @ world + linear[:2, 3:]) / depth
+    grown = 1 + lens.bend[0, 0] * (v * v).sum(axis=0)
+
+    def moved(way: FloatArray) -> FloatArray:
+        toward = linear[:, :3] @ way
+        plain = (toward[:2] - v * toward[2]) / depth
+        return np.asarray(plain * grown + 2 * lens.bend[0, 0] * v * (v * plain).sum(axis=0))
+
+    along = moved(painted.along[:, rows])
+    along /= np.maximum(np.hypot(*along), 1e-12)
+    normal = np.stack([-along[1], along[0]])
+    is_bar = ~painted.across[:, rows].any(axis=0)
+    aside = np.abs((moved(painted.across[:, rows]) * normal).sum(axis=0))
+    focal = float(np.exp(lens.vectors[0, 6]))
+    scale = np.where(is_bar, focal / depth, aside)
+    return normal, painted.width_m[rows] * scale

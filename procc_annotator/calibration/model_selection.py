@@ -1,0 +1,463 @@
+"""Fit one camera model, and choose the simplest model the points support."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.calibration.optimization.camera_parameters import (
+    KAPPA,
+    LOG_FOCAL,
+    WIDE_ANGLE_MODELS,
+    X,
+    Z,
+    camera_from_vector,
+    fisheye_from_vector,
+    homography_camera,
+    homography_from_camera,
+    homography_from_pinhole,
+    is_fisheye,
+    parameter_names,
+    vector_from_camera,
+    wide_angle_vector_from_camera,
+)
+from procc_annotator.calibration.optimization.camera_placement import (
+    camera_placement_prior,
+    implausible_reason,
+    insufficient_reason,
+)
+from procc_annotator.calibration.optimization.covariance import (
+    estimate_element_offsets,
+    is_opposite_end_possible,
+    parameter_covariance,
+    point_error_sd,
+)
+from procc_annotator.calibration.optimization.initialization import camera_side, wide_prior
+from procc_annotator.calibration.optimization.lens_models import (
+    fit_wide_angle,
+    is_cropped,
+    is_negative_k1_supported,
+    refine_wide_angle,
+    single_coefficient_vector,
+    try_cropped,
+    try_negative_k1,
+    try_wide_angle,
+    wide_angle_explains_more,
+)
+from procc_annotator.calibration.optimization.observations import (
+    FloatArray,
+    ImageFrame,
+    Observations,
+    build_observations,
+)
+from procc_annotator.calibration.optimization.residuals import homographies_from_corrections
+from procc_annotator.calibration.optimization.robust_fit import (
+    MIN_ELEMENTS,
+    OUTLIER_PX,
+    CameraSolution,
+    fit_models,
+    inlier_elements_near,
+    refine_camera,
+    refine_homography,
+    search_camera_steps,
+    search_homography,
+)
+from procc_annotator.calibration.optimization.solver import SolveSteps
+from procc_annotator.calibration.result import ElementResidual, FitResult, PoseStandardDeviations
+from procc_annotator.camera.base import Camera
+from procc_annotator.camera.models import FisheyeCamera, HomographyCamera, PinholeCamera
+from procc_annotator.errors import UsageError
+from procc_annotator.field.model import Field
+from procc_annotator.translation import translatable, translatable_joined
+
+# Farther off than this on the median element, a camera explains nothing.
+_HOPELESS_ERROR_PX = 2 * OUTLIER_PX
+
+
+def fit_model_steps(
+    seen: Observations, field: Field, frame: ImageFrame, model: str, start: Camera | None
+) -> SolveSteps[tuple[CameraSolution, bool]]:
+    """Fit a model, from a start if there is one that serves; step by step.
+
+    Args:
+        seen: the annotated points; for H those on the ground.
+        field: the elements, metres.
+        frame: the picture.
+        model: H, P, R, R+, R2 or F.
+        start: a camera that is nearly right, px of the picture.
+
+    Returns:
+        The fit, plausible or not, and whether it came from the start.
+    """
+    if model in WIDE_ANGLE_MODELS:
+        return (yield from _fit_wide_angle(seen, field, frame, model, start))
+    found, warm = _fit_from_start(seen, field, frame, model, start), True
+    if isinstance(start, PinholeCamera) and found is not None and not _still_has_negative_k1(found):
+        found = _fit_from_start(seen, field, frame, model, replace(start, radial=(0.0,) * 6))
+    if found is None or found.has_stale_start or not _is_plausible(found, field):
+        warm = False
+        if model == "H":
+            found = search_homography(seen, field, frame)
+        else:
+            found = yield from search_camera_steps(seen, field, frame, model)
+    if model in ("R", "R+"):
+        found = try_negative_k1(found, field, frame)
+    return try_cropped(found, field, frame) if model == "R+" else found, warm
+
+
+def _fit_wide_angle(
+    seen: Observations, field: Field, frame: ImageFrame, model: str, start: Camera | None
+) -> SolveSteps[tuple[CameraSolution, bool]]:
+    if isinstance(start, FisheyeCamera if model == "F" else PinholeCamera):
+        assert isinstance(start, FisheyeCamera | PinholeCamera)  # one of both
+        vector = wide_angle_vector_from_camera(start, frame)
+        if np.isfinite(vector).all():
+            found = refine_wide_angle(seen, field, frame, vector)
+            if not found.has_stale_start and _is_plausible(found, field):
+                return found, True
+    near, _ = yield from fit_model_steps(seen, field, frame, "R+", None)
+    return fit_wide_angle(seen, field, frame, model, near), False
+
+
+def _fit_from_start(
+    seen: Observations, field: Field, frame: ImageFrame, model: str, start: Camera | None
+) -> CameraSolution | None:
+    if isinstance(start, PinholeCamera):
+        vector = vector_from_camera(start, frame)
+        if not np.isfinite(vector).all():
+            return None
+        if model != "H":
+            return refine_camera(seen, field, frame, model, vector)
+        return refine_homography(seen, homography_from_pinhole(vector))
+    if isinstance(start, HomographyCamera) and model == "H":
+        return refine_homography(seen, homography_from_camera(start, frame))
+    return None
+
+
+def _still_has_negative_k1(found: CameraSolution) -> bool:
+    return found.basis is not None or is_negative_k1_supported(found)
+
+
+def _is_plausible(found: CameraSolution, field: Field) -> bool:
+    return found.basis is not None or not implausible_reason(
+        found.vector, camera_placement_prior(field)
+    )
+
+
+def fit_result_from(
+    found: CameraSolution, field: Field, frame: ImageFrame, model: str, warm: bool
+) -> FitResult:
+    """What a fit hands back: its camera with residuals and uncertainty, or what speaks against it.
+
+    Args:
+        found: the fit.
+        field: the elements, metres.
+        frame: the picture.
+        model: H, P, R or R+.
+        warm: whether it came from a start.
+    """
+    problem = _failure_reason(found, field)
+    if problem is not None:
+        return FitResult(model, frame.size, None, problem)
+    error_px = point_error_sd(found)
+    of_clicks = parameter_covariance(found, error_px)
+    offsets = estimate_element_offsets(found, frame, error_px)
+    covariance = of_clicks + offsets.covariance(of_clicks)
+    camera: PinholeCamera | HomographyCamera | FisheyeCamera
+    if found.basis is not None:
+        matrix = homographies_from_corrections(found.vector[None], found.basis)[0]
+        camera, deviations = homography_camera(matrix, frame), None
+        names = tuple(f"h{row}{column}" for row in range(3) for column in range(3))[:8]
+    else:
+        of_vector = fisheye_from_vector if is_fisheye(found.vector) else camera_from_vector
+        camera = of_vector(found.vector, frame)
+        deviations = _pose_deviations(found.vector, covariance, frame)
+        names = parameter_names(model)
+    return FitResult(
+        model,
+        frame.size,
+        camera,
+        None,
+        _element_residuals(found, frame),
+        deviations,
+        error_px / frame.scale,
+        names,
+        covariance,
+        warm,
+        found.vector,
+        found.basis,
+        other_end=is_opposite_end_possible(found, field, frame),
+        offset_px=offsets.sd_px / frame.scale,
+        of_clicks=of_clicks,
+    )
+
+
+def _failure_reason(found: CameraSolution, field: Field) -> str | None:
+    """Why the best camera that was found is none."""
+    if found.basis is None:
+        problem = implausible_reason(found.vector, camera_placement_prior(field))
+        if problem is not None:
+            return problem
+    means = found.seen.mean_per_element(found.distances)
+    middle = float(np.median(means))
+    if not middle <= _HOPELESS_ERROR_PX:
+        return translatable(
+            "no camera explains these elements together: the best one misses half of them by more"
+            " than {px:.0f} px (are the labels right?)",
+            px=middle,
+        )
+    return None
+
+
+def _element_residuals(found: CameraSolution, frame: ImageFrame) -> tuple[ElementResidual, ...]:
+    seen = found.seen
+    shown = np.split(found.image_distances / frame.scale, seen.starts[1:])
+    counted = np.split(found.distances / frame.scale, seen.starts[1:])
+    uncertain = np.zeros(len(seen.element_of_point))
+    if seen.spreads is not None:
+        uncertain = np.abs(seen.spreads).max(axis=(1, 2))
+    return tuple(
+        ElementResidual(
+            element.name,
+            tuple(shown[i].tolist()),
+            bool(found.left_out[i]),
+            tuple(counted[i].tolist()) if uncertain[seen.starts[i]] else None,
+        )
+        for i, element in enumerate(seen.elements)
+    )
+
+
+def _pose_deviations(
+    vector: FloatArray, covariance: FloatArray, frame: ImageFrame
+) -> PoseStandardDeviations:
+    sd = np.sqrt(np.diag(covariance)).tolist()
+    focal = float(np.exp(vector[LOG_FOCAL])) / frame.scale
+    return PoseStandardDeviations(
+        sd[0], sd[1], sd[2], (sd[X], sd[X + 1], sd[Z]), focal * sd[LOG_FOCAL]
+    )
+
+
+# So many deviations from 0 the radial coefficient is out of question: no need to fit without it.
+_CLEAR_SIGNIFICANCE_SD = 4.0
+_CROPPED_REASON = translatable(
+    "the principal point is far from the centre of the picture, which seems cut out of a larger one"
+)
+
+
+def select_model_steps(
+    annotation: FrameAnnotation,
+    field: Field,
+    *,
+    size: tuple[int, int],
+    start: Camera | None = None,
+) -> SolveSteps[FitResult]:
+    """Fit the simplest of the models P, R and R+ that the points support; R2 or F where lines are
+    bent as none of these explains; step by step.
+
+    The models are fitted to the same elements and compared by their evidence, the probability of
+    the points given a model (Laplace's approximation: MacKay, Bayesian Interpolation, 1992). What
+    a parameter costs follows from its prior and from how sharply the points determine it.
+
+    Args:
+        annotation: normalised points, as for `fit_camera`.
+        field: the elements, metres.
+        size: (width, height) px of the picture that the camera is for.
+        start: a camera that is nearly right, px of ``size``.
+
+    Returns:
+        The fit, as `fit_camera` gives it for the model that was chosen, with `chosen_because`.
+
+    Raises:
+        UsageError: a size without pixels.
+    """
+    if min(size) < 2:
+        raise UsageError(f"the picture's size {size[0]}x{size[1]} is too small")
+    frame = ImageFrame(size)
+    seen = build_observations(annotation, field, frame)
+    problem = insufficient_reason(seen, needed=MIN_ELEMENTS, planar=False)
+    if seen is None or problem is not None:
+        return FitResult("auto", size, None, problem)
+    strong = _refit_wide_angle(seen, field, frame, start)
+    if strong is not None:
+        return _wide_angle_result(*strong, field, frame, warm=True)
+    fits, warm = yield from _candidate_fits(seen, field, frame, start)
+    found = try_wide_angle(fits["R+"], seen, field, frame)
+    if found is not None:
+        return _wide_angle_result(*found, fits["R+"], field, frame, warm=False)
+    error_px = point_error_sd(fits["R+"])
+    evidence = {model: _log_evidence(found, error_px) for model, found in fits.items()}
+    around = camera_placement_prior(field)
+    likely = [
+        m for m, found in fits.items() if not implausible_reason(found.vector, around)
+    ] or list(fits)
+    chosen = max(likely, key=lambda model: evidence[model])
+    result = fit_result_from(fits[chosen], field, frame, chosen, warm)
+    if result.camera is None:
+        return replace(result, model="auto")
+    return replace(result, chosen_because=_choice_reason(chosen, fits, frame))
+
+
+def _refit_wide_angle(
+    seen: Observations, field: Field, frame: ImageFrame, start: Camera | None
+) -> tuple[CameraSolution, str, CameraSolution] | None:
+    """The strong lens that was there before, its model, and the R+ nearest to it that explains
+    clearly less; None where there is none, or it is not supported any more."""
+    if isinstance(start, FisheyeCamera):
+        model = "F"
+    elif isinstance(start, PinholeCamera) and start.radial[1]:
+        model = "R2"
+    else:
+        return None
+    vector = wide_angle_vector_from_camera(start, frame)
+    if not np.isfinite(vector).all():
+        return None
+    found = refine_wide_angle(seen, field, frame, vector)
+    if (
+        found.has_stale_start
+        or not found.is_consistent
+        or implausible_reason(found.vector, camera_placement_prior(field))
+    ):
+        return None
+    near = single_coefficient_vector(found.vector)
+    plain = fit_models(found.seen, field, frame, near, found.left_out, ("R+",))["R+"]
+    return (found, model, plain) if wide_angle_explains_more(found, plain) else None
+
+
+def _wide_angle_result(
+    found: CameraSolution,
+    model: str,
+    plain: CameraSolution,
+    field: Field,
+    frame: ImageFrame,
+    *,
+    warm: bool,
+) -> FitResult:
+    result = fit_result_from(found, field, frame, model, warm)
+    if result.camera is None:
+        return replace(result, model="auto")
+    without, with_lens = (f"{_mean_px(one) / frame.scale:.2f}" for one in (plain, found))
+    lens = "a second radial coefficient" if model == "R2" else "the lens of a fisheye"
+    because = f"{lens} brings the points from {without} to {with_lens} px"
+    return replace(result, chosen_because=because)
+
+
+def _candidate_fits(
+    seen: Observations, field: Field, frame: ImageFrame, start: Camera | None
+) -> SolveSteps[tuple[dict[str, CameraSolution], bool]]:
+    """Fits of the models that come into question, the simplest first; whether from the start."""
+    fits = _candidate_fits_from_start(seen, field, frame, start)
+    if fits is not None and is_cropped(fits["R+"]) and _is_acceptable_start_fit(fits["R+"], field):
+        return {"R+": fits["R+"]}, True
+    warm = fits is not None and all(
+        _is_acceptable_start_fit(found, field) for found in fits.values()
+    )
+    if fits is None or not warm:
+        # What changes who is mistaken may still be nearly right; what is stale is not.
+        known = None if fits is not None and fits["R"].has_stale_start else start
+        first, warm = yield from fit_model_steps(seen, field, frame, "R", known)
+    else:
+        first = try_negative_k1(fits["R"], field, frame)
+    if fits is None or first is not fits["R"]:
+        fits = fit_models(seen, field, frame, first.vector, first.left_out, ("R", "R+"))
+    cut_out = try_cropped(fits["R+"], field, frame)
+    if is_cropped(cut_out):
+        # Its principal point lies where the other models have none: they explain other elements.
+        return {"R+": cut_out}, warm
+    with_lens = fits["R"]
+    if _has_significant_k1(with_lens):
+        return fits, warm
+    plain = fit_models(seen, field, frame, with_lens.vector, with_lens.left_out, ("P",))
+    return {**plain, **fits}, warm
+
+
+def _candidate_fits_from_start(
+    seen: Observations, field: Field, frame: ImageFrame, start: Camera | None
+) -> dict[str, CameraSolution] | None:
+    """Fits of R and R+ from a start, good or not; None if it is no pinhole."""
+    if not isinstance(start, PinholeCamera):
+        return None
+    vector = vector_from_camera(start, frame)
+    if not np.isfinite(vector).all():
+        return None
+    vector, left_out = inlier_elements_near(seen, field, frame, vector, "R+")
+    fits = fit_models(seen, field, frame, vector, left_out, ("R", "R+"))
+    if is_negative_k1_supported(fits["R"]):
+        return fits
+    vector[KAPPA] = 0.0
+    return fit_models(seen, field, frame, vector, left_out, ("R", "R+"))
+
+
+def _is_acceptable_start_fit(found: CameraSolution, field: Field) -> bool:
+    """Whether a fit from a start need not be looked for anew."""
+    around = camera_placement_prior(field)
+    # Its prior is that of the side the start stands on.
+    moved = wide_prior(
+        np.array([camera_side(found.vector, around)]), around, found.prior.mean.shape[1]
+    )
+    same_side = np.array_equal(moved.mean, found.prior.mean)
+    plausible = not implausible_reason(found.vector, around)
+    return same_side and plausible and found.is_consistent and not found.has_stale_start
+
+
+def _has_significant_k1(found: CameraSolution) -> bool:
+    """Whether the radial coefficient is so many deviations from 0 that it need not be compared."""
+    error_px = point_error_sd(found)
+    deviation = math.sqrt(parameter_covariance(found, error_px)[KAPPA, KAPPA])
+    return bool(abs(found.vector[KAPPA]) > _CLEAR_SIGNIFICANCE_SD * deviation)
+
+
+def _log_evidence(found: CameraSolution, error_px: float) -> float:
+    """Logarithm of the evidence, less what all models share."""
+    precision = found.prior.inverse_sd[0]
+    off = (found.vector[: len(precision)] - found.prior.mean[0]) * precision
+    prior_cost = float(off @ off) / 2
+    data_cost = (float(found.solution.costs[0]) - prior_cost) / error_px**2
+    information = found.solution.normal[0] / error_px**2 + np.diag(precision**2)
+    # Pan and tilt have no prior; whatever theirs is, all models share it.
+    sharpened = np.linalg.slogdet(information)[1] / 2 - np.log(precision[precision > 0]).sum()
+    # The prior of the radial coefficient has its mass on one side.
+    one_sided = math.log(2.0) if len(precision) > KAPPA else 0.0
+    return one_sided - data_cost - prior_cost - float(sharpened)
+
+
+def _choice_reason(chosen: str, fits: dict[str, CameraSolution], frame: ImageFrame) -> str:
+    if fits.keys() == {"R+"}:
+        return _CROPPED_REASON
+    mean = {model: f"{_mean_px(found) / frame.scale:.2f}" for model, found in fits.items()}
+    if chosen == "P":
+        return translatable(
+            "without lens distortion the points are {without} px off, with it {with_it} px: not"
+            " clearly better",
+            without=mean["P"],
+            with_it=mean["R"],
+        )
+    if chosen == "R+":
+        return translatable(
+            "aspect ratio and principal point bring the points from {before} to {after} px, more"
+            " than three parameters would by chance",
+            before=mean["R"],
+            after=mean["R+"],
+        )
+    bent = (
+        translatable(
+            "lens distortion brings the points from {before} to {after} px",
+            before=mean["P"],
+            after=mean["R"],
+        )
+        if "P" in mean
+        else translatable(
+            "the points show lens distortion clearly and are {px} px off", px=mean["R"]
+        )
+    )
+    further = translatable(
+        "with aspect ratio and principal point {px} px: not clearly better", px=mean["R+"]
+    )
+    return translatable_joined("; ", (bent, further))
+
+
+def _mean_px(found: CameraSolution) -> float:
+    counted = ~found.left_out[found.seen.element_of_point]
+    return float(found.image_distances[counted].mean())

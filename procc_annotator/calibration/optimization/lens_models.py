@@ -1,0 +1,414 @@
+"""Further lens models where the points demand one: negative k1, off-centre principal point,
+wide angle, fisheye.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import partial
+
+import numpy as np
+
+from procc_annotator.calibration.optimization.camera_parameters import (
+    FISHEYE_FLAG,
+    FREE_PARAMETERS,
+    KAPPA,
+    LOG_FOCAL,
+    MIN_KAPPA,
+    PAN,
+    PRINCIPAL_X,
+    SECOND_KAPPA,
+    TILT,
+)
+from procc_annotator.calibration.optimization.camera_placement import (
+    camera_placement_prior,
+    implausible_reason,
+)
+from procc_annotator.calibration.optimization.covariance import point_error_sd
+from procc_annotator.calibration.optimization.initialization import (
+    CENTRE_SD,
+    CROPPED_CENTRE_SD,
+    camera_side,
+    prior_near,
+    wide_prior,
+)
+from procc_annotator.calibration.optimization.observations import (
+    FloatArray,
+    ImageFrame,
+    Observations,
+)
+from procc_annotator.calibration.optimization.residuals import (
+    linear_map,
+    pinhole_residuals,
+    whitened,
+)
+from procc_annotator.calibration.optimization.robust_fit import (
+    CameraSolution,
+    final_fit,
+    outlier_elements,
+    search_camera,
+)
+from procc_annotator.calibration.optimization.solver import (
+    FINAL_LOSS,
+    ROBUST_LOSS,
+    GaussianPrior,
+    Problem,
+    solve,
+)
+from procc_annotator.field.model import Field
+
+# Where the coefficient is looked for.
+_NEGATIVE_K1_STARTS = (-0.01, -0.05)
+# What it must explain, squares of the error of a point: 3 for what the prior leaves open, and 3 for
+# being twenty times as likely as no distortion.
+_NEGATIVE_K1_EVIDENCE = 6.0
+
+
+def try_negative_k1(found: CameraSolution, field: Field, frame: ImageFrame) -> CameraSolution:
+    """The same camera, or one with barrel distortion if that explains the points clearly better.
+
+    Args:
+        found: of the model R or R+.
+        field: the elements.
+        frame: the picture.
+    """
+    if found.vector[KAPPA] != 0 or _predicted_gain(found, frame) < _NEGATIVE_K1_EVIDENCE / 2:
+        return found
+    around, seen, free = camera_placement_prior(field), found.seen, found.prior.mean.shape[1]
+    prior = prior_near(found.vector, around, free)
+    residuals = partial(pinhole_residuals, half_diagonal=frame.half_diagonal, free=free)
+    problem = Problem(partial(residuals, seen=seen), seen.weights, ROBUST_LOSS, prior, KAPPA)
+    starts = np.tile(found.vector, (len(_NEGATIVE_K1_STARTS), 1))
+    starts[:, KAPPA] = _NEGATIVE_K1_STARTS
+    robust = solve(problem, starts, iterations=20, tolerance=1e-3)
+    best = int(np.argmin(robust.costs))
+    left_out = outlier_elements(seen, robust.distances[best])
+    if left_out.sum() > found.left_out.sum():
+        return found
+    other = final_fit(seen, robust.vectors[[best]], left_out, residuals, prior)
+    if implausible_reason(other.vector, around) or not _negative_k1_is_better(other, found):
+        return found
+    return other
+
+
+def is_negative_k1_supported(found: CameraSolution) -> bool:
+    """Whether the points still demand the barrel distortion that a camera was started with, by how
+    surely its coefficient is not 0; true of a camera without."""
+    if found.vector[KAPPA] >= 0:
+        return True
+    saved = float(found.vector[KAPPA]) ** 2 / _k1_variance(found) / 2
+    return saved > _NEGATIVE_K1_EVIDENCE * point_error_sd(found) ** 2
+
+
+def _negative_k1_is_better(barrel: CameraSolution, ordinary: CameraSolution) -> bool:
+    saved = _negative_k1_cost(ordinary) - _negative_k1_cost(barrel)
+    return barrel.vector[KAPPA] < 0 and saved > _NEGATIVE_K1_EVIDENCE * point_error_sd(barrel) ** 2
+
+
+def _negative_k1_cost(found: CameraSolution) -> float:
+    """What a camera costs by all the points, those of the elements it leaves out too."""
+    off = (found.vector[: found.prior.mean.shape[1]] - found.prior.mean[0]) * (
+        found.prior.inverse_sd[0]
+    )
+    losses = ROBUST_LOSS.cost_and_weight(found.distances)[0]
+    return float(losses @ found.seen.weights + off @ off / 2)
+
+
+def _predicted_gain(found: CameraSolution, frame: ImageFrame) -> float:
+    """What a step of the coefficient below 0 promises to save, squares of the error of a point."""
+    free = found.prior.mean.shape[1]
+    seen = found.seen.with_excluded(found.left_out)
+    at = pinhole_residuals(found.vector[None], seen, half_diagonal=frame.half_diagonal, free=free)
+    weights = FINAL_LOSS.cost_and_weight(at.distances)[1][0] * seen.weights
+    weighted = at.derivatives[0] * weights
+    slope = float((weighted[KAPPA] * at.values[0]).sum())
+    if slope <= 0:
+        return 0.0
+    return slope**2 * _k1_variance(found) / 2 / point_error_sd(found) ** 2
+
+
+def _k1_variance(found: CameraSolution) -> float:
+    """Of the coefficient, the other parameters following it, where points have an error of 1 px."""
+    normal = found.solution.normal[0] + np.diag(found.prior.inverse_sd[0] ** 2)
+    return float(np.linalg.inv(normal)[KAPPA, KAPPA])
+
+
+_CROPPED_FREE = FREE_PARAMETERS["R+"]
+# Where the principal point is looked for, px from where a whole picture has it.
+_CROPPED_CENTRE_STARTS_PX = ((0.0, 0.0), (-450.0, 0.0), (450.0, 0.0), (0.0, -250.0), (0.0, 250.0))
+# A whole picture's camera leaves nothing out, is off by no more, and its principal point lies near.
+_GOOD_FIT_PX, _CENTRED_PX = 1.0, 2 * CENTRE_SD
+# What a principal point anywhere must save, px^2: ln(300 / 25) for each of two coordinates, whose
+# prior is so much wider, at an error of about 1 px.
+_CROPPED_EVIDENCE = 6.0
+# The same against barrel distortion, whose coefficient the points have determined as well.
+_CROPPED_OVER_NEGATIVE_K1_EVIDENCE = 3.0
+
+
+def try_cropped(found: CameraSolution, field: Field, frame: ImageFrame) -> CameraSolution:
+    """The same camera, or one with its principal point elsewhere if that explains the points.
+
+    Only a camera is doubted that leaves elements out, lies off the points, strains for the
+    principal point, or has barrel distortion; and only one is taken instead that leaves fewer out
+    and costs clearly less.
+
+    Args:
+        found: of the model R+.
+        field: the elements.
+        frame: the picture.
+    """
+    if is_cropped(found) or not _is_poor_fit(found):
+        return found
+    seen, around = found.seen, camera_placement_prior(field)
+    side = np.array([camera_side(found.vector, around)])
+    prior = wide_prior(side, around, _CROPPED_FREE, centre_sd=CROPPED_CENTRE_SD)
+    residuals = partial(pinhole_residuals, half_diagonal=frame.half_diagonal, free=_CROPPED_FREE)
+    problem = Problem(
+        partial(residuals, seen=seen), seen.weights, ROBUST_LOSS, prior, bounded=KAPPA
+    )
+    robust = solve(
+        problem, _cropped_starts(found.vector), iterations=20, tolerance=1e-3, hopeless=3.0
+    )
+    best = int(np.argmin(robust.costs))
+    saved = _cropped_cost(found.vector, found.distances, found.prior, seen) - float(
+        robust.costs[best]
+    )
+    left_out = outlier_elements(seen, robust.distances[best])
+    worth = _CROPPED_OVER_NEGATIVE_K1_EVIDENCE if found.vector[KAPPA] < 0 else _CROPPED_EVIDENCE
+    if saved < worth or left_out.sum() > found.left_out.sum():
+        return found
+    other = final_fit(seen, robust.vectors[[best]], left_out, residuals, prior)
+    return found if implausible_reason(other.vector, around) else other
+
+
+def is_cropped(found: CameraSolution) -> bool:
+    """Whether a camera of the model R+ was fitted as one of a picture cut out of a larger one."""
+    return bool(found.prior.inverse_sd[0, PRINCIPAL_X] < 1 / CENTRE_SD)
+
+
+def _cropped_starts(vector: FloatArray) -> FloatArray:
+    """(B, 11) the camera itself, and with its principal point elsewhere, looking the same way."""
+    vectors = np.tile(vector, (len(_CROPPED_CENTRE_STARTS_PX), 1))
+    focal = np.exp(vector[LOG_FOCAL])
+    moved = np.array(_CROPPED_CENTRE_STARTS_PX)
+    vectors[:, PRINCIPAL_X:] += moved
+    # Of barrel distortion and another principal point one is enough.
+    vectors[:, KAPPA] = max(float(vector[KAPPA]), 0.0)
+    # What appears in the middle of the picture stays there.
+    vectors[:, PAN] += np.arctan2(moved[:, 0], focal)
+    vectors[:, TILT] -= np.arctan2(moved[:, 1], focal)
+    return vectors
+
+
+def _is_poor_fit(found: CameraSolution) -> bool:
+    if found.vector[KAPPA] < 0:
+        return True
+    if np.abs(found.vector[PRINCIPAL_X:]).max() > _CENTRED_PX or found.left_out.any():
+        return True
+    return float(found.distances.mean()) > _GOOD_FIT_PX
+
+
+def _cropped_cost(
+    vector: FloatArray, distances: FloatArray, prior: GaussianPrior, seen: Observations
+) -> float:
+    off = (vector[: prior.mean.shape[1]] - prior.mean[0]) * prior.inverse_sd[0]
+    return float(ROBUST_LOSS.cost_and_weight(distances)[0] @ seen.weights + off @ off / 2)
+
+
+_WIDE_ANGLE_FREE = FREE_PARAMETERS["R2"]
+# Focal lengths, solver px, of the fisheyes that are tried; a picture is 960 px wide.
+_WIDE_ANGLE_FOCALS_PX = (330.0, 480.0, 700.0)
+_MAX_ANGLE_RAD = 1.4
+# Where both coefficients of a radial lens are looked for beside a camera without them.
+_COEFFICIENT_STARTS = ((0.0, 0.0), (-0.15, 0.02), (-0.35, 0.08))
+# A fisheye's curve is made a radial one at so many places, up to so many half diagonals.
+_STRAIGHTENING_SAMPLES, _MAX_RADII = 40, 2.5
+# What a strong lens must explain, squares of the error of a point: 3 for each of two coefficients
+# that its prior left open, and 3 for being twenty times as likely.
+_WIDE_ANGLE_EVIDENCE = 9.0
+# Straight elements clicked so far beside the line through their ends are bent by a strong lens.
+_BENT_LINE_PX, _MIN_BENT_ELEMENTS = 6.0, 2
+# Of so many elements that fit no camera together it is rather the camera that is not understood.
+MANY_OUTLIERS = 3
+
+
+def fit_wide_angle(
+    seen: Observations,
+    field: Field,
+    frame: ImageFrame,
+    model: str,
+    near: CameraSolution,
+    fisheye: CameraSolution | None = None,
+) -> CameraSolution:
+    """Fit a strong lens without a start of its own.
+
+    Args:
+        seen: the annotated points.
+        field: the elements.
+        frame: the picture.
+        model: R2 or F.
+        near: the best camera with one coefficient.
+        fisheye: the best fisheye, if that is known already.
+    """
+    fisheyes = [_fisheye_vector_from(near.vector)]
+    if fisheye is not None:
+        fisheyes.append(fisheye.vector)
+    for focal in _WIDE_ANGLE_FOCALS_PX if fisheye is None else ():
+        found = search_camera(_undistort_as_fisheye(seen, focal), field, frame, "P")
+        own = _fisheye_vector_from(found.vector)
+        own[KAPPA] = own[SECOND_KAPPA] = 0.0
+        assumed = own.copy()
+        assumed[LOG_FOCAL] = np.log(focal)
+        fisheyes += [own, assumed]
+    starts = (
+        fisheyes
+        if model == "F"
+        else [_radial_vector_from(v, frame.half_diagonal) for v in fisheyes]
+    )
+    if model == "R2":
+        starts += [
+            np.concatenate([near.vector[:SECOND_KAPPA], (0.0, 0.0)]) for _ in _COEFFICIENT_STARTS
+        ]
+        for start, both in zip(
+            starts[-len(_COEFFICIENT_STARTS) :], _COEFFICIENT_STARTS, strict=True
+        ):
+            start[[KAPPA, SECOND_KAPPA]] = both
+    return _best_wide_angle(seen, field, frame, np.array(starts))
+
+
+def refine_wide_angle(
+    seen: Observations, field: Field, frame: ImageFrame, start: FloatArray
+) -> CameraSolution:
+    """Fit a strong lens from parameters (13,) that are nearly right; stale if they are not."""
+    around = camera_placement_prior(field)
+    residuals = partial(pinhole_residuals, half_diagonal=frame.half_diagonal, free=_WIDE_ANGLE_FREE)
+    seen = whitened(seen, linear_map(start))
+    left_out = outlier_elements(seen, residuals(start[None], seen).distances[0])
+    prior = prior_near(start, around, _WIDE_ANGLE_FREE)
+    found = final_fit(seen, start[None], left_out, residuals, prior)
+    return (
+        found
+        if found.has_stale_start or found.is_consistent
+        else _best_wide_angle(seen, field, frame, start[None])
+    )
+
+
+def try_wide_angle(
+    found: CameraSolution, seen: Observations, field: Field, frame: ImageFrame
+) -> tuple[CameraSolution, str] | None:
+    """A strong lens, and its model, if that explains the points clearly better; else None.
+
+    Only a camera is doubted whose lines are bent, as only lenses of a wide angle do it, or that
+    leaves several elements out.
+
+    Args:
+        found: of the model R+.
+        seen: the annotated points.
+        field: the elements.
+        frame: the picture.
+    """
+    doubted = _has_bent_lines(seen) or found.left_out.sum() >= MANY_OUTLIERS
+    if found.vector[KAPPA] >= 0 and not doubted:
+        return None
+    fisheye = fit_wide_angle(seen, field, frame, "F", found)
+    fits = (fit_wide_angle(seen, field, frame, "R2", found, fisheye), "R2"), (fisheye, "F")
+    around = camera_placement_prior(field)
+    better = [
+        fit
+        for fit in fits
+        if not implausible_reason(fit[0].vector, around) and wide_angle_explains_more(fit[0], found)
+    ]
+    return min(better, key=lambda fit: _wide_angle_cost(fit[0]), default=None)
+
+
+def wide_angle_explains_more(strong: CameraSolution, plain: CameraSolution) -> bool:
+    """Whether a strong lens leaves no more elements out than a camera with one coefficient, and
+    costs clearly less."""
+    saved = _wide_angle_cost(plain) - _wide_angle_cost(strong)
+    better = saved > _WIDE_ANGLE_EVIDENCE * point_error_sd(strong) ** 2
+    return bool(better and strong.left_out.sum() <= plain.left_out.sum())
+
+
+def _best_wide_angle(
+    seen: Observations, field: Field, frame: ImageFrame, starts: FloatArray
+) -> CameraSolution:
+    """The strong lens that explains the points best, from (B, 13) that may lead to it."""
+    around = camera_placement_prior(field)
+    seen = whitened(seen, linear_map(starts[0]))
+    residuals = partial(pinhole_residuals, half_diagonal=frame.half_diagonal)
+    rows = [prior_near(start, around, _WIDE_ANGLE_FREE) for start in starts]
+    prior = GaussianPrior(
+        np.concatenate([row.mean for row in rows]), np.concatenate([row.inverse_sd for row in rows])
+    )
+    problem = Problem(
+        partial(residuals, seen=seen, free=_WIDE_ANGLE_FREE), seen.weights, ROBUST_LOSS, prior
+    )
+    robust = solve(problem, starts, iterations=40, tolerance=1e-3)
+    order = np.argsort(robust.costs, kind="stable").tolist()
+    plausible = (i for i in order if not implausible_reason(robust.vectors[i], around))
+    row = next(plausible, order[0])
+    chosen = robust.vectors[[row]]
+    left_out = outlier_elements(seen, robust.distances[row])
+    near = prior_near(chosen[0], around, _WIDE_ANGLE_FREE)
+    return final_fit(seen, chosen, left_out, partial(residuals, free=_WIDE_ANGLE_FREE), near)
+
+
+def _undistort_as_fisheye(seen: Observations, focal: float) -> Observations:
+    """The points as a lens without distortion would show them, had a fisheye shown these."""
+    distance = np.hypot(*seen.points)
+    angle = np.minimum(distance / focal, _MAX_ANGLE_RAD)
+    grown = focal * np.tan(angle) / np.maximum(distance, 1e-9)
+    return replace(seen, points=seen.points * grown)
+
+
+def _fisheye_vector_from(vector: FloatArray) -> FloatArray:
+    """(13,) the fisheye that looks as a camera of one coefficient does."""
+    fisheye = np.concatenate([vector[:SECOND_KAPPA], (0.0, 1.0)])
+    fisheye[KAPPA] = 0.0
+    return fisheye
+
+
+def single_coefficient_vector(vector: FloatArray) -> FloatArray:
+    """(11,) the camera of one coefficient to look for one from, beside a strong lens (13,)."""
+    plain = vector[:SECOND_KAPPA].copy()
+    plain[KAPPA] = MIN_KAPPA / 2 if vector[FISHEYE_FLAG] else max(vector[KAPPA], MIN_KAPPA / 2)
+    return plain
+
+
+def _radial_vector_from(vector: FloatArray, half_diagonal: float) -> FloatArray:
+    """(13,) the radial lens nearest to a fisheye."""
+    radial = vector.copy()
+    radial[FISHEYE_FLAG] = 0.0
+    focal = np.exp(vector[LOG_FOCAL])
+    t = np.linspace(_MAX_RADII / _STRAIGHTENING_SAMPLES, _MAX_RADII, _STRAIGHTENING_SAMPLES)
+    angle = np.arctan2(t * half_diagonal, focal)
+    bent = angle * (1 + vector[KAPPA] * angle**2 + vector[SECOND_KAPPA] * angle**4)
+    shown = focal * bent / half_diagonal
+    counted = 1 / (1 + t**4)  # nearer to the axis more of the picture lies
+    columns = np.column_stack([t**3, t**5]) * counted[:, None]
+    radial[[KAPPA, SECOND_KAPPA]] = np.linalg.lstsq(columns, (shown - t) * counted, rcond=None)[0]
+    return radial
+
+
+def _has_bent_lines(seen: Observations) -> bool:
+    """Whether several straight elements are bent."""
+    bent = 0
+    for row, element in enumerate(seen.elements):
+        points = seen.points[:, seen.element_of_point == row]
+        if not element.is_straight or points.shape[1] < 3:
+            continue
+        ends = points[:, [0, -1]]
+        along = ends[:, 1] - ends[:, 0]
+        length = float(np.hypot(*along))
+        off = points - ends[:, :1]
+        beside = np.abs(along[0] * off[1] - along[1] * off[0]) / max(length, 1.0)
+        bent += bool(beside.max() > _BENT_LINE_PX)
+    return bent >= _MIN_BENT_ELEMENTS
+
+
+def _wide_angle_cost(found: CameraSolution) -> float:
+    """What a camera costs by all the points, those of the elements it leaves out too."""
+    free = found.prior.mean.shape[1]
+    off = (found.vector[:free] - found.prior.mean[0]) * found.prior.inverse_sd[0]
+    losses = ROBUST_LOSS.cost_and_weight(found.distances)[0]
+    return float(losses @ found.seen.weights + off @ off / 2)

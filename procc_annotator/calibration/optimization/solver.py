@@ -1,0 +1,347 @@
+"""Batched Levenberg-Marquardt with robust losses (IRLS) and Gaussian priors."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Generator
+from dataclasses import dataclass, replace
+from typing import Literal, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from procc_annotator.calibration.optimization.camera_parameters import MIN_KAPPA
+from procc_annotator.calibration.optimization.observations import FloatArray, IntArray
+from procc_annotator.calibration.optimization.residuals import Residuals
+
+T = TypeVar("T")
+LossKind = Literal["cauchy", "geman_mcclure", "huber", "squared"]
+
+_INITIAL_DAMPING = 1e-3
+_DAMPING_DECREASE, _DAMPING_INCREASE = 0.15, 6.0
+_MIN_DAMPING, _MAX_DAMPING = 1e-8, 1e8
+
+
+@dataclass(frozen=True)
+class RobustLoss:
+    """What a distance costs: half its square at first, less and less beyond ``scale``."""
+
+    kind: LossKind
+    scale: float  # solver px
+
+    def cost_and_weight(self, distances: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Cost of each distance, and the weight its square gets in the next step."""
+        squares = distances * distances
+        if self.kind == "squared":
+            return squares / 2, np.ones_like(squares)
+        if self.kind == "huber":
+            weight = self.scale / np.maximum(distances, self.scale)
+            # For r > s: s r - s^2 / 2; both cases at once, weight being s / r or 1.
+            return weight * squares - weight * weight * squares / 2, weight
+        part = self.scale**2
+        if self.kind == "cauchy":
+            return part / 2 * np.log1p(squares / part), part / (part + squares)
+        share = part / (part + squares)
+        return squares * share / 2, share * share
+
+
+# What a search goes by, what tells mistakes apart, and what the result is the best one for.
+SEARCH_LOSS = RobustLoss("cauchy", 10.0)
+ROBUST_LOSS = RobustLoss("geman_mcclure", 8.0)
+FINAL_LOSS = RobustLoss("huber", 2.0)
+
+
+@dataclass(frozen=True, eq=False)
+class GaussianPrior:
+    """Where parameters are expected: (B or 1, n) means, and inverse standard deviations."""
+
+    mean: FloatArray
+    inverse_sd: FloatArray
+
+
+@dataclass(frozen=True, eq=False)
+class Solution:
+    """Where B searches ended, or are.
+
+    Attributes:
+        vectors: (B, m) parameters.
+        costs: (B,) robust cost there, prior included.
+        values: (B, 2, N) residuals of the points, solver px.
+        whole: (B, N) whether both of their rows count.
+        normal: (B, n, n) weighted J^T J of the data alone, of the n free parameters.
+        gradient: (B, n) of the cost, prior included.
+        steps: iterations made.
+    """
+
+    vectors: FloatArray
+    costs: FloatArray
+    values: FloatArray
+    whole: NDArray[np.bool_]
+    normal: FloatArray
+    gradient: FloatArray
+    steps: int = 0
+
+    @classmethod
+    def at(cls, problem: Problem, vectors: FloatArray) -> Solution:
+        """What a problem is at (B, m) parameters."""
+        found = problem.residuals(vectors)
+        cost, normal, gradient = problem.summed(found)
+        free = gradient.shape[1]
+        off = (vectors[:, :free] - problem.prior.mean) * problem.prior.inverse_sd
+        return cls(
+            vectors,
+            cost + (off * off).sum(axis=1) / 2,
+            found.values,
+            found.whole,
+            normal,
+            gradient + off * problem.prior.inverse_sd,
+        )
+
+    @property
+    def distances(self) -> FloatArray:
+        """(B, N) solver px of the points."""
+        return np.asarray(np.hypot(self.values[:, 0], self.values[:, 1]))
+
+    def chosen(self, rows: IntArray) -> Solution:
+        """Some of the searches, in the order asked for."""
+        return Solution(
+            self.vectors[rows],
+            self.costs[rows],
+            self.values[rows],
+            self.whole[rows],
+            self.normal[rows],
+            self.gradient[rows],
+            self.steps,
+        )
+
+    def only(self, row: int, free: int) -> Solution:
+        """One of the searches, as one over the first ``free`` parameters."""
+        one = self.chosen(np.array([row]))
+        return replace(one, normal=one.normal[:, :free, :free], gradient=one.gradient[:, :free])
+
+    def replaced_where(self, chosen: NDArray[np.bool_], other: Solution) -> Solution:
+        """The same, some of its searches being where another has them."""
+        if not chosen.any():
+            return self
+        one, two = chosen[:, None], chosen[:, None, None]
+        return Solution(
+            np.where(one, other.vectors, self.vectors),
+            np.where(chosen, other.costs, self.costs),
+            np.where(two, other.values, self.values),
+            np.where(one, other.whole, self.whole),
+            np.where(two, other.normal, self.normal),
+            np.where(one, other.gradient, self.gradient),
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class Problem:
+    """What is minimised: the weighted cost of the points' distances plus half the squared prior.
+
+    Attributes:
+        residuals: (B, m) parameters -> residuals, with derivatives by the first n parameters.
+        weights: (N,) of the points.
+        loss: of a point's distance.
+        prior: on the first n parameters.
+        bounded: index of a parameter that may not fall below 0, if any; in searches that start
+            below 0, not below `least`.
+        held: (B, n) parameters that stay as they are, so that searches over fewer parameters can
+            share the work with searches over more; None for none.
+        least: see `bounded`.
+    """
+
+    residuals: Callable[[FloatArray], Residuals]
+    weights: FloatArray
+    loss: RobustLoss
+    prior: GaussianPrior
+    bounded: int | None = None
+    held: NDArray[np.bool_] | None = None
+    least: float = MIN_KAPPA
+
+    @property
+    def free(self) -> int:
+        """Number of free parameters."""
+        return int(self.prior.mean.shape[1])
+
+    def summed(self, found: Residuals) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """What N residuals of B cameras sum up to.
+
+        Returns:
+            (B,) cost, (B, n, n) weighted J^T J, (B, n) gradient: of the points alone.
+        """
+        cost, weight = self.loss.cost_and_weight(found.distances)
+        return normal_equations(found.values, found.derivatives, cost, weight, self.weights)
+
+    def hopeful(
+        self, costs: FloatArray, running: NDArray[np.bool_], hopeless: float
+    ) -> NDArray[np.bool_]:
+        """(B,) whether searches cost less than so many times what one does that has ended."""
+        return np.asarray(costs <= hopeless * costs[~running].min())
+
+    def floor(self, starts: FloatArray) -> FloatArray:
+        """(B,) what the bounded parameter may fall to in searches from starts (B, m)."""
+        if self.bounded is None:
+            return np.full(len(starts), -np.inf)
+        return np.where(starts[:, self.bounded] < 0, self.least, 0.0)
+
+
+def normal_equations(
+    values: FloatArray,
+    derivatives: FloatArray,
+    cost: FloatArray,
+    weight: FloatArray,
+    weights: FloatArray,
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """See `Problem.summed`.
+
+    Args:
+        values, derivatives: (B, 2, N) and (B, n, 2, N) as of `Residuals`.
+        cost, weight: (B, N) of each distance, from its loss.
+        weights: (N,) of the points.
+    """
+    count, free = derivatives.shape[:2]
+    weight = weight * weights
+    weighted = (derivatives * weight[:, None, None]).reshape(count, free, -1)
+    gradient = (weighted @ values.reshape(count, -1, 1))[:, :, 0]
+    rows = derivatives.reshape(count, free, -1)
+    return cost @ weights, weighted @ rows.transpose(0, 2, 1), gradient
+
+
+@dataclass(frozen=True, eq=False)
+class SolveRequest:
+    """What is to be minimised, from where, and how far.
+
+    Attributes:
+        problem: what to minimise.
+        starts: (B, m) parameters, of which those after the first n stay as they are; or where
+            searches are that went by the same residuals, weights, loss and prior.
+        iterations: at most so many.
+        tolerance: a search ends when a step lowers its cost by less than this share of it.
+        hopeless: once a search has ended, others end that cost so many times as much.
+    """
+
+    problem: Problem
+    starts: FloatArray | Solution
+    iterations: int
+    tolerance: float = 1e-4
+    hopeless: float = np.inf
+
+
+# What works something out and needs descents on the way: yields what it asks for, is sent what came
+# of it. So that many can be taken side by side.
+SolveSteps = Generator[SolveRequest, Solution, T]
+
+
+def solve(
+    problem: Problem,
+    starts: FloatArray | Solution,
+    *,
+    iterations: int,
+    tolerance: float = 1e-4,
+    hopeless: float = np.inf,
+) -> Solution:
+    """Minimise from every start; see `SolveRequest`."""
+    return solve_request(SolveRequest(problem, starts, iterations, tolerance, hopeless))
+
+
+def run_steps(steps: SolveSteps[T]) -> T:
+    """What steps come to that ask for one descent after another."""
+    try:
+        asked = next(steps)
+        while True:
+            asked = steps.send(solve_request(asked))
+    except StopIteration as end:
+        found: T = end.value
+        return found
+
+
+def solve_request(asked: SolveRequest) -> Solution:
+    """Minimise from every start."""
+    starts = asked.starts
+    at = starts if isinstance(starts, Solution) else Solution.at(asked.problem, starts)
+    under_way = SolverState.begun(asked.problem, at)
+    made = 0
+    for made in range(1, asked.iterations + 1):  # noqa: B007
+        under_way.step(asked.problem, asked.tolerance, asked.hopeless)
+        if not under_way.running.any():
+            break
+    return replace(under_way.at, steps=made)
+
+
+@dataclass(eq=False)
+class SolverState:
+    """Where B searches are.
+
+    Attributes:
+        at: what is known there.
+        floor: (B,) what their bounded parameter may fall to.
+        damping: (B,) of their next steps.
+        running: (B,) whether they go on.
+    """
+
+    at: Solution
+    floor: FloatArray
+    damping: FloatArray
+    running: NDArray[np.bool_]
+
+    @classmethod
+    def begun(cls, problem: Problem, at: Solution) -> SolverState:
+        """At the beginning."""
+        count = len(at.vectors)
+        damping, running = np.full(count, _INITIAL_DAMPING), np.ones(count, dtype=bool)
+        return cls(at, problem.floor(at.vectors), damping, running)
+
+    def chosen(self, rows: NDArray[np.bool_], at: Solution) -> SolverState:
+        """Some of them (B,), of which ``at`` is known."""
+        return SolverState(at, self.floor[rows], self.damping[rows], self.running[rows])
+
+    def step(self, problem: Problem, tolerance: float, hopeless: float) -> None:
+        """One step of all searches; of those that ended none is taken."""
+        at, damping = self.at, self.damping
+        step, hoped = _damped_step(problem, at, self.floor, damping)
+        tried = at.vectors.copy()
+        tried[:, : problem.free] -= step
+        if problem.bounded is not None:
+            lowest = tried[:, problem.bounded]
+            np.maximum(lowest, self.floor, out=lowest)
+        new = Solution.at(problem, tried)
+        better = self.running & (new.costs < at.costs)
+        gain = np.where(better, at.costs - new.costs, 0.0)
+        small = np.where(better, gain, hoped) <= tolerance * at.costs
+        damping = np.where(better, damping * _DAMPING_DECREASE, damping * _DAMPING_INCREASE)
+        self.damping = np.minimum(np.maximum(damping, _MIN_DAMPING), _MAX_DAMPING)
+        self.running = self.running & ~small & (self.damping < _MAX_DAMPING)
+        self.at = new if better.all() else at.replaced_where(better, new)
+        if not self.running.all():
+            self.running &= problem.hopeful(self.at.costs, self.running, hopeless)
+
+
+def _damped_step(
+    problem: Problem, at: Solution, floor: FloatArray, damping: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """(B, n) what parameters are to be lowered by, and (B,) what cost that is hoped to save."""
+    normal, gradient = at.normal.copy(), at.gradient
+    diagonal = np.einsum("bii->bi", normal)  # a view
+    diagonal += problem.prior.inverse_sd**2
+    pinned = _held_or_bounded(problem, at, floor)
+    if pinned is not None:
+        gradient = np.where(pinned, 0.0, gradient)
+        normal[pinned] = 0.0
+        normal.transpose(0, 2, 1)[pinned] = 0.0
+    nothing = diagonal == 0
+    diagonal *= 1 + damping[:, None]
+    diagonal += 1e-12
+    diagonal += nothing
+    step = np.asarray(np.linalg.solve(normal, gradient[:, :, None])[:, :, 0], dtype=np.float64)
+    return step, (step * gradient).sum(axis=1) / 2
+
+
+def _held_or_bounded(problem: Problem, at: Solution, floor: FloatArray) -> NDArray[np.bool_] | None:
+    """(B, n) parameters that are held, or lie on their bound and would be pushed through it."""
+    index = problem.bounded
+    if index is None or index >= problem.free:
+        return problem.held
+    pinned = (
+        np.zeros(at.gradient.shape, dtype=bool) if problem.held is None else problem.held.copy()
+    )
+    pinned[:, index] |= (at.vectors[:, index] <= floor) & (at.gradient[:, index] > 0)
+    return pinned if pinned.any() else None

@@ -1,0 +1,266 @@
+"""The result of a fit: camera or failure, residuals, covariance; ill-conditioned fits."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from procc_annotator.annotation import Polyline
+from procc_annotator.calibration.optimization.camera_parameters import PAN, ROLL, TILT
+from procc_annotator.calibration.optimization.covariance import (
+    max_direction_sd,
+    projected_covariance,
+)
+from procc_annotator.calibration.optimization.observations import (
+    FloatArray,
+    ImageFrame,
+    used_point_indices,
+)
+from procc_annotator.camera.models import FisheyeCamera, HomographyCamera, PinholeCamera
+from procc_annotator.translation import translatable, translatable_joined, word
+
+PosedCamera = PinholeCamera | FisheyeCamera
+
+
+@dataclass(frozen=True, slots=True)
+class ElementResidual:
+    """How far the points of one element are from where the fitted camera shows it.
+
+    Attributes:
+        name: the class.
+        distances_px: of its points, px of the picture; repeated points are listed once, and of very
+            many points some.
+        left_out: whether it was taken for a mistake and had no say.
+        counted_px: the same distances as they count, px: those of a landmark are smaller the less
+            its own place is known; None where they count as they are.
+    """
+
+    name: str
+    distances_px: tuple[float, ...]
+    left_out: bool
+    counted_px: tuple[float, ...] | None = None
+
+    @property
+    def mean_px(self) -> float:
+        """Mean of the distances, px."""
+        return sum(self.distances_px) / len(self.distances_px)
+
+    @property
+    def max_px(self) -> float:
+        """Largest of the distances, px."""
+        return max(self.distances_px)
+
+    @property
+    def most_counted_px(self) -> float:
+        """Largest of the distances as they count, px."""
+        return max(self.distances_px if self.counted_px is None else self.counted_px)
+
+    def distances_of(self, polyline: Polyline, size: tuple[int, int]) -> dict[int, float]:
+        """Place in the polyline -> distance, px, of the points that have one.
+
+        Args:
+            polyline: the one that was fitted.
+            size: (width, height) px of the picture.
+
+        Returns:
+            Nothing for another polyline, which has more points or fewer.
+        """
+        places = used_point_indices(polyline, ImageFrame(size)).tolist()
+        if len(places) != len(self.distances_px):
+            return {}
+        return dict(zip(places, self.distances_px, strict=True))
+
+
+@dataclass(frozen=True, slots=True)
+class PoseStandardDeviations:
+    """Standard deviations of a fitted camera with a pose: rad, metres, px of the picture."""
+
+    pan_rad: float
+    tilt_rad: float
+    roll_rad: float
+    position_m: tuple[float, float, float]
+    focal_px: float
+
+
+@dataclass(frozen=True, eq=False)
+class FitResult:
+    """A fit, or the reason why there is none.
+
+    Attributes:
+        model: H, P, R, R+, R2 or F; auto if the model was to be chosen and there is no camera.
+        size: (width, height) px of the picture.
+        camera: in px of the picture; None if the fit failed.
+        failure: why there is no camera, in words; None if there is one.
+        elements: residuals of the elements that took part, straight ones first.
+        deviations: of the pose; None for a homography.
+        error_px: standard deviation of a point across its element, px of the picture.
+        parameters: names of the n free parameters.
+        covariance: (n, n) of those, in the units of `fit.models`: what the noise of the clicks
+            leaves open, and what elements that lie beside the model as a whole do to it.
+        warm: whether the camera was found from the start that was given.
+        vector: (11,) the solver's parameters of a pinhole, (13,) of a strong lens, or (8,)
+            corrections of `basis`.
+        basis: (3, 3) the homography that was corrected; None for a pinhole.
+        chosen_because: why this model, in a sentence; None if it was asked for.
+        other_end: whether the points may as well be seen from the other end of the field, half a
+            turn about its centre; standard deviations tell nothing of that.
+        offset_px: standard deviation of what an element lies beside the model by, all its points
+            together, px of the picture; see `calibration.optimization.covariance`.
+        of_clicks: (n, n) the part of the covariance that the noise of the clicks makes alone.
+        fitted_on: `annotation_digest` of what it was fitted to, where that is kept.
+    """
+
+    model: str
+    size: tuple[int, int]
+    camera: PosedCamera | HomographyCamera | None
+    failure: str | None = None
+    elements: tuple[ElementResidual, ...] = ()
+    deviations: PoseStandardDeviations | None = None
+    error_px: float | None = None
+    parameters: tuple[str, ...] = ()
+    covariance: FloatArray | None = None
+    warm: bool = False
+    vector: FloatArray | None = None
+    basis: FloatArray | None = None
+    chosen_because: str | None = None
+    other_end: bool = False
+    offset_px: float = 0.0
+    of_clicks: FloatArray | None = None
+    fitted_on: str | None = None
+
+    @property
+    def mean_px(self) -> float | None:
+        """Mean distance of all points that had a say, px; None without a camera."""
+        distances = [d for e in self.elements if not e.left_out for d in e.distances_px]
+        return sum(distances) / len(distances) if distances else None
+
+    @property
+    def left_out(self) -> tuple[str, ...]:
+        """Elements that were taken for mistakes."""
+        return tuple(e.name for e in self.elements if e.left_out)
+
+    def projected_covariance(self, points_world: FloatArray) -> FloatArray:
+        """How surely the fit knows where field points appear.
+
+        Args:
+            points_world: (N, 3) metres, world frame.
+
+        Returns:
+            (N, 2, 2) px squared; NaN for points that the camera does not show, and for all of them
+            without a camera.
+        """
+        if self.covariance is None or self.vector is None:
+            return np.full((len(points_world), 2, 2), np.nan)
+        frame = ImageFrame(self.size)
+        found = projected_covariance(
+            self.vector, self.basis, frame.half_diagonal, self.covariance, points_world
+        )
+        return np.asarray(found / frame.scale**2)
+
+    def projected_sd(
+        self, points_world: FloatArray, normals: FloatArray | None = None
+    ) -> FloatArray:
+        """Standard deviation of where field points appear.
+
+        Args:
+            points_world: (N, 3) metres, world frame.
+            normals: (N, 2) unit vectors in the picture; the direction in question, such as across
+                an element. Without them the direction with the largest deviation counts.
+
+        Returns:
+            (N,) px; NaN as for `projected_covariance`.
+        """
+        covariance = self.projected_covariance(points_world)
+        if normals is None:
+            return max_direction_sd(covariance)
+        squares = np.einsum("ni,nij,nj->n", normals, covariance, normals)
+        return np.asarray(np.sqrt(np.maximum(squares, 0.0)))
+
+
+# Standard deviations beyond which a camera is hardly determined: about twice what the worst of the
+# 186 frames of World Cup 2014 have (model R: 0.4 degrees, 5.3 m of some 70 m, 5.5 % of the focal
+# length).
+MAX_ANGLE_SD_DEGREES = 1.0
+MAX_POSITION_SD_SHARE = 0.15  # of the way to the centre of the field
+MAX_FOCAL_SD_SHARE = 0.1
+_LOOKING_DOWN_COSINE = 0.35  # sine of the tilt
+ILL_CONDITIONED_LIMITS = translatable(
+    "pan, tilt or roll ± more than {degrees:g}°, position ± more than {way:g} % of the way to the"
+    " field's centre, or focal length ± more than {focal:g} %, or clicks that are the same from the"
+    " other end",
+    degrees=MAX_ANGLE_SD_DEGREES,
+    way=100 * MAX_POSITION_SD_SHARE,
+    focal=100 * MAX_FOCAL_SD_SHARE,
+)
+
+
+def ill_conditioned_reason(fit: FitResult) -> str:
+    """What the points leave open beyond the limits, in words: ``pan ± 1.4°, position ± 12 m``.
+
+    Empty where they determine the camera, and for fits that tell no pose: homographies, and those
+    that failed.
+    """
+    known, camera = fit.deviations, fit.camera
+    if known is None or not isinstance(camera, PosedCamera):
+        return ""
+    pan, roll = _pan_roll_deviations(fit)
+    angles = (
+        (word("pan ± {degrees:.1f}°"), pan),
+        (word("tilt ± {degrees:.1f}°"), known.tilt_rad),
+        (word("roll ± {degrees:.1f}°"), roll),
+    )
+    words = [
+        translatable(text, degrees=math.degrees(sd))
+        for text, sd in angles
+        if not math.degrees(sd) <= MAX_ANGLE_SD_DEGREES
+    ]
+    away = math.hypot(*known.position_m)
+    if not away <= MAX_POSITION_SD_SHARE * math.hypot(*camera.position_world):
+        words.append(translatable("position ± {metres:.0f} m", metres=away))
+    share = known.focal_px / camera.focal_px[0]
+    if not share <= MAX_FOCAL_SD_SHARE:
+        words.append(translatable("focal length ± {percent:.0f} %", percent=100 * share))
+    if fit.other_end:
+        words.append(translatable("the same from the other end"))
+    return translatable_joined(", ", words) if words else ""
+
+
+def _pan_roll_deviations(fit: FitResult) -> tuple[float, float]:
+    """Standard deviations, rad. A camera that looks down turns about the vertical by either: what
+    counts is their sum, and of their difference what it tilts the camera by."""
+    known, covariance, vector = fit.deviations, fit.covariance, fit.vector
+    assert known is not None  # asked for pinholes only
+    if covariance is None or vector is None or abs(math.sin(vector[TILT])) > _LOOKING_DOWN_COSINE:
+        return known.pan_rad, known.roll_rad
+    both = np.zeros(len(covariance))
+    both[PAN], both[ROLL] = 1.0, math.cos(vector[TILT])
+    together = math.sqrt(max(float(both @ covariance @ both), 0.0))
+    return together, abs(math.sin(vector[TILT])) * known.pan_rad
+
+
+# What a given camera may show an element beside its paint by, px at 960 px width: such cameras
+# come from paint or from points, not from a guess.
+_ASSUMED_SD_PX = 1.5
+
+
+@dataclass(frozen=True, eq=False)
+class ExternalCameraFit(FitResult):
+    """A fit nobody made: every element may lie beside the camera as a whole, by the same."""
+
+    def projected_covariance(self, points_world: FloatArray) -> FloatArray:
+        """(N, 2, 2) px squared: none but that of `offset_px`."""
+        return np.zeros((len(points_world), 2, 2))
+
+
+def external_camera_fit(
+    camera: PinholeCamera | HomographyCamera, size: tuple[int, int]
+) -> ExternalCameraFit:
+    """A camera in px of a picture, with what it may be off by in this picture.
+
+    Args:
+        camera: in px of the picture.
+        size: (width, height) px.
+    """
+    return ExternalCameraFit("given", size, camera, offset_px=_ASSUMED_SD_PX * (size[0] - 1) / 959)

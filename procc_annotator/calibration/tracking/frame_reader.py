@@ -1,0 +1,197 @@
+"""Read frames in tracking order, decoded ahead, with scene cuts."""
+
+from __future__ import annotations
+
+import queue
+import threading
+from collections import deque
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from procc_annotator.calibration.tracking.motion_model import (
+    EMPTY_MOTION_IMAGE,
+    MotionImage,
+    motion_image,
+)
+from procc_annotator.image.motion import (
+    FrameSignature,
+    cut_indices,
+    frame_signature,
+    signature_distance,
+)
+from procc_annotator.image.pixels import PixelArray
+
+ReadFrame = Callable[[int], PixelArray]
+
+_READ_AHEAD_FRAMES = 3
+# Pictures read forwards, to be handed out backwards: at first so many, then as many as fit, for a
+# video is decoded from the key frame before them each time.
+_BACKWARD_FIRST_FRAMES, _BACKWARD_MAX_BYTES, _BACKWARD_MIN_FRAMES, _BACKWARD_MAX_FRAMES = (
+    24,
+    256 << 20,
+    12,
+    96,
+)
+_CUT_WINDOW = 6  # frames to either side that a cut stands out of, see `image.motion`
+
+
+@dataclass(frozen=True, eq=False)
+class DecodedFrame:
+    """A frame as it is handed out.
+
+    Attributes:
+        number: of the frame.
+        picture: (H, W, 4) BGRA.
+        small: the picture much reduced; nothing of it if it is not to be followed.
+        begins: whether it comes from another camera than the one handed out before it.
+        unlike: how different it looks from that one, see `image.motion.look_difference`.
+    """
+
+    number: int
+    picture: PixelArray
+    small: MotionImage
+    begins: bool = False
+    unlike: float = 0.0
+
+
+@dataclass(eq=False)
+class _PendingFrame:
+    """A frame that waits until it is known whether it begins a shot."""
+
+    number: int
+    picture: PixelArray
+    small: MotionImage
+    look: FrameSignature
+    step: float
+    lasting: float
+
+
+def decoded_frames(
+    frame: ReadFrame, numbers: Sequence[int], *, to_follow: bool = False
+) -> Iterator[DecodedFrame]:
+    """Frames in the order of their numbers, ascending or descending, decoded by a thread.
+
+    Args:
+        frame: number -> (H, W, 4) BGRA; may raise, which is passed on.
+        numbers: of consecutive frames.
+        to_follow: whether a camera is to be followed through them.
+    """
+    held: deque[_PendingFrame] = deque()
+    done: deque[tuple[float, float]] = deque(maxlen=_CUT_WINDOW)
+    looks: deque[FrameSignature] = deque(maxlen=4)
+    for number, picture, small, look in _read_ahead(frame, numbers, to_follow):
+        step = signature_distance(looks[-1], look) if looks else 0.0
+        past = list(looks)[-3:-1]
+        looks.append(look)
+        lasting = min((signature_distance(old, look) for old in past), default=1.0)
+        if len(looks) == 4 and len(held) >= 2:  # small also where a flash begins
+            held[-2].lasting = min(held[-2].lasting, signature_distance(looks[0], look))
+        held.append(_PendingFrame(number, picture, small, look, step, lasting))
+        if len(held) > _CUT_WINDOW:
+            yield _emit_frame(held, done)
+    while held:
+        yield _emit_frame(held, done)
+
+
+def _emit_frame(held: deque[_PendingFrame], done: deque[tuple[float, float]]) -> DecodedFrame:
+    steps = np.array([*(s for s, _ in done), *(h.step for h in held)])
+    lasting = np.array([*(v for _, v in done), *(h.lasting for h in held)])
+    begins = bool(done) and len(done) in cut_indices(steps, lasting)
+    first = held.popleft()
+    done.append((first.step, first.lasting))
+    return DecodedFrame(first.number, first.picture, first.small, begins, first.step)
+
+
+def _read_ahead(
+    frame: ReadFrame, numbers: Sequence[int], to_follow: bool
+) -> Iterator[tuple[int, PixelArray, MotionImage, FrameSignature]]:
+    """What a thread has read ahead, in the order asked for."""
+    ready: queue.Queue[object] = queue.Queue(maxsize=_READ_AHEAD_FRAMES)
+    stopped = threading.Event()
+
+    def hand(item: object) -> bool:
+        while not stopped.is_set():
+            try:
+                ready.put(item, timeout=0.1)
+            except queue.Full:
+                continue
+            return True
+        return False
+
+    def read() -> None:
+        try:
+            for number, picture in _images_in_order(frame, numbers, stopped):
+                look = frame_signature(picture[:, :, :3])
+                small = motion_image(picture) if to_follow else EMPTY_MOTION_IMAGE
+                if not hand((number, picture, small, look)):
+                    return
+        except BaseException as failure:  # noqa: BLE001  # raised again by who waits for frames
+            hand(failure)
+        else:
+            hand(None)
+
+    thread = threading.Thread(target=read, name="frames ahead", daemon=True)
+    thread.start()
+    try:
+        while (item := ready.get()) is not None:
+            if isinstance(item, BaseException):
+                raise item
+            yield item  # type: ignore[misc]
+    finally:
+        stopped.set()
+        thread.join()
+
+
+def _images_in_order(
+    frame: ReadFrame, numbers: Sequence[int], stopped: threading.Event
+) -> Iterator[tuple[int, PixelArray]]:
+    """Pictures in the order of their numbers, read forwards: videos cannot be read backwards."""
+    if len(numbers) < 2 or numbers[1] > numbers[0]:
+        for number in numbers:
+            if stopped.is_set():
+                return
+            yield number, frame(number)
+        return
+    begin, count = 0, _BACKWARD_FIRST_FRAMES
+    while begin < len(numbers):
+        read = []
+        for number in reversed(numbers[begin : begin + count]):
+            if stopped.is_set():
+                return
+            read.append((number, frame(number)))
+        begin += count
+        count = min(
+            max(_BACKWARD_MAX_BYTES // read[0][1].nbytes, _BACKWARD_MIN_FRAMES),
+            _BACKWARD_MAX_FRAMES,
+        )
+        while read:
+            yield read.pop()
+
+
+def shot_range_around(
+    frame: ReadFrame, number: int, numbers: range, go_on: Callable[[], None] = lambda: None
+) -> range:
+    """The frames around one that are of the same camera, up to the cuts.
+
+    Args:
+        frame: number -> (H, W, 4) BGRA.
+        number: one of the numbers.
+        numbers: all there are, ascending.
+        go_on: called at least once a frame; what it raises ends everything.
+    """
+    last = _shot_end(frame, range(number, numbers[-1] + 1), go_on)
+    first = _shot_end(frame, range(number, numbers[0] - 1, -1), go_on)
+    return range(first, last + 1)
+
+
+def _shot_end(frame: ReadFrame, numbers: range, go_on: Callable[[], None]) -> int:
+    """The last frame before another camera's."""
+    last = numbers[0]
+    for now in decoded_frames(frame, numbers):
+        go_on()
+        if now.begins:
+            break
+        last = now.number
+    return last

@@ -1,0 +1,485 @@
+"""Track all frames of a shot from anchors and proposals, forwards and backwards."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from dataclasses import field as dataclass_field
+from itertools import pairwise
+
+import numpy as np
+
+from procc_annotator.calibration.line_alignment.expected_lines import MarkingPoints, marking_points
+from procc_annotator.calibration.line_alignment.gaussian_state import (
+    GaussianState,
+    fit_from_covariance,
+)
+from procc_annotator.calibration.line_alignment.refinement import displaced_elements_text
+from procc_annotator.calibration.optimization.camera_parameters import POSITION_SLICE, X, Z
+from procc_annotator.calibration.optimization.observations import FloatArray, ImageFrame
+from procc_annotator.calibration.result import FitResult
+from procc_annotator.calibration.single_image.line_distance import line_pixels_for_field
+from procc_annotator.calibration.single_image.proposal import SURE, KnownPosition, Proposal
+from procc_annotator.calibration.single_image.propose import propose_camera
+from procc_annotator.calibration.tracking.filter_step import (
+    FilterStep,
+    nearest_pinhole_vector,
+    projection_difference_px,
+    state_from_camera,
+)
+from procc_annotator.calibration.tracking.forward_pass import (
+    FrameChain,
+    TrackedRun,
+    build_chain,
+    track_run,
+)
+from procc_annotator.calibration.tracking.frame_reader import ReadFrame, decoded_frames
+from procc_annotator.calibration.tracking.missed_lines import unexplained_beside
+from procc_annotator.calibration.tracking.motion_model import (
+    MOVING_NOISE,
+    TRIPOD_NOISE,
+    ProcessNoise,
+)
+from procc_annotator.calibration.tracking.smoother import SmoothedChain, smooth_chain
+from procc_annotator.calibration.tracking.track import FrameState, Track, TrackedFrame
+from procc_annotator.camera.base import Camera
+from procc_annotator.camera.models import PinholeCamera
+from procc_annotator.field.model import Field
+
+# Shots of one match tell of the same tripod to about a metre; standard deviation of each axis.
+_MIN_SEPARATION_M = 0.7
+_MAX_MAHALANOBIS, _MAX_DISTANCE_M = 3.5, 5.0
+_MIN_COVERAGE = 0.65  # below it a frame is doubtful
+
+
+def is_at_known_position(
+    fit: FitResult | None, coverages: Sequence[float], places: Sequence[KnownPosition]
+) -> bool:
+    """Whether what all frames of a shot tell of their camera is a place that is known, and its
+    lines are on their paint.
+
+    Args:
+        fit: of one of its frames, solved with all the others.
+        coverages: of its frames, 0 to 1.
+        places: that are known.
+    """
+    if fit is None or fit.vector is None or fit.covariance is None:
+        return False
+    if np.mean(coverages) < _MIN_COVERAGE:
+        return False
+    for place in places:
+        away = fit.vector[POSITION_SLICE] - place.position_m
+        spread = (
+            fit.covariance[POSITION_SLICE, POSITION_SLICE]
+            + place.covariance
+            + np.eye(3) * _MIN_SEPARATION_M**2
+        )
+        in_sd = float(np.sqrt(away @ np.linalg.solve(spread, away)))
+        if in_sd <= _MAX_MAHALANOBIS and np.linalg.norm(away) <= _MAX_DISTANCE_M:
+            return True
+    return False
+
+
+CameraProposer = Callable[[np.ndarray, Field, Sequence[KnownPosition]], Proposal]
+
+# Frames after the first of a shot, or after one that was lost, at which a camera is proposed.
+_PROPOSAL_OFFSETS = (*range(0, 200, 20), *range(200, 1000, 50), *range(1000, 20000, 250))
+
+# What was followed from one anchor to the next may be so far off there, solver px, to be believed.
+_ANCHOR_REACHED_PX = 6.0
+# For a missed line the whole picture is searched once a second: it takes as long as ten frames do.
+_LOOKED_FRAMES = 25
+# When a camera that moves is tried: elements lie so far beside the model, solver px, or less of
+# the frames asked for is explained, or less of the model is found on paint than in the best frames:
+# where a position is held that is not, lines are left behind one by one.
+_MOVING_DISPLACEMENT_PX, _MOVING_HELD_SHARE, _MOVING_FOUND_SHARE = 0.7, 0.96, 0.8
+# What it may leave of what a tripod does not find: a field that is not as its file says is a little
+# better explained by whatever is free, by the right camera nearly all of it.
+_SKIPPED_SHARE = 0.5
+
+
+def _never_cancel() -> None:
+    """Nobody wants it stopped."""
+
+
+def _ignore_frame(_: TrackedFrame) -> None:
+    """Nobody asks."""
+
+
+def _ignore_progress(_: int, __: FilterStep) -> None:
+    """Nobody minds."""
+
+
+def _is_recent(number: int, looked: tuple[int, float] | None) -> bool:
+    return looked is not None and number - looked[0] < _LOOKED_FRAMES
+
+
+class _TooManyMissing(Exception):
+    """What is being followed cannot count any more."""
+
+
+def track_shot(
+    frame: ReadFrame,
+    numbers: range,
+    field: Field,
+    *,
+    anchors: Mapping[int, Camera] | None = None,
+    known: Sequence[KnownPosition] = (),
+    propose: CameraProposer | None = None,
+    on_frame: Callable[[TrackedFrame], None] = _ignore_frame,
+    go_on: Callable[[], None] = _never_cancel,
+) -> Track:
+    """The camera of every frame that can be followed from a known one, or that is found.
+
+    What lies between two anchors is followed from them alone: when an anchor changes, only what
+    lies between its neighbours has to be followed again.
+
+    Args:
+        frame: number -> (H, W, 4) BGRA; is called by another thread, one call at a time.
+        numbers: the frames, consecutive.
+        field: the elements, taken for the middle of their paint, see `marking_points`.
+        anchors: cameras that are known, px of the pictures; those outside ``numbers`` do not count.
+        known: where cameras of other shots of the same source stand. One that is not given is
+            looked for there only, and counts if its own shot then tells of that place.
+        propose: finds a camera where none is known; None for `propose_camera`.
+        on_frame: told of each frame as soon as it was followed, in the order in which they are;
+            what is handed back at the end is surer, and replaces it.
+        go_on: called at least once a frame; what it raises ends everything.
+
+    Raises:
+        UsageError: an anchor is no camera of this field.
+    """
+    if not len(numbers):
+        return Track((), ())
+    size = frame(numbers[0]).shape
+    given = {n: c for n, c in sorted((anchors or {}).items()) if n in numbers}
+    work = _ShotTracker(
+        frame,
+        field,
+        marking_points(field),
+        ImageFrame((size[1], size[0])),
+        tuple(known),
+        propose or _default_proposer,
+        on_frame,
+        go_on,
+    )
+    work.from_anchors(numbers, given)
+    for gap in _untracked_runs(numbers, work.found):
+        work.fill(gap)
+    begins = sorted({numbers[0], *work.begins})
+    ends = [n - 1 for n in begins[1:]] + [numbers[-1]]
+    return Track(
+        tuple(work.found[n] for n in sorted(work.found)), tuple(zip(begins, ends, strict=True))
+    )
+
+
+def _default_proposer(
+    picture: np.ndarray, field: Field, known: Sequence[KnownPosition]
+) -> Proposal:
+    return propose_camera(picture, field, known=known, elsewhere=False)
+
+
+def _untracked_runs(numbers: range, found: Mapping[int, TrackedFrame]) -> list[range]:
+    """Runs of frames of which nothing is known yet."""
+    missing = [n for n in numbers if n not in found]
+    breaks = [i for i in range(1, len(missing)) if missing[i] != missing[i - 1] + 1]
+    bounds = [0, *breaks, len(missing)]
+    return [range(missing[a], missing[b - 1] + 1) for a, b in pairwise(bounds) if b > a]
+
+
+@dataclass(eq=False)
+class _ShotTracker:
+    """What is being followed, and what has been found."""
+
+    frame: ReadFrame
+    field: Field
+    painted: MarkingPoints
+    picture: ImageFrame
+    known: tuple[KnownPosition, ...]
+    propose: CameraProposer
+    on_frame: Callable[[TrackedFrame], None]
+    go_on: Callable[[], None]
+    found: dict[int, TrackedFrame] = dataclass_field(default_factory=dict)
+    begins: set[int] = dataclass_field(default_factory=set)
+
+    def from_anchors(self, numbers: range, anchors: Mapping[int, Camera]) -> None:
+        """Follow what lies around and between anchors."""
+        vectors = {
+            n: nearest_pinhole_vector(c, self.field, self.picture) for n, c in anchors.items()
+        }
+        given = {
+            n: state_from_camera(vector, self.field, self.painted, self.picture)
+            for n, vector in vectors.items()
+        }
+        places = list(given)
+        if not places:
+            return
+        runs = [self._follow(range(places[0], numbers[0] - 1, -1), given)]
+        for one, other in pairwise(places):
+            forwards, backwards = self._between(one, other, given)
+            runs.append(forwards)
+            if backwards is not None:  # a cut, some are lost, or both ways disagree
+                self._keep(runs, given)
+                runs = [backwards]
+        runs.append(self._follow(range(places[-1], numbers[-1] + 1), given))
+        self._keep(runs, given)
+        for number, camera in anchors.items():
+            self.found[number] = _anchor_frame(self.found[number], camera)
+            self.on_frame(self.found[number])
+
+    def _between(
+        self, one: int, other: int, given: Mapping[int, GaussianState]
+    ) -> tuple[TrackedRun, TrackedRun | None]:
+        """Follow what lies between two anchors from the first one, and from the second one what
+        cannot be followed from there."""
+        near = {n: given[n] for n in (one, other)}
+        forwards = self._follow(range(one, other + 1), near)
+        last = forwards.numbers[-1]
+        if last == other:
+            arrived = forwards.steps[-1].belief.vector
+            away = projection_difference_px(
+                arrived, given[other].vector, self.painted, self.picture
+            )
+            if away <= _ANCHOR_REACHED_PX:
+                return forwards, None
+            last = (one + other) // 2
+            forwards = forwards.until(last)
+        return forwards, self._follow(range(other, last, -1), near)
+
+    def _follow(
+        self,
+        numbers: Sequence[int],
+        given: Mapping[int, GaussianState],
+        stand: ProcessNoise = TRIPOD_NOISE,
+        watch: Callable[[int, FilterStep], None] = _ignore_progress,
+    ) -> TrackedRun:
+        """Follow frames from the first of them, whose camera was given.
+
+        Args:
+            watch: shown every frame; what it raises ends it.
+        """
+        begin, places = numbers[0], np.array(list(given))
+
+        def told(number: int, step: FilterStep) -> None:
+            watch(number, step)
+            if number not in given:
+                distance = int(np.abs(places - number).min())
+                self.on_frame(self._tracked(number, step, distance))
+
+        followed = track_run(
+            self.frame,
+            numbers,
+            given[begin],
+            self.painted,
+            self.picture,
+            told,
+            self.go_on,
+            stand,
+        )
+        if followed.cut:
+            ahead = len(numbers) < 2 or numbers[1] > begin
+            self.begins.add(followed.numbers[-1] + (1 if ahead else 0))
+        return followed
+
+    def _keep(self, runs: Sequence[TrackedRun], given: Mapping[int, GaussianState]) -> None:
+        """Smooth together what was followed, and keep it."""
+        found = smooth_chain(build_chain(runs, given), self.field, self.picture)
+        asked = len({number for run in runs for number in run.asked})
+        if _camera_may_move(found, asked):
+            # Once more from what all frames told of its place: lines that it lost on the way stay.
+            start = _states_of_frames(found.chain, given)
+            again = [self._follow(run.asked, start) for run in runs]
+            second = smooth_chain(build_chain(again, given), self.field, self.picture)
+            found = max(found, second, key=lambda one: one.explained)
+        if _camera_may_move(found, asked):
+            moving = self._moving(
+                runs, given, start, _SKIPPED_SHARE * _missing_share(found, asked) * asked
+            )
+            if moving is not None and _missing_share(
+                moving, asked
+            ) < _SKIPPED_SHARE * _missing_share(found, asked):
+                found = moving
+        chain = found.chain
+        if self._skipped_frames(
+            chain, given
+        ):  # all together they are worse where the camera is known
+            chain = build_chain(runs, given)
+        left = self._skipped_frames(chain, given)
+        places = np.array(list(given))
+        looked = dict[int, tuple[int, float]]()
+        for number, step in zip(chain.numbers, chain.steps, strict=True):
+            distance = int(np.abs(places - number).min())
+            own = replace(step, belief=given[number]) if number in left else step
+            one = self._tracked(number, own, distance)
+            if not one.reason and (off := self._unexplained(number, own, looked)):
+                one = replace(one, reason=displaced_elements_text(off, self.painted, self.picture))
+            self.found[number] = one
+        # What looked like a cut and could be followed across is none: a banner that slid in.
+        self.begins -= set(chain.numbers[1:])
+
+    def _unexplained(
+        self, number: int, step: FilterStep, looked: dict[int, tuple[int, float]]
+    ) -> dict[int, float]:
+        """Return the elements that a frame's camera misses and whose line lies elsewhere: solver
+        px by which. The whole picture is looked at once in `_LOOKED_FRAMES` only.
+
+        Args:
+            looked: element -> frame at which it was looked for, and what came of it; 0 if nothing.
+        """
+        missed = step.missed(self.painted, self.picture)
+        now = [own for own in missed.tolist() if not _is_recent(number, looked.get(own))]
+        if now:
+            self.go_on()
+            seen = line_pixels_for_field(self.frame(number), self.field)
+            found = unexplained_beside(seen, step.belief.vector, missed, self.painted, self.picture)
+            looked |= {own: (number, found.get(own, 0.0)) for own in missed.tolist()}
+        return {own: looked[own][1] for own in missed.tolist() if looked[own][1]}
+
+    def _skipped_frames(self, chain: FrameChain, given: Mapping[int, GaussianState]) -> set[int]:
+        """Frames whose known camera shows an element on its paint, and that of the chain does
+        not."""
+        left = set()
+        for number, step in zip(chain.numbers, chain.steps, strict=True):
+            if number in given:
+                known = step.beside(given[number].vector, self.picture)
+                beside = step.beside(step.belief.vector, self.picture)
+                if any(px > _ANCHOR_REACHED_PX and own not in known for own, px in beside.items()):
+                    left.add(number)
+        return left
+
+    def _moving(
+        self,
+        runs: Sequence[TrackedRun],
+        given: Mapping[int, GaussianState],
+        start: Mapping[int, GaussianState],
+        most_missing: float,
+    ) -> SmoothedChain | None:
+        """The same runs with a camera that moves; None as soon as more of the model is missing than
+        may be, in frames' worth: solved all together, frames find no more than when followed."""
+        found = dict[int, float]()
+
+        def watch(number: int, step: FilterStep) -> None:
+            found[number] = max(found.get(number, 0.0), step.coverage)
+            if len(found) - sum(found.values()) > most_missing:
+                raise _TooManyMissing
+
+        try:
+            again = [self._follow(run.asked, start, MOVING_NOISE, watch) for run in runs]
+        except _TooManyMissing:
+            return None
+        return smooth_chain(build_chain(again, given), self.field, self.picture, MOVING_NOISE)
+
+    def _tracked(self, number: int, step: FilterStep, distance: int) -> TrackedFrame:
+        return tracked_frame(number, step, distance, self.painted, self.picture)
+
+    def fill(self, gap: range) -> None:
+        """Find cameras in a run of frames of which nothing is known, and follow them."""
+        begin = gap[0]
+        while begin <= gap[-1]:
+            at, found = self._find_start(begin, gap[-1])
+            if found is None:
+                return
+            start = {at: found}
+            back = self._follow(range(at, begin - 1, -1), start)
+            onwards = self._follow(range(at, gap[-1] + 1), start)
+            # All its paint is measured once more by following: it must not count twice.
+            given = {at: state_from_camera(found.vector, self.field, self.painted, self.picture)}
+            self._keep([back, onwards], given)
+            if self.known:
+                self._reject_other_positions(at, {*back.numbers, *onwards.numbers})
+            for number in range(begin, at):
+                if number not in self.found:
+                    self._lose(number, "no camera was found yet")
+            begin = onwards.numbers[-1] + 1
+
+    def _find_start(self, begin: int, end: int) -> tuple[int, GaussianState | None]:
+        """The first frame for which a camera is proposed and sure, and what is believed of it."""
+        since, reason = begin, ""
+        known = self._position_near(begin) or self.known
+        for now in decoded_frames(self.frame, range(begin, end + 1)):
+            self.go_on()
+            if now.begins:
+                since, known = now.number, self.known
+                self.begins.add(now.number)
+            if now.number - since in _PROPOSAL_OFFSETS:
+                proposal = self.propose(now.picture, self.field, known)
+                reason = proposal.reason
+                if proposal.state == SURE and proposal.fit.vector is not None:
+                    return now.number, self._state_from_proposal(proposal.fit.vector, proposal.fit)
+            if now.number not in self.found:
+                self._lose(now.number, reason)
+        return end, None
+
+    def _state_from_proposal(self, vector: FloatArray, fit: FitResult) -> GaussianState:
+        """What is believed of a proposed camera (11,): what the paint of its picture told, if its
+        fit says how much that is."""
+        if fit.covariance is None:
+            return state_from_camera(vector, self.field, self.painted, self.picture)
+        return GaussianState(vector, np.asarray(np.linalg.inv(fit.covariance)))
+
+    def _position_near(self, number: int) -> tuple[KnownPosition, ...]:
+        """Where the camera of the frame before stood, if it is of the same shot."""
+        before = self.found.get(number - 1)
+        if number in self.begins or before is None or before.fit is None:
+            return ()
+        fit = before.fit
+        if fit.vector is None or fit.covariance is None:
+            return ()
+        place = slice(X, Z + 1)
+        return (KnownPosition(fit.vector[place], fit.covariance[place, place]),)
+
+    def _reject_other_positions(self, at: int, numbers: Iterable[int]) -> None:
+        """Give back cameras of a run of frames that do not stand where any is known to."""
+        run = sorted(numbers)
+        coverages = [self.found[number].coverage for number in run]
+        if not is_at_known_position(self.found[at].fit, coverages, self.known):
+            for number in run:
+                self._lose(number, "its camera does not stand where those of other shots do")
+
+    def _lose(self, number: int, reason: str) -> None:
+        self.found[number] = TrackedFrame(number, "lost", reason, None, 0.0, None, None)
+        self.on_frame(self.found[number])
+
+
+def _states_of_frames(chain: FrameChain, numbers: Iterable[int]) -> dict[int, GaussianState]:
+    """What is believed of the cameras of those frames that a chain has got to."""
+    places = {number: place for place, number in enumerate(chain.numbers)}
+    return {number: chain.steps[places[number]].belief for number in numbers if number in places}
+
+
+def _camera_may_move(still: SmoothedChain, asked: int) -> bool:
+    """Whether one position leaves so much open that a camera that moves has to be tried."""
+    found = still.coverages
+    return (
+        still.beside_px > _MOVING_DISPLACEMENT_PX
+        or still.explained < _MOVING_HELD_SHARE * asked
+        or float(found.mean()) < _MOVING_FOUND_SHARE * float(np.percentile(found, 95))
+    )
+
+
+def _missing_share(found: SmoothedChain, asked: int) -> float:
+    """The share of the visible model that was not found on paint, of all frames asked for; all of
+    it in those that were not followed."""
+    return 1 - float(found.coverages.sum()) / asked
+
+
+def tracked_frame(
+    number: int, step: FilterStep, distance: int, painted: MarkingPoints, frame: ImageFrame
+) -> TrackedFrame:
+    """A frame as it is handed back."""
+    belief = step.belief
+    fit = fit_from_covariance(belief.vector, belief.covariance, frame, step.worth.error_px)
+    residual = None if step.residual_px is None else step.residual_px / frame.scale
+    state: FrameState = "bridged" if step.marks is None else "followed"
+    reason = step.reason or displaced_elements_text(
+        step.beside(belief.vector, frame), painted, frame
+    )
+    return TrackedFrame(number, state, reason, fit, step.coverage, residual, distance)
+
+
+def _anchor_frame(found: TrackedFrame, camera: Camera) -> TrackedFrame:
+    """A frame whose camera was given keeps it to the digit."""
+    fit: FitResult | None = found.fit
+    if fit is not None and isinstance(camera, PinholeCamera):
+        fit = replace(fit, camera=camera)
+    return replace(found, state="anchor", reason="", fit=fit, anchor_distance=0)

@@ -1,0 +1,51 @@
+"""Tracks: the camera of each frame of a shot, or why there is none."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from procc_annotator.calibration.result import FitResult
+
+# Given beforehand; measured on the frame's own paint; carried over by the picture's motion; none.
+FrameState = Literal["anchor", "followed", "bridged", "lost"]
+
+
+@dataclass(frozen=True, eq=False)
+class TrackedFrame:
+    """The camera of one frame of a shot, or why there is none.
+
+    Attributes:
+        number: of the frame in its source.
+        state: how its camera came about.
+        reason: what there is to say about that, in words; "" for nothing.
+        fit: the camera with its standard deviations; None if it is lost.
+        coverage: share of the visible model that was found on paint, 0 to 1.
+        residual_px: median distance of that paint from the model, px of the picture; None if none
+            was found.
+        anchor_distance: frames to the nearest anchor, or to where a proposal began the track; None
+            if it is lost.
+        clicks: the SHA-256 of the annotation that an anchor was fitted to; empty for other frames.
+    """
+
+    number: int
+    state: FrameState
+    reason: str
+    fit: FitResult | None
+    coverage: float
+    residual_px: float | None
+    anchor_distance: int | None
+    clicks: str = ""
+
+
+@dataclass(frozen=True, eq=False)
+class Track:
+    """The cameras of a run of frames.
+
+    Attributes:
+        frames: in the order of their numbers.
+        shots: first and last number of each shot, in order.
+    """
+
+    frames: tuple[TrackedFrame, ...]
+    shots: tuple[tuple[int, int], ...]

@@ -1,0 +1,76 @@
+"""Fit every frame of a set with a progress bar, for joint adjustment."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from procc_annotator.batch.checkpoint import Checkpoint
+from procc_annotator.batch.execution.executor import make_executor
+from procc_annotator.batch.joint_calibration import IndividualFit, SetFits, read_groups
+from procc_annotator.batch.set_run import WORTH_WORKERS, annotation_files
+from procc_annotator.cli.console import with_progress
+from procc_annotator.cli.evaluation_plan import set_name_of
+from procc_annotator.cli.options import shown_size
+from procc_annotator.dataset.picture_sizes import FitSizes
+from procc_annotator.formats.file_source import FileSource
+from procc_annotator.metrics.setup import EvaluationSetup
+
+
+@dataclass(frozen=True)
+class FittedFrames:
+    """A set, and the own fits of its frames."""
+
+    fits: SetFits
+    frames: list[IndividualFit]
+
+
+def fit_sizes(source: FileSource, place: Path, dataset: Path, size: str | None) -> FitSizes:
+    """What each frame of a set is fitted at.
+
+    Args:
+        source: the annotations, open.
+        place: where they are.
+        dataset: as the user named it.
+        size: of the option, if it was given.
+
+    Raises:
+        UsageError: there is nothing to fit.
+    """
+    names = (name for name, _ in annotation_files(source))
+    return FitSizes.of(shown_size(size), dataset, place, names)
+
+
+def fit_set(
+    source: FileSource,
+    dataset: Path,
+    setup: EvaluationSetup,
+    sizes: FitSizes,
+    model: str,
+    groups: Path | None,
+    workers: int | None,
+    dask: str | None,
+    kept: Checkpoint | None = None,
+) -> FittedFrames:
+    """Fit every frame of a set by itself, with a progress bar.
+
+    Args:
+        source: the annotations, open.
+        dataset: as the user named it; in a file of groups for several sets it is called so.
+        setup: its field is fitted for.
+        sizes: what each frame is fitted at.
+        model: P, R, R+ or auto.
+        groups: CSV file of groups, if any.
+        workers, dask: see `make_executor`.
+        kept: what was done before, and where the rest is kept.
+
+    Raises:
+        UsageError: there is nothing to fit, or a model that has no position.
+        InputError: the file of groups cannot be used.
+    """
+    known = None if groups is None else read_groups(groups, set_name_of(dataset))
+    fits = SetFits(source, setup.field, sizes, model, known)
+    with make_executor(workers, dask, frames=fits.total, worth_from=WORTH_WORKERS) as executor:
+        fits.executor, fits.kept = executor, kept
+        frames = list(with_progress(fits, fits.total, "fitting"))
+    return FittedFrames(fits, frames)

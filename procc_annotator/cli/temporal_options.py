@@ -1,0 +1,220 @@
+"""Options and output of temporal stability."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import groupby
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from procc_annotator.batch.execution.executor import Executor
+from procc_annotator.batch.grouping import (
+    FrameOrder,
+    NotInOrderError,
+    ShotFrames,
+    shots_by_name,
+    shots_from,
+)
+from procc_annotator.batch.set_run import annotations_for
+from procc_annotator.batch.temporal import OverTimeRun, require_shots
+from procc_annotator.cli import outputs
+from procc_annotator.cli.console import progress_bar, stdout_console
+from procc_annotator.cli.echo import echo
+from procc_annotator.cli.input_files import report_remarks
+from procc_annotator.dataset.layout import FRAMES_FILE, folder_of_dataset
+from procc_annotator.dataset.sequence import find_shots, open_pictures
+from procc_annotator.errors import ProccError, UsageError
+from procc_annotator.formats.atomic import write_atomic
+from procc_annotator.report.scores.scoring import EvaluationRequest
+from procc_annotator.report.temporal import (
+    TemporalMetrics,
+    check_suffix,
+    over_time_bytes,
+    shots_over_time_table,
+    terminal_tables,
+)
+
+_TRACK_FILE = "track.csv"
+
+OverTime = Annotated[
+    bool,
+    typer.Option(
+        "--over-time",
+        help="Also how steady the cameras are over the shots of the set: jitter, jumps, outages,"
+        " wandering positions, cameras that are some frames late.",
+    ),
+]
+Shots = Annotated[
+    Path | None,
+    typer.Option(
+        "--shots",
+        metavar="FILE.csv",
+        show_default=False,
+        help="Which frames follow each other: columns 'frame', 'shot' and perhaps 'number'."
+        "  [default: frames.csv of the dataset, track.csv beside the cameras, else by the names of"
+        " the frames]",
+    ),
+]
+Pictures = Annotated[
+    Path | None,
+    typer.Option(
+        "--pictures",
+        metavar="PATH",
+        show_default=False,
+        help="Folder of the pictures or video of the set: cuts are found in it, and cameras held"
+        " against what moves in it.",
+    ),
+]
+Output = Annotated[
+    list[Path] | None,
+    typer.Option(
+        "--over-time-output",
+        metavar="FILE",
+        show_default=False,
+        help="Write the figures over time: a .json of all, or a .csv with a row a frame; repeat"
+        " for both.",
+    ),
+]
+
+
+@dataclass(frozen=True)
+class TemporalRequest:
+    """What is asked over time.
+
+    Attributes:
+        shots: table that says which frames follow each other.
+        pictures: folder or video.
+        written_to: files of figures.
+    """
+
+    shots: Path | None
+    pictures: Path | None
+    written_to: Sequence[Path]
+
+    @classmethod
+    def of(
+        cls,
+        asked: bool,
+        shots: Path | None,
+        pictures: Path | None,
+        written_to: Sequence[Path] | None,
+    ) -> TemporalRequest | None:
+        """Read the options; None where nobody asks.
+
+        Raises:
+            UsageError: a file that cannot be written, or options of something not asked for.
+        """
+        files = outputs.each_once(written_to or ())
+        if not asked:
+            if shots or pictures or files:
+                raise UsageError("--shots, --pictures and --over-time-output need --over-time")
+            return None
+        for path in files:
+            check_suffix(path)
+            outputs.check_output_folder(path)
+        return cls(shots, pictures, files)
+
+    def run(
+        self, evaluations: Sequence[EvaluationRequest], threshold: float, executor: Executor
+    ) -> list[TemporalMetrics]:
+        """Look at every source of every set; of several sizes at the first. Of a set whose frames
+        do not follow each other there is nothing but a note."""
+        found: list[TemporalMetrics] = []
+        refused: dict[str, list[str]] = {}
+        for name, of_set in groupby(evaluations, key=lambda one: one.set_name):
+            own = {one.method: one for one in reversed(list(of_set))}
+            sources = list(reversed(own.values()))
+            known = self._shots(sources)
+            for one in sources:
+                try:
+                    found.append(_measured(one, known, threshold, executor))
+                except NotInOrderError as error:
+                    refused.setdefault(f"no metrics over time: {error}", []).append(
+                        f"{name}, {one.method}"
+                    )
+        report_remarks(f"{'; '.join(methods)}: {why}" for why, methods in refused.items())
+        return found
+
+    def _shots(
+        self, sources: Sequence[EvaluationRequest]
+    ) -> tuple[list[ShotFrames], str, Mapping[str, Path]]:
+        """The shots of a set, what says so, and its pictures by frame."""
+        first = sources[0]
+        names = dict.fromkeys(annotations_for(first.cameras.frames, first.annotations))
+        for one in sources:
+            cameras = one.cameras.frames  # which may call the same frames otherwise
+            known = {cameras.name_there(name) for name in names}
+            names |= dict.fromkeys(name for name in cameras if name not in known)
+        pictures: dict[str, Path] = {}
+        ranges: list[range] = []
+        table = self._table(sources)
+        if self.pictures is not None:
+            source = open_pictures(self.pictures)
+            pictures = {frame.name: frame.image_path for frame in source.frames}
+            if table is None:
+                with progress_bar("looking for cuts") as progress:
+                    ranges = find_shots(source, progress)
+        if table is not None:
+            order = FrameOrder.read(table)
+            return order.shots_of(names | dict.fromkeys(pictures)), f"by {order.told_by}", pictures
+        if ranges:
+            return shots_from(ranges, list(pictures)), "by the cuts of the pictures", pictures
+        return shots_by_name(names), "by the names of frames", pictures
+
+    def _table(self, sources: Sequence[EvaluationRequest]) -> Path | None:
+        if self.shots is not None:
+            return self.shots
+        folder = folder_of_dataset(sources[0].annotations.path)
+        beside = [] if folder is None else [folder / FRAMES_FILE]
+        beside += [one.cameras.path / _TRACK_FILE for one in sources if one.cameras.path.is_dir()]
+        return next((path for path in beside if path.is_file()), None)
+
+    def write(self, found: Sequence[TemporalMetrics], unwritten: dict[Path, ProccError]) -> None:
+        """Write the files; what could not be written goes to ``unwritten``."""
+        for path in self.written_to:
+            if not found:
+                unwritten[path] = UsageError(f"{path}: not written, there are no metrics over time")
+                continue
+            try:
+                write_atomic(path, over_time_bytes(found, path))
+            except ProccError as error:
+                unwritten[path] = error
+
+    def tell(self, found: Sequence[TemporalMetrics], unwritten: Collection[Path]) -> None:
+        """Print the tables, and which files were written."""
+        console = stdout_console()
+        for sheet in terminal_tables(shots_over_time_table(found)) if found else ():
+            console.print(sheet)
+        for path in self.written_to:
+            if path not in unwritten:
+                echo(f"written: {path}")
+
+
+def _measured(
+    one: EvaluationRequest,
+    known: tuple[list[ShotFrames], str, Mapping[str, Path]],
+    threshold: float,
+    executor: Executor,
+) -> TemporalMetrics:
+    shots, told_by, pictures = known
+    run = OverTimeRun(
+        shots, one.annotations, one.cameras, one.setup, threshold,
+        camera_size=one.camera_size, pictures=pictures, executor=executor,
+    )  # fmt: skip
+    with progress_bar(f"{one.method} over time") as progress:
+        measured = []
+        for shot in run:
+            measured.append(shot)
+            progress(len(measured), run.total)
+    require_shots(measured, told_by)
+    described = one.setup.describe(any(shot.ground_only for shot in measured))
+    return TemporalMetrics(one.set_name, one.method, tuple(measured), told_by, described, threshold)
+
+
+def errors(found: Sequence[TemporalMetrics], known: Collection[str]) -> list[str]:
+    """What could not be read on the way and is not told yet."""
+    lines = dict.fromkeys(error for one in found for error in one.errors)
+    return [line for line in lines if line not in known]

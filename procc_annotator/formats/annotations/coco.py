@@ -1,0 +1,334 @@
+"""COCO keypoints: one JSON file with images and a keypoint list per element.
+
+Facts: https://cocodataset.org/#format-data. Keypoints are [x, y, v, ...] with v = 0 not labelled
+(x = y = 0), 1 labelled but not visible, 2 visible; a category has a fixed list of them.
+
+The layout here: a category a class, its keypoints named "1", "2", ... up to the longest polyline
+of the class in the set; the points of a polyline in order, then as many unlabelled ones as are
+left. A point outside the picture has v = 1. There is no ``segmentation``: readers take a list of
+none for a mask that is damaged.
+
+A category of others may hold a template instead: places of a field. What is known of those is in
+`keypoint_templates`; they are never read as one polyline.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from procc_annotator.annotation import Point, Polyline
+from procc_annotator.errors import AnnotationError
+from procc_annotator.formats.annotations.exchange import (
+    EXTRA_KEY,
+    ExchangedFrame,
+    ReadContext,
+    Size,
+    WriteContext,
+    json_text,
+    parse_number,
+    point_of,
+    points_to_px,
+    size_from_file,
+)
+from procc_annotator.formats.annotations.label_map import (
+    KeypointTemplate,
+    TemplateRule,
+    has_gaps,
+    holds_template,
+    known_templates,
+    template_named,
+    template_of,
+)
+from procc_annotator.formats.annotations.shape_joining import ShapeCollector, extra_of, labels_for
+from procc_annotator.formats.file_source import FileSource
+from procc_annotator.formats.frame_names import picture_name
+from procc_annotator.formats.strict_json import decode_strict, json_kind, json_repr
+
+DEFAULT_SPLIT = "default"
+# As COCO calls the files of its own sets: other programs know the kind of annotation by it.
+_FILE = "annotations/person_keypoints_{}.json"
+FILE_NAME = _FILE.format(DEFAULT_SPLIT)
+_TITLE = "COCO"
+_LISTS = ("images", "annotations", "categories")
+
+
+def sniff(content: Any) -> bool:
+    """Whether decoded JSON is such a file."""
+    if type(content) is not dict or any(type(content.get(key)) is not list for key in _LISTS):
+        return False
+    return not any(type(i) is dict and "image_id" in i for i in content["images"][:10])
+
+
+def read_many(
+    source: FileSource, files: Sequence[str], reading: ReadContext
+) -> Iterator[ExchangedFrame]:
+    """Every picture that has annotations with keypoints."""
+    for name in files:
+        with reading.going_on():
+            path = source.display(name)
+            reading.begin(name)
+            content = _decode(source.read(name), path)
+            reading.begin(name, (image.get("file_name") for image in content["images"]))
+            kinds = {
+                _id(c, "id"): _kind(c, f"categories[{i}]", path, reading)
+                for i, c in enumerate(content["categories"])
+            }
+            found: dict[Any, list[tuple[int, dict[str, Any]]]] = {}
+            for i, entry in enumerate(content["annotations"]):
+                found.setdefault(_id(entry, "image_id"), []).append((i, entry))
+            reading.total = (reading.total or 0) + len(found)
+            for i, image in enumerate(content["images"]):
+                entries = found.pop(_id(image, "id"), None)
+                if entries is None:
+                    continue
+                with reading.going_on():
+                    frame = _read(image, f"images[{i}]", entries, kinds, path, reading)
+                    if frame is not None:
+                        yield frame
+            for entries in found.values():
+                with reading.going_on():
+                    raise AnnotationError(
+                        path,
+                        f"belongs to no image: {json_repr(entries[0][1].get('image_id'))}",
+                        place=f"annotations[{entries[0][0]}].image_id",
+                        advice="correct it, or add the image",
+                    )
+
+
+@dataclass(frozen=True)
+class _Kind:
+    """What the keypoints of a category are: one line, or places of a template, if it is known.
+
+    Attributes:
+        is_new: whether the category is no class, and no map says what it stands for.
+        count: of its keypoints.
+    """
+
+    name: Any
+    is_new: bool
+    is_template: bool = False
+    template: KeypointTemplate | None = None
+    count: int = 0
+
+
+def _kind(category: dict[str, Any], place: str, path: str, reading: ReadContext) -> _Kind:
+    name, places = category.get("name"), category.get("keypoints")
+    rule = reading.rule_of(name) if type(name) is str else None
+    if isinstance(rule, TemplateRule):
+        template = template_named(rule.name)
+    elif rule is not None or not holds_template(category):
+        return _Kind(name, rule is None, count=len(places) if type(places) is list else 0)
+    else:
+        template = template_of(category)
+    if template is not None and not template.is_of(reading.field):
+        raise AnnotationError(
+            path,
+            f"holds {template.title}, the field is {reading.field.title}",
+            place=f"{place}.keypoints",
+            advice=f"name the field: --field {template.field}",
+        )
+    return _Kind(name, True, True, template, len(places) if type(places) is list else 0)
+
+
+def _unknown_template(kind: _Kind) -> str:
+    return (
+        f"the category {json_repr(kind.name)} holds {kind.count} keypoints of a template that is"
+        " not"
+        " known: left out (if it is one of"
+        f" {', '.join(known.name for known in known_templates())}, a labels.toml may say so:"
+        f' {json_repr(kind.name)} = {{ template = "{known_templates()[0].name}" }})'
+    )
+
+
+def _decode(data: bytes, path: str) -> dict[str, Any]:
+    content = decode_strict(data, path=path, error=AnnotationError, parse_float=parse_number)
+    for key in _LISTS:
+        entries = content.get(key) if type(content) is dict else None
+        if type(entries) is not list:
+            raise AnnotationError(
+                path,
+                f"expected a list of {key}, found {json_kind(entries)}",
+                place=key,
+                advice="is this a file of COCO keypoints?",
+            )
+        for i, entry in enumerate(entries):
+            if type(entry) is not dict:
+                raise AnnotationError(
+                    path,
+                    f"expected an object, found {json_kind(entry)}",
+                    place=f"{key}[{i}]",
+                    advice="correct or remove it",
+                )
+    return dict(content)
+
+
+def _id(entry: dict[str, Any], key: str) -> Any:
+    """An id as a key of a dict; whatever cannot be one matches nothing."""
+    value = entry.get(key)
+    return value if type(value) in (int, str) else repr(value)
+
+
+def _read(
+    image: dict[str, Any],
+    place: str,
+    entries: list[tuple[int, dict[str, Any]]],
+    kinds: dict[Any, _Kind],
+    path: str,
+    reading: ReadContext,
+) -> ExchangedFrame | None:
+    picture = image.get("file_name")
+    frame = reading.frame_of_picture(picture, path, f"{place}.file_name")
+    size = size_from_file(
+        image.get("width"), image.get("height"), path, f"{place}.width, height"
+    ) or reading.size_of(frame)
+    if size is None:
+        raise AnnotationError(
+            path,
+            "does not tell the size of the picture",
+            place=place,
+            advice="put the picture beside it, or give the size",
+        )
+    pieces = ShapeCollector(path, "annotations", reading, size)
+    taken = False
+    for i, entry in entries:
+        taken |= _add(pieces, entry, f"annotations[{i}]", kinds, frame)
+    if not taken:
+        return None
+    extra = extra_of(image.get(EXTRA_KEY), path, f"{place}.{EXTRA_KEY}", reading.field)
+    annotation = pieces.annotation(frame, extra)
+    return ExchangedFrame(frame, annotation, size, picture_name(str(picture)))
+
+
+def _add(
+    pieces: ShapeCollector, entry: dict[str, Any], where: str, kinds: dict[Any, _Kind], frame: str
+) -> bool:
+    """Take over the points of one annotation; False if it has none that mean something here."""
+    remarks = pieces.reading.remarks
+    if "keypoints" not in entry:
+        remarks.add("annotations without keypoints are left out", frame)
+        return False
+    category = _id(entry, "category_id")
+    if category not in kinds:
+        raise AnnotationError(
+            pieces.path,
+            f"expected the id of a category, found {json_repr(entry.get('category_id'))}",
+            place=f"{where}.category_id",
+            advice="correct it, or add the category",
+        )
+    points = _points(entry["keypoints"], pieces.size, pieces.path, f"{where}.keypoints")
+    kind = kinds[category]
+    if kind.template is None and (kind.is_template or (kind.is_new and has_gaps(points))):
+        remarks.add(_unknown_template(kind), frame)
+        return False
+    if kind.template is not None:
+        remarks.add(
+            f"keypoints ({kind.template.title}) are points of the elements they lie on", frame
+        )
+        for name, some in kind.template.shapes(points):
+            pieces.add(name, some, f"categories[id {category}].keypoints")
+    else:
+        seen = tuple(point for point in points if point is not None)
+        pieces.add(kind.name, seen, f"categories[id {category}].name")
+    return True
+
+
+def _points(values: Any, size: Size, path: str, place: str) -> tuple[Point | None, ...]:
+    """The keypoints in their order; None for those that are not labelled."""
+    if type(values) is not list or len(values) % 3:
+        raise AnnotationError(
+            path,
+            f"expected keypoints [x, y, v, ...], found {json_repr(values)}",
+            place=place,
+            advice="correct or remove the annotation",
+        )
+    points: list[Point | None] = []
+    for i in range(0, len(values), 3):
+        x, y, visible = values[i : i + 3]
+        if visible not in (0, 1, 2) or type(visible) is bool:
+            raise AnnotationError(
+                path,
+                f"expected the visibility 0, 1 or 2, found {json_repr(visible)}",
+                place=f"{place}[{i + 2}]",
+                advice="correct it",
+            )
+        points.append(point_of(x, y, size, path, f"{place}[{i}]") if visible else None)
+    return tuple(points)
+
+
+def write_many(frames: Iterable[ExchangedFrame], writing: WriteContext) -> None:
+    """One file that the usual readers of COCO keypoints load."""
+    images: list[dict[str, Any]] = []
+    entries: list[dict[str, Any]] = []
+    ids = {e.name: i for i, e in enumerate(writing.field.elements, start=1)}
+    longest: dict[str, int] = dict.fromkeys(ids, 1)
+    for frame in frames:
+        size = writing.named_size(frame)
+        if size is None:
+            continue
+        writing.lose_point_keys(frame, _TITLE)
+        polylines = frame.annotation.polylines
+        if not polylines:
+            writing.remarks.add(
+                f"{_TITLE} cannot tell annotated frames without any element from others", frame.name
+            )
+        image: dict[str, Any] = {
+            "id": len(images) + 1,
+            "width": size[0],
+            "height": size[1],
+            "file_name": writing.picture_of_frame(frame),
+        }
+        if frame.annotation.extra:
+            image[EXTRA_KEY] = dict(frame.annotation.extra)
+        images.append(image)
+        for label, polyline in zip(labels_for(polylines, writing.field), polylines, strict=True):
+            ids.setdefault(label, len(ids) + 1)
+            longest[label] = max(longest.get(label, 1), len(polyline.points))
+            entries.append(_entry(polyline, label, size, len(entries) + 1, len(images)))
+        writing.count(polylines)
+    for entry in entries:
+        label = entry.pop("label")
+        entry["category_id"] = ids[label]
+        entry["keypoints"] += [0, 0, 0] * (longest[label] - len(entry["keypoints"]) // 3)
+    content = {
+        "info": {"description": f"elements of a {writing.field.name} field", "version": "1.0"},
+        "licenses": [],
+        "images": images,
+        "annotations": entries,
+        "categories": [_category(name, i, longest[name], writing) for name, i in ids.items()],
+    }
+    writing.put_only_file(
+        _FILE.format(writing.folder or DEFAULT_SPLIT), f"{json_text(content)}\n".encode()
+    )
+
+
+def _entry(polyline: Polyline, label: str, size: Size, number: int, image: int) -> dict[str, Any]:
+    points = points_to_px(polyline, size)
+    keypoints: list[float] = []
+    for x, y in points:
+        inside = 0 <= x <= size[0] - 1 and 0 <= y <= size[1] - 1
+        keypoints += [x, y, 2 if inside else 1]
+    xs, ys = [float(x) for x, _ in points] or [0.0], [float(y) for _, y in points] or [0.0]
+    box = [min(xs), min(ys), max(xs) - min(xs), max(ys) - min(ys)]
+    return {
+        "id": number,
+        "image_id": image,
+        "category_id": 0,
+        "label": label,
+        "num_keypoints": len(points),
+        "keypoints": keypoints,
+        "bbox": box,
+        "area": box[2] * box[3],
+        "iscrowd": 0,
+    }
+
+
+def _category(name: str, number: int, points: int, writing: WriteContext) -> dict[str, Any]:
+    return {
+        "id": number,
+        "name": name,
+        "supercategory": writing.field.name,
+        "keypoints": [str(i) for i in range(1, points + 1)],
+        "skeleton": [[i, i + 1] for i in range(1, points)],
+    }

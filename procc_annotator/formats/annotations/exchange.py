@@ -1,0 +1,465 @@
+"""Context shared by readers and writers of annotation formats: frames, options, remarks, pixel
+numbers.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from dataclasses import field as attribute
+from decimal import Context, Decimal
+from fractions import Fraction
+from functools import cached_property
+from typing import Any, Literal
+
+from procc_annotator.annotation import FrameAnnotation, Point, Polyline
+from procc_annotator.errors import AnnotationError, InputError
+from procc_annotator.field.model import Field
+from procc_annotator.formats.annotations.label_map import LabelMap, Rule, Shape
+from procc_annotator.formats.annotations.soccernet import MAX_COORDINATE
+from procc_annotator.formats.frame_names import (
+    PICTURE_SUFFIX,
+    FrameTable,
+    PictureFrames,
+    frame_of_file,
+)
+from procc_annotator.formats.strict_json import is_finite_number, is_unicode, json_repr, printable
+from procc_annotator.messages import pluralize
+
+# A float never needs more digits than this to be told from its neighbours.
+_FLOAT_DIGITS = 17
+# Three more, and the quotient of what is written can only round to the coordinate it came from.
+_EXACT = Context(prec=20)
+_MOST_DIGITS = 40
+_PX_DECIMALS = 10  # as many as people and programs write
+_SMALLEST, _LARGEST = 1e-30, 1e15
+
+
+class WrittenNumber(float):
+    """A float that remembers the longer text it stands for."""
+
+    __slots__ = ("text",)
+    text: str
+
+    def __new__(cls, text: str) -> WrittenNumber:
+        number = super().__new__(cls, text)
+        number.text = text
+        return number
+
+
+def parse_number(text: str) -> float:
+    """A decimal text as a float; one with more digits than a float holds keeps its text."""
+    number = float(text)
+    if len(text) <= _FLOAT_DIGITS + 1 or not _SMALLEST < abs(number) < _LARGEST:
+        return number
+    mantissa = re.split("[eE]", text)[0].replace(".", "").lstrip("+-0")
+    return WrittenNumber(text) if _FLOAT_DIGITS < len(mantissa) <= _MOST_DIGITS else number
+
+
+def normalised(px: float, extent: int) -> float:
+    """The coordinate of a pixel position, ``px / extent``, rounded once.
+
+    Args:
+        px: int, float, or the number `parse_number` made.
+        extent: width - 1 or height - 1, px.
+
+    Returns:
+        An int where an int divides without rest, so that a 0 stays a 0.
+    """
+    if type(px) is int:
+        whole, rest = divmod(px, extent)
+        return px / extent if rest else whole
+    if isinstance(px, WrittenNumber):
+        return float(Fraction(px.text) / extent)
+    return px / extent
+
+
+def to_px(coordinate: float, extent: int) -> float:
+    """The pixel position of a coordinate, which `normalised` takes back to exactly that coordinate.
+
+    Where no float does, the number carries three digits more than a float has.
+    """
+    if type(coordinate) is int:
+        return coordinate * extent
+    px = coordinate * extent
+    if (short := round(px, _PX_DECIMALS)) / extent == coordinate:
+        return short  # 500.0, not 500.00000000000006
+    if px / extent == coordinate or not _SMALLEST < abs(px) < _LARGEST:
+        return px
+    return WrittenNumber(str(_EXACT.multiply(Decimal(coordinate), Decimal(extent))))
+
+
+def number_text(number: float) -> str:
+    """A number as it is written to a file."""
+    return number.text if isinstance(number, WrittenNumber) else repr(number)
+
+
+def json_text(value: Any, open_levels: int = 2, indent: str = "") -> str:
+    """A value as JSON; numbers with their longer text, the outer levels one entry a line.
+
+    Args:
+        value: what `json.dumps` takes.
+        open_levels: how many levels have their entries on lines of their own.
+        indent: in front of the entries of this level.
+    """
+    if isinstance(value, WrittenNumber):
+        return value.text
+    if type(value) is int or (type(value) is float and math.isfinite(value)):
+        return repr(value)  # as json.dumps does, ten times as fast
+    if not value or type(value) not in (dict, list, tuple):
+        return json.dumps(value, ensure_ascii=False)
+    below = indent + "  "
+    if type(value) is dict:
+        marks = "{}"
+        entries = [
+            f"{json.dumps(key, ensure_ascii=False)}: {json_text(entry, open_levels - 1, below)}"
+            for key, entry in value.items()
+        ]
+    else:
+        marks = "[]"
+        entries = [json_text(entry, open_levels - 1, below) for entry in value]
+    if open_levels <= 0:
+        return f"{marks[0]}{', '.join(entries)}{marks[1]}"
+    lines = ",\n".join(below + entry for entry in entries)
+    return f"{marks[0]}\n{lines}\n{indent}{marks[1]}"
+
+
+Size = tuple[int, int]
+# Under this key formats with room for foreign content keep what the annotation file held beside
+# its classes. Other programs leave it alone.
+EXTRA_KEY = "procc_extra"
+SIZE_UNKNOWN = "the size of its picture is not known"  # why a frame is not written
+_SHOWN_FRAMES = 3
+
+
+@dataclass(frozen=True, slots=True)
+class ExchangedFrame:
+    """A frame on its way from one format to another.
+
+    Attributes:
+        name: the frame's name: the stem of its own file, or of its picture in formats that keep
+            many frames in one file.
+        annotation: what is annotated in it.
+        size: (width, height) of the picture in px; None if nobody knows.
+        picture: file name of the picture; None if nobody knows.
+    """
+
+    name: str
+    annotation: FrameAnnotation
+    size: Size | None = None
+    picture: str | None = None
+
+
+class Remarks:
+    """What was left out, joined or renamed on the way, and in which frames."""
+
+    def __init__(self) -> None:
+        self._frames: dict[str, dict[str, None]] = {}
+
+    def add(self, what: str, frame: str = "") -> None:
+        """Note something for a frame, or for the whole set."""
+        self._frames.setdefault(what, {})[frame] = None
+
+    def take(self, others: Remarks, called: Callable[[str], str]) -> None:
+        """Note what others hold, whose frames are called otherwise here."""
+        for what, frames in others._frames.items():
+            for frame in frames:
+                self.add(what, called(frame))
+
+    def lines(self) -> list[str]:
+        """One line a remark, naming the first few frames it holds for."""
+        return [self._line(what, [f for f in frames if f]) for what, frames in self._frames.items()]
+
+    def _line(self, what: str, frames: list[str]) -> str:
+        if not frames:
+            return what
+        count = pluralize(len(frames), "frame")
+        names = ", ".join(printable(name) for name in frames[:_SHOWN_FRAMES])
+        more = ", …" if len(frames) > _SHOWN_FRAMES else ""
+        return f"{what} ({count}: {names}{more})"
+
+
+@dataclass
+class ReadContext:
+    """What a reader is given, and where it leaves what went wrong.
+
+    Attributes:
+        field: knows the official names.
+        size_of: the size in px of a frame's picture, for files that do not say it.
+        names: which classes the labels of the files stand for; None: they are classes.
+        in_tree: whether the files lie in a tree of folders, so that frames are called by their
+            paths.
+        pictures: file names of the pictures around the files in the order of their names, for files
+            that count them.
+        problems: one line for each frame or file that could not be used.
+        unread: the same by the name of the frame, or of the file where no frame is known yet.
+        remarks: what was left out or changed.
+        labels: how many shapes have each label.
+        unknown: the same of labels that stand for no class of the field.
+        total: how many frames there are in all, as soon as it is known.
+        told: called with what is wrong with a frame or file; what it raises ends the reading.
+    """
+
+    field: Field
+    size_of: Callable[[str], Size | None] = lambda _: None
+    names: LabelMap | None = None
+    in_tree: bool = False
+    pictures: Sequence[str] = ()
+    problems: list[str] = attribute(default_factory=list)
+    unread: dict[str, InputError] = attribute(default_factory=dict)
+    remarks: Remarks = attribute(default_factory=Remarks)
+    labels: Counter[str] = attribute(default_factory=Counter)
+    unknown: Counter[str] = attribute(default_factory=Counter)
+    total: int | None = None
+    told: Callable[[InputError], None] | None = None
+    _at: str = ""
+    _pictures: PictureFrames | None = None
+
+    @contextmanager
+    def going_on(self) -> Iterator[None]:
+        """Note what is wrong with a frame or file, and go on with the next."""
+        try:
+            yield
+        except InputError as error:
+            self.note(error)
+
+    def note(self, error: InputError) -> None:
+        """Take down what is wrong with the frame or file that is being read."""
+        if self.told is not None:
+            self.told(error)
+        self.problems.append(str(error))
+        self.unread.setdefault(self._at, error)
+
+    def frame_of_file(self, file: str) -> str:
+        """The frame whose own file this is; whatever goes wrong next is told of it."""
+        self._at = frame_of_file(file if self.in_tree else file.rpartition("/")[2])
+        return self._at
+
+    def begin(self, file: str, pictures: Iterable[Any] = ()) -> None:
+        """Go on with a file of many frames.
+
+        Args:
+            file: its name in the source.
+            pictures: the names of all pictures in it, as it tells them.
+        """
+        self.frame_of_file(file)
+        folder = file.rpartition("/")[0] if self.in_tree else ""
+        self._pictures = PictureFrames(pictures, folder, self._there)
+
+    def frame_of_picture(self, picture: Any, path: str, place: str) -> str:
+        """The frame that a picture's name in the file belongs to; whatever goes wrong next is told
+        of it.
+
+        Raises:
+            AnnotationError: it is no text, or cannot be the name of a frame.
+        """
+        names = self._pictures or PictureFrames(())
+        self._at = names.frame(picture, path, place)
+        return self._at
+
+    @cached_property
+    def _there(self) -> FrameTable[str]:
+        """The frames of the pictures around the files."""
+        return FrameTable((PICTURE_SUFFIX.sub("", name), name) for name in self.pictures)
+
+    def rule_of(self, label: str) -> Rule | Literal[False]:
+        """What a label stands for: its class, or what the map says (False: to be left out); None
+        where nothing is said of it."""
+        if self.names is not None and label.strip() in self.names.rules:
+            rule = self.names.rules[label.strip()]
+            return False if rule is None else rule
+        name = self.field.canonical_name(label)
+        return name if self.field.knows(name) else None
+
+    def classed(self, shapes: Sequence[Shape], frame: str) -> list[Shape]:
+        """The shapes of a frame with the official names of the classes that their labels stand for;
+        those that are left out are missing.
+
+        Args:
+            shapes: label and points of each, in the order of the file.
+            frame: its name.
+        """
+        found: list[str | None] = [label for label, _ in shapes]
+        if self.names is not None:
+            found, remarks = self.names.classes(shapes)
+            for remark in remarks:
+                self.remarks.add(remark, frame)
+        classed = []
+        for (label, points), name in zip(shapes, found, strict=True):
+            self.labels[label.strip()] += 1
+            if name is None:
+                continue
+            name = self.field.canonical_name(name)
+            if not self.field.knows(name):
+                self.unknown[label.strip()] += 1
+            classed.append((name, points))
+        return classed
+
+
+@dataclass
+class WriteContext:
+    """What a writer is given, and where it leaves what went wrong.
+
+    Attributes:
+        field: names, order and colours of the elements.
+        put: writes one file of the output by its name; False if it may not (and says so).
+        file_name: the name of the only file, when the output is a file; else None.
+        line_width: of masks, px.
+        folder: the split that is written: a folder inside the output that files of single frames
+            go to, or part of a file's name; may be empty.
+        into: content of an existing file whose other entries are to be kept; None without.
+        problems: one line for each frame that could not be written.
+        remarks: what the format cannot hold.
+        frames, elements, points: how many were written.
+    """
+
+    field: Field
+    put: Callable[[str, bytes], bool]
+    file_name: str | None = None
+    line_width: float = 4.0
+    folder: str = ""
+    into: Any = None
+    problems: list[str] = attribute(default_factory=list)
+    remarks: Remarks = attribute(default_factory=Remarks)
+    frames: int = 0
+    elements: int = 0
+    points: int = 0
+
+    def put_frame_file(self, name: str, data: bytes, polylines: tuple[Polyline, ...]) -> None:
+        """Write the file of one frame, and count what is in it."""
+        if self.put(f"{self.folder}/{name}" if self.folder else name, data):
+            self.count(polylines)
+
+    def put_only_file(self, name: str, data: bytes) -> None:
+        """Write the file of the whole set, unless no frame is left for it."""
+        if self.frames and not self.put(self.file_name or name, data):
+            self.frames = self.elements = self.points = 0
+
+    def count(self, polylines: tuple[Polyline, ...]) -> None:
+        """One more frame was written."""
+        self.frames += 1
+        self.elements += sum(bool(p.points) for p in polylines)
+        self.points += sum(len(p.points) for p in polylines)
+
+    def size(self, frame: ExchangedFrame) -> Size | None:
+        """The size of a frame's picture; without it the frame is a problem and None."""
+        if frame.size is not None and min(frame.size) >= 2:
+            return frame.size
+        self.problems.append(
+            f"{printable(frame.name)}: not written: {SIZE_UNKNOWN}"
+            " (put the pictures beside the annotations, or give the size)"
+        )
+        return None
+
+    def named_size(self, frame: ExchangedFrame) -> Size | None:
+        """The same for a format whose text holds the frame's name, which it must be able to."""
+        if is_unicode(frame.name):
+            return self.size(frame)
+        self.problems.append(
+            f"{printable(frame.name)}: not written: its name is no valid Unicode (rename the file)"
+        )
+        return None
+
+    def only_one(self, frame: ExchangedFrame, pictures: Sequence[str]) -> bool:
+        """Whether an existing file has one picture of a frame's name at most.
+
+        With several nobody knows which one is meant: the frame is a problem then.
+        """
+        if len(pictures) < 2:
+            return True
+        self.problems.append(
+            f"{printable(frame.name)}: not written: the file that is written into has"
+            f" {len(pictures)} pictures of this name: {', '.join(map(printable, pictures))}"
+            " (rename one of them there)"
+        )
+        return False
+
+    def picture(self, frame: ExchangedFrame) -> str:
+        """The file name of a frame's picture, with the path of its frame; the usual one where it is
+        not known."""
+        if frame.picture is not None:
+            folder, slash, _ = frame.name.rpartition("/")
+            return frame.picture if "/" in frame.picture else folder + slash + frame.picture
+        self.remarks.add("pictures were not found: their names are taken to end in .jpg")
+        return f"{frame.name}.jpg"
+
+    def picture_of_frame(self, frame: ExchangedFrame) -> str:
+        """As `picture`, for formats that tell frames by their pictures: the frame keeps its name.
+
+        A labelme file may name a picture that is called otherwise, or the picture of another one.
+        """
+        name = self.picture(frame)
+        stem = PICTURE_SUFFIX.sub("", name)
+        if stem == frame.name:
+            return name
+        self.remarks.add("pictures that are called otherwise are named after the frame", frame.name)
+        return f"{frame.name}{name[len(stem) :] or '.jpg'}"
+
+    def lose_point_keys(self, frame: ExchangedFrame, title: str) -> None:
+        """Note keys of points that the format has no place for."""
+        if any(q.extra for p in frame.annotation.polylines for q in p.points):
+            self.remarks.add(f"{title} has no place for further keys of points", frame.name)
+
+    def lose_extra(self, frame: ExchangedFrame, title: str) -> None:
+        """Note further entries of the annotation file that the format has no place for."""
+        if frame.annotation.extra:
+            self.remarks.add(f"{title} has no place for further entries of a frame", frame.name)
+
+    def without_empty(self, frame: ExchangedFrame, title: str) -> tuple[Polyline, ...]:
+        """The polylines that have points; the others are noted as lost."""
+        kept = tuple(p for p in frame.annotation.polylines if p.points)
+        if len(kept) < len(frame.annotation.polylines):
+            self.remarks.add(f"{title} has no place for classes without a point", frame.name)
+        return kept
+
+
+def size_from_file(width: Any, height: Any, path: str, place: str) -> Size | None:
+    """A size from a file; None where both values are missing.
+
+    Raises:
+        AnnotationError: not two whole numbers of at least 2 px.
+    """
+    if width is None and height is None:
+        return None
+    for value in (width, height):
+        if not is_finite_number(value) or value != int(value) or not 2 <= value <= 1_000_000:
+            raise AnnotationError(
+                path,
+                f"expected width and height of the picture in px, found {json_repr(value)}",
+                place=place,
+                advice="correct the size",
+            )
+    return int(width), int(height)
+
+
+def point_of(x: Any, y: Any, size: Size, path: str, place: str) -> Point:
+    """The point of a pixel position in a file.
+
+    Raises:
+        AnnotationError: no finite numbers, or absurdly far from the picture.
+    """
+    values = []
+    for axis, value, extent in (("x", x, size[0] - 1), ("y", y, size[1] - 1)):
+        # A float with more digits than usual is a float all the same.
+        plain = float(value) if isinstance(value, float) else value
+        if not is_finite_number(plain) or abs(plain) > MAX_COORDINATE * extent:
+            raise AnnotationError(
+                path,
+                f"expected {axis} in px of a picture of {size[0]}x{size[1]},"
+                f" found {json_repr(value)}",
+                place=place,
+                advice="correct or remove the point",
+            )
+        values.append(normalised(value, extent))
+    return Point(values[0], values[1])
+
+
+def points_to_px(polyline: Polyline, size: Size) -> list[tuple[float, float]]:
+    """Pixel positions of a polyline's points, to be written with all their digits."""
+    width, height = size[0] - 1, size[1] - 1
+    return [(to_px(p.u, width), to_px(p.v, height)) for p in polyline.points]

@@ -1,0 +1,304 @@
+"""Atomic file writes, temporary-file cleanup and inter-process file locks."""
+
+from __future__ import annotations
+
+import errno
+import hashlib
+import os
+import secrets
+import stat
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager, suppress
+from pathlib import Path
+from typing import BinaryIO
+
+from procc_annotator.errors import SaveError
+from procc_annotator.regular_file import open_regular
+
+if sys.platform == "win32":
+    import msvcrt
+
+    def try_lock(descriptor: int) -> bool:
+        """Lock an open file for this process if no other one has; the lock ends with either."""
+        try:
+            msvcrt.locking(descriptor, msvcrt.LK_NBLCK, 1)
+        except OSError:
+            return False
+        return True
+
+else:
+    import fcntl
+
+    def try_lock(descriptor: int) -> bool:
+        """Lock an open file for this process if no other one has; the lock ends with either.
+
+        Raises:
+            OSError: the file system knows no locks.
+        """
+        try:
+            fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            return False
+        return True
+
+
+_ADVICE = {
+    errno.ENOSPC: "make room or choose another folder",
+    errno.EDQUOT: "make room or choose another folder",
+    errno.EACCES: "change its permissions or choose another folder",
+    errno.EPERM: "change its permissions or choose another folder",
+    errno.ENAMETOOLONG: "choose a shorter name",
+    errno.EROFS: "choose a folder that can be written to",
+    errno.EIO: "check the drive or the connection and save again",
+    errno.ESTALE: "check the drive or the connection and save again",
+}
+_OTHER_ADVICE = "try again or choose another folder"
+
+_LONGEST_NAME = 255  # bytes, of a file system's entry
+_STALE_S = 600.0
+_swept: set[Path] = set()
+
+
+def write_atomic(
+    path: Path,
+    data: bytes,
+    *,
+    inside: Path | None = None,
+    look_again: Callable[[], object] = lambda: None,
+) -> None:
+    """Replace a file's content in one step; a symbolic link is followed, permissions are kept.
+
+    The new content goes to a temporary file in the same folder, reaches the disk (fsync), takes the
+    old name (rename), and the folder's entry reaches the disk too. A crash at any moment leaves the
+    old or the new file, never a mixture; a leftover ``.procc-<random>.tmp`` is harmless, and
+    removed by a later process that writes into the folder.
+
+    Args:
+        path: the file; its folder must exist.
+        data: the whole new content.
+        inside: a folder that links are not followed out of: a dataset from elsewhere may hold one
+            that leads to any file of its user.
+        look_again: called when the new content is on the disk, which may take its time, right
+            before it takes the name. What it raises is passed on, and the old file is intact.
+
+    Raises:
+        SaveError: anything failed, the file is write-protected or lies outside ``inside``; the old
+            file is intact and the temporary one is removed.
+    """
+    with open_replacing(path, inside=inside, look_again=look_again) as stream:
+        stream.write(data)
+
+
+@contextmanager
+def open_replacing(
+    path: Path,
+    *,
+    inside: Path | None = None,
+    look_again: Callable[[], object] = lambda: None,
+) -> Iterator[BinaryIO]:
+    """A stream whose content takes the place of a file if the block ends well, as `write_atomic`.
+
+    Raises:
+        SaveError: as of `write_atomic`.
+    """
+    target = Path(os.path.realpath(path))
+    if inside is not None and not target.is_relative_to(os.path.realpath(inside)):
+        raise SaveError(
+            f"{path}: could not be saved: is a link that leads out of the dataset; not followed"
+            f" (replace it by a file, or save to another folder than {inside})"
+        )
+    # Not named after the target, whose name may already be as long as the file system allows.
+    temporary = target.with_name(f".procc-{secrets.token_hex(8)}.tmp")
+    try:
+        mode = mode_to_keep(target)
+        with _created(temporary) as stream:
+            if mode is not None and hasattr(os, "fchmod"):
+                os.fchmod(stream.fileno(), mode)
+            remove_stale(temporary)
+            yield stream
+            stream.flush()
+            os.fsync(stream.fileno())
+        look_again()
+        os.replace(temporary, target)
+    except OSError as error:
+        reason = error.strerror or str(error)
+        raise SaveError(
+            f"{path}: could not be saved: {reason} (the file on disk is as it was;"
+            f" {advice_for(error)})"
+        ) from error
+    finally:
+        # After a successful save there is none; also an interruption must not leave one.
+        with suppress(OSError):
+            temporary.unlink(missing_ok=True)
+    _sync_folder(target.parent)
+
+
+def make_folder(path: Path) -> None:
+    """Make a folder and those above it, unless it is there.
+
+    Raises:
+        SaveError: it cannot be made.
+    """
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+    except (FileExistsError, NotADirectoryError) as error:
+        file = next(place for place in (path, *path.parents) if place.exists())
+        raise SaveError(
+            f"{path}: cannot be made: {file} is a file, expected a folder; choose another place"
+        ) from error
+    except OSError as error:
+        raise SaveError(f"{path}: cannot be made: {error.strerror or error}") from error
+
+
+def advice_for(error: OSError) -> str:
+    """What to do about a file that cannot be written."""
+    return _ADVICE.get(error.errno or 0, _OTHER_ADVICE)
+
+
+def remove_stale(fresh: Path) -> None:
+    """Remove temporary files that killed processes left in a folder; once in a process.
+
+    A file that a living process on this machine writes is locked by it; others are left alone for
+    ten minutes, in which a process on another machine writes to its file or renames it.
+
+    Args:
+        fresh: a file in the folder that was made just now, as its file system's clock has it.
+    """
+    if fresh.parent in _swept:
+        return
+    _swept.add(fresh.parent)
+    with suppress(OSError), os.scandir(fresh.parent) as entries:
+        old = fresh.stat().st_mtime - _STALE_S
+        for entry in entries:
+            name = entry.name
+            if name.startswith(".procc-") and name.endswith(".tmp") and _is_stale(entry, old):
+                with suppress(OSError):
+                    os.unlink(entry.path)
+
+
+def _is_stale(entry: os.DirEntry[str], old: float) -> bool:
+    if not entry.is_file(follow_symlinks=False) or entry.stat().st_mtime > old:
+        return False
+    with open_regular(entry.path, "r+b") as file:
+        return try_lock(file.fileno())
+
+
+def sibling_path(path: Path, before: str, after: str) -> Path:
+    """A path beside another one whose name is made from its name, cut if it gets too long."""
+    name = os.fsencode(path.name)
+    if len(os.fsencode(before)) + len(name) + len(os.fsencode(after)) > _LONGEST_NAME:
+        kept, digest = os.fsdecode(name[:100]), hashlib.sha256(name).hexdigest()[:16]
+        return path.with_name(f"{before}{kept}-{digest}{after}")
+    return path.with_name(f"{before}{path.name}{after}")
+
+
+def remove(path: Path) -> None:
+    """Remove a file, if there is one, and have the disk keep that it is gone.
+
+    Raises:
+        OSError: it could not be removed.
+    """
+    path.unlink(missing_ok=True)
+    _sync_folder(path.parent)
+
+
+def mode_to_keep(target: Path) -> int | None:
+    """The permissions of a file that is to be replaced; None where there is none.
+
+    Raises:
+        OSError: it must not be replaced: it is no file, or write-protected.
+    """
+    try:
+        mode = target.stat().st_mode
+    except FileNotFoundError:
+        return None
+    if not stat.S_ISREG(mode):  # a rename would put a file in the place of a device
+        raise OSError(errno.EINVAL, "a folder, a pipe or a device is in its place")
+    # A rename needs no right to the file itself: without this look it would replace a file that
+    # somebody protected on purpose.
+    if not os.access(target, os.W_OK):
+        raise PermissionError(errno.EACCES, "the file is write-protected")
+    return stat.S_IMODE(mode)
+
+
+def _created(temporary: Path) -> BinaryIO:
+    flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)
+    descriptor = os.open(temporary, flags, 0o666)
+    with ExitStack() as undone:
+        undone.callback(os.close, descriptor)  # an open file could not be removed on Windows
+        with suppress(OSError):
+            try_lock(descriptor)
+        stream = os.fdopen(descriptor, "wb")
+        undone.pop_all()  # from here on the stream closes it
+    return stream
+
+
+def _sync_folder(folder: Path) -> None:
+    # The rename has happened; a file system that cannot sync folders (some network drives, Windows)
+    # does not make the save a failure.
+    with suppress(OSError):
+        descriptor = os.open(folder, os.O_RDONLY)
+        try:
+            os.fsync(descriptor)
+        finally:
+            os.close(descriptor)
+
+
+_TRY_EVERY_S = 0.05
+
+
+@contextmanager
+def exclusive_lock(path: Path, *, timeout_s: float = 60.0) -> Iterator[None]:
+    """Keep every other process that asks for the same path waiting.
+
+    Args:
+        path: the file to be changed; it need not exist.
+        timeout_s: how long to wait for others.
+
+    Raises:
+        SaveError: another process has it all that time, or the folder cannot be written or locked.
+    """
+    target = Path(os.path.realpath(path))
+    lock = sibling_path(target, ".", ".lock")
+    try:
+        descriptor = _acquire(lock, time.monotonic() + timeout_s)
+    except TimeoutError as error:
+        raise SaveError(
+            f"{path}: could not be saved: another process has been writing it for {timeout_s:g} s"
+            " (the file on disk is as it was; wait for that process and try again)"
+        ) from error
+    except OSError as error:
+        raise SaveError(
+            f"{path}: could not be saved: {lock.name} beside it cannot be made or locked:"
+            f" {error.strerror or error} (choose another folder)"
+        ) from error
+    try:
+        yield
+    finally:
+        # Removed while it is held: whoever waits for it sees that it is gone and makes another.
+        with suppress(OSError):  # Windows keeps a file that is open; then it stays for the next
+            lock.unlink()
+        os.close(descriptor)
+
+
+def _acquire(lock: Path, until: float) -> int:
+    while True:
+        descriptor = os.open(lock, os.O_RDWR | os.O_CREAT, 0o666)
+        with ExitStack() as unless_kept:
+            unless_kept.callback(os.close, descriptor)
+            if try_lock(descriptor) and _is_still(lock, descriptor):
+                unless_kept.pop_all()
+                return descriptor
+        if time.monotonic() > until:
+            raise TimeoutError
+        time.sleep(_TRY_EVERY_S)
+
+
+def _is_still(lock: Path, descriptor: int) -> bool:
+    """Whether the file that was locked is the one that others find by its name."""
+    try:
+        return os.path.samestat(os.stat(lock), os.fstat(descriptor))
+    except FileNotFoundError:
+        return False

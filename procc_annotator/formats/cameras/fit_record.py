@@ -1,0 +1,307 @@
+"""What files record about fitted cameras: digest of the fitted annotation, leave-one-element-
+out distances.
+"""
+
+from __future__ import annotations
+
+import csv
+import hashlib
+import io
+import json
+import math
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.formats.annotations.soccernet import write_annotation
+from procc_annotator.formats.csv_tables import unescape_formula
+from procc_annotator.formats.frame_names import FrameTable
+from procc_annotator.translation import word
+
+# The marks of cameras that explain the points they were made from, and predict none of them.
+FITTED = word("fitted on these clicks")
+OTHER_VERSION = word("fitted to another version of these annotations")
+SOME_OTHER_VERSION = word("fitted on these clicks, or to another version of these annotations")
+MARKS = (FITTED, OTHER_VERSION, SOME_OTHER_VERSION)
+FITTED_KEYS = ("fitted_on_these_clicks", "fitted_on_another_version")
+FIT_KEY = "fit"  # of a camera file: what it was fitted from
+DIGEST = "annotation_sha256"  # among that, and the column of the table
+TABLE_FILE = "calibration.csv"  # beside cameras of any format
+SIDECAR_SUFFIX = ".fit"  # says it of one camera, whose own file has no place for it
+
+
+def annotation_digest(annotation: FrameAnnotation) -> str:
+    """SHA-256 of an annotation as it would be written."""
+    return hashlib.sha256(write_annotation(annotation)).hexdigest()
+
+
+@dataclass(frozen=True, slots=True)
+class FitCounts:
+    """Number of cameras that were fitted to the annotations they are judged by, or to another
+    version of these; false without any. No such source is ranked.
+
+    A point that was moved since leaves a camera that still explains the others.
+    """
+
+    these: int = 0
+    another: int = 0
+
+    @classmethod
+    def of(cls, digest: str | None, annotation: FrameAnnotation) -> FitCounts:
+        """One camera by the digest of what it was fitted to, judged by an annotation."""
+        if digest is None:
+            return NOT_FITTED
+        same = digest == annotation_digest(annotation)
+        return cls(int(same), int(not same))
+
+    def __bool__(self) -> bool:
+        return self.count > 0
+
+    def __add__(self, other: FitCounts) -> FitCounts:
+        return FitCounts(self.these + other.these, self.another + other.another)
+
+    def __sub__(self, other: FitCounts) -> FitCounts:
+        return FitCounts(self.these - other.these, self.another - other.another)
+
+    @property
+    def count(self) -> int:
+        """Of both together."""
+        return self.these + self.another
+
+    @property
+    def mark(self) -> str:
+        """Words for people; empty without any."""
+        if not self.another:
+            return FITTED if self.these else ""
+        return SOME_OTHER_VERSION if self.these else OTHER_VERSION
+
+    @property
+    def values(self) -> tuple[bool, bool]:
+        """For the two columns of tables, `FITTED_KEYS`."""
+        return self.these > 0, self.another > 0
+
+    def entry(self, kind: Callable[[int], Any] = int) -> dict[str, Any]:
+        """For JSON: what there is, as a number or as ``kind`` makes of it."""
+        counts = zip(FITTED_KEYS, (self.these, self.another), strict=True)
+        return {key: kind(count) for key, count in counts if count}
+
+    def among(self, with_camera: int) -> str:
+        """The mark for a source with so many cameras."""
+        partly = self and self.count != with_camera
+        return f"{self.mark} in {self.count} of {with_camera} frames" if partly else self.mark
+
+
+NOT_FITTED = FitCounts()
+
+
+def name_with_mark(name: str, fitted: FitCounts) -> str:
+    """The name of a source as it stands beside others, with the mark if it was fitted so."""
+    return f"{name} ({fitted.mark})" if fitted else name
+
+
+def sidecar_content(digest: str) -> bytes:
+    """What a file beside a camera says of the annotation it was fitted to."""
+    return json.dumps({DIGEST: digest}).encode()
+
+
+def folders_of(file: str) -> Iterator[str]:
+    """The folders that a file of a source lies in, from its own up to the top, which is empty; the
+    others end in a slash."""
+    while file:
+        folder = file.rpartition("/")[0]
+        yield f"{folder}/" if folder else ""
+        file = folder
+
+
+class FitDigests:
+    """What the cameras of a source were fitted to; files beside them are read once."""
+
+    def __init__(self, read: Callable[[str], bytes | None]) -> None:
+        """As above.
+
+        Args:
+            read: the content of a file of the source; None where there is none.
+        """
+        self._read = read
+        self._tables: dict[str, Mapping[str, str]] = {}
+
+    def of(self, frame: str, file: str, extra: Mapping[str, Any]) -> str | None:
+        """The digest of the annotation that a camera was fitted to; None if nothing says so.
+
+        Args:
+            file: of the camera, in the source.
+            extra: keys of the file that are not part of the camera.
+        """
+        own = _digest_in(extra.get(FIT_KEY))
+        if own is not None:
+            return own
+        name = frame.rpartition("/")[2]
+        beside = file[: file.rfind("/") + 1] + name
+        for folder in folders_of(file):  # of a tree it lies at the top
+            if folder not in self._tables:
+                self._tables[folder] = _table(self._read(folder + TABLE_FILE))
+            table = self._tables[folder]
+            if table and (found := table.get(frame) or table.get(beside[len(folder) :])):
+                return found
+        note = self._read(beside + SIDECAR_SUFFIX)
+        return None if note is None else _digest_in(_object(note))
+
+
+def _digest_in(found: object) -> str | None:
+    digest = found.get(DIGEST) if isinstance(found, dict) else None
+    return digest if isinstance(digest, str) and digest else None
+
+
+def _object(data: bytes) -> object:
+    try:
+        return json.loads(data)
+    except ValueError:
+        return None
+
+
+def _table(data: bytes | None) -> FrameTable[str]:
+    """Frame -> digest, of a table that has both columns; empty of any other file."""
+    if data is None:
+        return FrameTable()
+    text = data.decode("utf-8-sig", errors="replace")
+    try:
+        rows = list(csv.DictReader(io.StringIO(text, newline="")))
+    except csv.Error:
+        return FrameTable()
+    return FrameTable(
+        (unescape_formula(row["name"]), row[DIGEST])
+        for row in rows
+        if row.get("name") and row.get(DIGEST)
+    )
+
+
+LEFT_OUT_FILE = "held_out.csv"
+CAMERA_HASH = "camera_sha256"
+# Columns besides the frame's name, which is for people.
+COLUMNS = (
+    "class", "held_out_px", "in_sample_px", "protocol", "width", "height", "field_sha256",
+    CAMERA_HASH,
+)  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class LeftOutElement:
+    """One element under the camera of the others, and under that of all.
+
+    Attributes:
+        name: the class.
+        predicted_px, explained_px: how far its farthest point is from where the camera of the
+            others, and that of all, shows it; None where it does not show it.
+    """
+
+    name: str
+    predicted_px: float | None
+    explained_px: float | None
+
+
+@dataclass(frozen=True, slots=True)
+class LeftOutSettings:
+    """What distances were taken with.
+
+    Attributes:
+        protocol: ``soccernet`` or ``procc``.
+        size: (width, height) px.
+        field_sha256: `field_fingerprint` of the field.
+    """
+
+    protocol: str
+    size: tuple[int, int]
+    field_sha256: str
+
+
+@dataclass(frozen=True, slots=True)
+class LeftOutResult:
+    """The elements of a frame that were left out in turn, and what they were judged with."""
+
+    terms: LeftOutSettings
+    elements: tuple[LeftOutElement, ...]
+
+
+def camera_hash(data: bytes) -> str:
+    """SHA-256 of a camera's file."""
+    return hashlib.sha256(data).hexdigest()
+
+
+class LeftOutTables:
+    """What such tables say of the cameras beside them; each is read once."""
+
+    def __init__(self, read: Callable[[str], bytes | None]) -> None:
+        """As above.
+
+        Args:
+            read: the content of a file of the source; None where there is none.
+        """
+        self._read = read
+        self._tables: dict[str, tuple[Mapping[str, LeftOutResult], str]] = {}
+
+    def of(self, file: str, data: bytes) -> tuple[LeftOutResult | None, str]:
+        """What is known of a camera, and a remark on a table that cannot be read.
+
+        Args:
+            file: of the camera, in the source. data: its content.
+        """
+        remarks = []
+        for folder in folders_of(file):  # of a tree it lies at the top
+            if folder not in self._tables:
+                self._tables[folder] = _read_table(self._read(folder + LEFT_OUT_FILE))
+            table, remark = self._tables[folder]
+            remarks.append(remark)
+            if table and (found := table.get(camera_hash(data))) is not None:
+                return found, remark
+        return None, next(filter(None, remarks), "")
+
+
+def _read_table(data: bytes | None) -> tuple[Mapping[str, LeftOutResult], str]:
+    """By the hash of the camera; nothing of a file that has not the columns of such a table."""
+    if data is None:
+        return {}, ""
+    reader = csv.DictReader(io.StringIO(data.decode("utf-8-sig", "replace"), newline=""))
+    # Frames that are annotated alike have the same camera, and the same rows: each counts once.
+    rows: dict[str, dict[str, LeftOutElement]] = {}
+    terms: dict[str, LeftOutSettings] = {}
+    try:
+        if not set(COLUMNS) <= set(reader.fieldnames or ()):
+            return {}, ""
+        for row in reader:
+            digest = row[CAMERA_HASH]
+            terms[digest] = LeftOutSettings(
+                row["protocol"], (int(row["width"]), int(row["height"])), row["field_sha256"]
+            )
+            of_camera = rows.setdefault(digest, {})
+            if row["class"]:
+                element = _element(row)
+                of_camera[element.name] = element
+    except (csv.Error, ValueError, TypeError) as error:
+        return {}, (
+            f"{LEFT_OUT_FILE}, line {reader.line_num}: {error}; its figures are left out, calibrate"
+            " --held-out writes it anew"
+        )
+    return {
+        digest: LeftOutResult(terms[digest], tuple(found.values()))
+        for digest, found in rows.items()
+    }, ""
+
+
+def _element(row: Mapping[str, str]) -> LeftOutElement:
+    distances = (_distance(row[key]) for key in ("held_out_px", "in_sample_px"))
+    return LeftOutElement(unescape_formula(row["class"]), *distances)
+
+
+def _distance(cell: str) -> float | None:
+    """px; None of an empty cell.
+
+    Raises:
+        ValueError: it is no distance.
+    """
+    if not cell:
+        return None
+    value = float(cell)
+    if not math.isfinite(value) or value < 0:
+        raise ValueError(f"{cell[:40]!r} is no distance in px")
+    return value

@@ -1,0 +1,324 @@
+"""Homography files with their world conventions, and matrix files of unknown kind."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from procc_annotator.camera.base import FloatArray
+from procc_annotator.camera.models import HomographyCamera
+from procc_annotator.errors import CameraError
+from procc_annotator.formats.cameras.arrays import NPY_MAGIC, npy_array
+from procc_annotator.formats.cameras.krt import BY_ORDER, projection_from
+from procc_annotator.formats.cameras.loaded_camera import CameraRecord, CameraRecords, LoadedCamera
+from procc_annotator.formats.strict_json import printable
+
+_YARD_M = 0.9144
+HOMOGRAPHY_SIZE = (1280, 720)
+_LARGEST_FILE = 64 * 1024
+_TURNED = "takes the ground to the picture, not the picture to the ground"
+_CHOOSE = " (expected metres from the field's centre, or the units of the camera format)"
+# Half the length and width of the largest field, soccer's, and how far beside it a camera may look.
+_BESIDE_M = 50.0
+_SEEN = np.array([52.5, 34.0]) + _BESIDE_M
+
+
+@dataclass(frozen=True)
+class WorldConvention:
+    """How a data set's world becomes ours: ``metres = (units - centre) * unit_m``."""
+
+    title: str
+    unit_m: float
+    centre: tuple[float, float]
+
+    @property
+    def world_from_units(self) -> FloatArray:
+        """(3, 3) the data set's world -> metres of ours."""
+        x, y = self.centre
+        return np.array(
+            [
+                [self.unit_m, 0.0, -x * self.unit_m],
+                [0.0, self.unit_m, -y * self.unit_m],
+                [0.0, 0.0, 1.0],
+            ]
+        )
+
+
+CONVENTIONS = {
+    "wc14": WorldConvention(
+        "World Cup 2014: yards, 115 x 74, origin top left", _YARD_M, (57.5, 37.0)
+    ),
+    "carwc": WorldConvention(
+        "CARWC, TS-WorldCup: yards, 114.83 x 74.37, origin top left", _YARD_M, (57.415, 37.185)
+    ),
+    "world": WorldConvention("world metres, origin at the field's centre", 1.0, (0.0, 0.0)),
+}
+
+
+def read_homography(
+    data: bytes, *, path: str, convention: str, assumed: bool = False
+) -> LoadedCamera:
+    """Read a homography that maps picture pixels (of a 1280 x 720 picture) to the ground.
+
+    Text holds nine numbers separated by white space or commas; ``.npy`` is recognised by its
+    content and never unpickled.
+
+    Args:
+        data: the file's bytes.
+        path: for error messages.
+        convention: a key of `CONVENTIONS`.
+        assumed: whether nobody named it; see `camera_from_homography`.
+
+    Raises:
+        CameraError: not nine finite numbers, or a matrix that cannot be inverted.
+    """
+    if len(data) > _LARGEST_FILE:
+        raise CameraError(
+            path,
+            f"is larger than {_LARGEST_FILE // 1024} kB, expected 9 numbers (3 x 3)",
+            advice="is it this file?",
+        )
+    if data.startswith(NPY_MAGIC):
+        matrix = _from_npy(data, path)
+    else:
+        numbers = numbers_of_text(data, path)
+        if len(numbers) != 9:
+            raise CameraError(
+                path,
+                f"expected 9 numbers (3 x 3), found {len(numbers)}",
+                advice="the file may be cut off",
+            )
+        matrix = np.array(numbers).reshape(3, 3)
+    world_from_units = CONVENTIONS[convention].world_from_units
+    return camera_from_homography(
+        matrix, world_from_units, HOMOGRAPHY_SIZE, path=path, assumed=assumed
+    )
+
+
+def camera_from_homography(
+    units_from_image: FloatArray,
+    world_from_units: FloatArray,
+    size: tuple[int, int],
+    *,
+    path: str,
+    place: str = "",
+    assumed: bool = False,
+) -> LoadedCamera:
+    """A camera from a matrix picture -> field and one field -> world metres; where it sees no
+    ground of a field, a remark says what the numbers look like.
+
+    Args:
+        units_from_image: (3, 3). world_from_units: (3, 3).
+        size: (width, height) of the picture, px; the usual one.
+        path: for error messages. place: likewise.
+        assumed: whether nobody said what the matrix is: one of a soccer field, and read the other
+            way round where it takes the ground to the picture.
+
+    Raises:
+        CameraError: a matrix that cannot be inverted.
+    """
+    # Only the ratios of the entries count; without the factor, huge ones would overflow below.
+    matrix = units_from_image / (np.abs(units_from_image).max() or 1.0)
+    try:
+        camera = HomographyCamera.from_world_from_image(world_from_units @ matrix, size)
+    except ValueError as error:
+        raise CameraError(
+            path,
+            f"is not a homography: {error}",
+            place=place,
+            advice="expected picture to field, 3 x 3",
+        ) from error
+    notice = ""
+    if not _shows_field(camera, size):
+        turned = _turned(matrix, world_from_units, size)
+        if turned is None:
+            notice = _looks_like(matrix, size)
+        else:
+            notice = f"{_TURNED}: {'it is inverted' if assumed else 'give the inverse'}"
+            camera = turned if assumed else camera
+    return LoadedCamera(
+        camera,
+        "homography",
+        size,
+        notices=(notice,) if notice else (),
+        assumed_field="soccer" if assumed else "",
+        size_is_usual=True,
+    )
+
+
+def _shows_field(camera: HomographyCamera, size: tuple[int, int]) -> bool:
+    """Whether the middle of a picture's lower edge is ground within sight of a field."""
+    ground = camera.ground_from_px(np.array([[(size[0] - 1) / 2, size[1] - 1.0]]))
+    with np.errstate(invalid="ignore"):
+        return bool((np.abs(ground) < _SEEN).all())
+
+
+def _turned(
+    units_from_image: FloatArray, world_from_units: FloatArray, size: tuple[int, int]
+) -> HomographyCamera | None:
+    """The camera of the same nine numbers read the other way round, where that shows a field."""
+    try:
+        inverse = world_from_units @ np.linalg.inv(units_from_image)
+        camera = HomographyCamera.from_world_from_image(inverse, size)
+    except (ValueError, np.linalg.LinAlgError):
+        return None
+    return camera if _shows_field(camera, size) else None
+
+
+def _looks_like(units_from_image: FloatArray, size: tuple[int, int]) -> str:
+    centimetres = np.diag([0.01, 0.01, 1.0]) @ units_from_image
+    camera = HomographyCamera.from_world_from_image(centimetres, size)
+    if _shows_field(camera, size):
+        xs, ys = np.linspace(0, size[0] - 1, 5), np.linspace(size[1] / 2, size[1] - 1, 5)
+        seen = camera.ground_from_px(np.stack(np.meshgrid(xs, ys), axis=-1).reshape(-1, 2))
+        seen = seen[(np.abs(seen) < _SEEN).all(axis=1)]
+        corner = (seen > -_BESIDE_M).all()
+        return f"looks like centimetres from {'a corner' if corner else 'the centre'}{_CHOOSE}"
+    return f"does not look at a field{_CHOOSE}"
+
+
+def _from_npy(data: bytes, path: str) -> FloatArray:
+    array = npy_array(data, path, "3 x 3 numbers")
+    if array.dtype.kind not in "fiu":
+        found = printable(str(array.dtype))
+        raise CameraError(path, f"expected an array of real numbers, found {found}")
+    if array.shape != (3, 3):
+        shape = " x ".join(str(n) for n in array.shape) or "a single value"
+        raise CameraError(path, f"expected a 3 x 3 matrix, found {printable(shape)}")
+    with np.errstate(over="ignore"):  # a longer float may become infinite here, and is refused
+        return _finite(array.astype(np.float64), path)
+
+
+def numbers_of_text(data: bytes, path: str) -> list[float]:
+    """The numbers of a text, separated by white space or commas.
+
+    Raises:
+        CameraError: no text, or something else than finite numbers.
+    """
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise CameraError(
+            path,
+            "is neither UTF-8 text nor a .npy file",
+            place=f"byte {error.start}",
+            advice="save it as UTF-8 text: three lines of three numbers",
+        ) from error
+    if "\0" in text:
+        raise CameraError(
+            path,
+            "is not UTF-8 text",
+            place=f"character {text.index(chr(0)) + 1}",
+            advice="it looks like UTF-16 or a binary file: save it as UTF-8",
+        )
+    numbers: list[float] = []
+    for line_number, line in enumerate(text.splitlines(), 1):
+        for word in line.replace(",", " ").split():
+            number = _number(word)
+            if number is None:
+                raise CameraError(
+                    path,
+                    f"expected a finite number, found {word[:40]!r}",
+                    place=f"line {line_number}",
+                    advice="correct the file",
+                )
+            numbers.append(number)
+    return numbers
+
+
+def _number(word: str) -> float | None:
+    try:
+        number = float(word)
+    except ValueError:
+        return None
+    # Python reads 1_0 as ten, and digits of every script; no other program would.
+    plain = word.isascii() and "_" not in word
+    return number if math.isfinite(number) and plain else None
+
+
+def _finite(matrix: FloatArray, path: str) -> FloatArray:
+    bad = np.argwhere(~np.isfinite(matrix))
+    if len(bad):
+        row, column = bad[0]
+        raise CameraError(
+            path,
+            f"expected a finite number, found {matrix[row, column]}",
+            place=f"row {row + 1} column {column + 1}",
+            advice="correct the file",
+        )
+    return matrix
+
+
+_LARGEST_TEXT = 4096  # of twelve numbers
+
+
+def read_matrix_file(data: bytes, *, path: str) -> LoadedCamera:
+    """The camera of a matrix in a file that nobody named the format of.
+
+    Raises:
+        CameraError: no matrix of a camera.
+    """
+    rows = _projection(data, path)
+    if rows is not None:
+        return projection_from(rows, path)
+    is_npy = data.startswith(NPY_MAGIC) or path.lower().endswith(".npy")
+    convention = "carwc" if is_npy else "wc14"
+    if not is_npy and len(data) <= _LARGEST_TEXT:
+        _check_count(numbers_of_text(data, path), path)
+    return read_homography(data, path=path, convention=convention, assumed=True)
+
+
+def matrix_records(data: bytes, *, path: str) -> CameraRecords | None:
+    """The cameras of an ``.npy`` with a matrix a frame; None for a file of one.
+
+    Raises:
+        CameraError: damaged.
+    """
+    if not data.startswith(NPY_MAGIC):
+        return None
+    array = npy_array(data, path, "3 x 3 numbers")
+    if array.ndim != 3 or array.dtype.kind not in "fiu" or array.shape[1:] not in ((3, 3), (3, 4)):
+        return None
+    found = [
+        (str(i), CameraRecord(f"[{i}]", matrix)) for i, matrix in enumerate(array.astype(float))
+    ]
+    return CameraRecords.of(path, found, _of_stack, (BY_ORDER,))
+
+
+def _projection(data: bytes, path: str) -> list[list[float]] | None:
+    """The rows of a projection matrix, where that is what a file holds."""
+    if data.startswith(NPY_MAGIC):
+        array = npy_array(data, path, "3 x 3 numbers")
+        if array.shape != (3, 4) or array.dtype.kind not in "fiu":
+            return None
+        rows: list[list[float]] = array.astype(np.float64).tolist()
+        return rows
+    if len(data) > _LARGEST_TEXT or len(data.replace(b",", b" ").split()) != 12:
+        return None
+    numbers = np.array(numbers_of_text(data, path))
+    return [[float(number) for number in row] for row in numbers.reshape(3, 4)]
+
+
+def _check_count(numbers: list[float], path: str) -> None:
+    """Raises CameraError: these are the numbers of no matrix."""
+    if len(numbers) not in (9, 12):
+        worlds = ", ".join(CONVENTIONS)
+        raise CameraError(
+            path,
+            f"{worlds}: expected 9 numbers (3 x 3), found {len(numbers)};"
+            " projection: expected 12 (3 x 4)",
+            advice="the file may be cut off",
+        )
+
+
+def _of_stack(content: FloatArray, path: str, inside: str) -> LoadedCamera:
+    if not np.isfinite(content).all():
+        raise CameraError(path, "expected finite numbers", place=inside, advice="correct the file")
+    if content.shape == (3, 4):
+        return projection_from(content.tolist(), path, inside)
+    world = CONVENTIONS["carwc"].world_from_units
+    return camera_from_homography(
+        content, world, HOMOGRAPHY_SIZE, path=path, place=inside, assumed=True
+    )

@@ -1,0 +1,311 @@
+"""Detect the camera format of JSON, ``.npz`` and MATLAB content."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import PurePath
+from typing import Any
+
+from procc_annotator.errors import CameraError
+from procc_annotator.formats.cameras.arrays import array_content, is_array_file
+from procc_annotator.formats.cameras.krt import (
+    is_krt,
+    is_nested,
+    is_projection,
+    is_stack,
+    krt_from,
+    nested_records,
+    projection_from,
+    stack_records,
+)
+from procc_annotator.formats.cameras.loaded_camera import CameraRecord, CameraRecords, LoadedCamera
+from procc_annotator.formats.cameras.nerf_transforms import is_transforms, transforms_records
+from procc_annotator.formats.cameras.opencv import is_storage, read_opencv
+from procc_annotator.formats.cameras.polylines import (
+    looks_like_points,
+    polylines_from,
+    polylines_records,
+)
+from procc_annotator.formats.cameras.published_sets import (
+    deepsportradar_records,
+    homography_records,
+    is_deepsportradar,
+    is_homography_set,
+    is_ptz_set,
+    ptz_records,
+)
+from procc_annotator.formats.cameras.soccernet import (
+    broadtrack_records,
+    camera_from,
+    is_broadtrack,
+    is_soccernet,
+    is_tvcalib,
+    tvcalib_from,
+    tvcalib_records,
+)
+from procc_annotator.formats.strict_json import decode_fast, json_kind, printable, strip_bom
+
+_ANNOTATION_ADVICE = (
+    "annotations are no cameras; projected polylines are read with the camera format polylines"
+)
+
+
+ARRAY_SUFFIXES = (".npz", ".mat")
+SOCCERNET_PREFIX = "camera_"  # of its files' names
+
+
+class PointsError(CameraError):
+    """A file of points of classes where cameras were expected."""
+
+
+# Decoded content, the file, the place in it -> the camera.
+FromContent = Callable[[object, str, str], LoadedCamera]
+
+
+@dataclass(frozen=True)
+class JsonFormat:
+    """A camera format of JSON.
+
+    Attributes:
+        name, title: for the table of formats.
+        one: reads a file that holds one camera; None for a format whose files hold many.
+        many: the cameras of a decoded file that holds several; None where it holds one.
+        recognises: whether decoded content is of this format, for content nobody named.
+        keys: by which content is recognised, for messages; empty for a format that is never
+            recognised by what is in it.
+    """
+
+    name: str
+    title: str
+    one: FromContent | None
+    many: Callable[[object, str], CameraRecords | None]
+    recognises: Callable[[object], bool]
+    keys: str = ""
+
+
+def _soccernet(content: object, path: str, inside: str = "") -> LoadedCamera:
+    return camera_from(content, path=path, inside=inside)
+
+
+def _by_frame(
+    is_one: Callable[[object], bool], read: FromContent
+) -> Callable[[object, str], CameraRecords | None]:
+    """For formats of one camera: ``{frame: camera}`` as well."""
+
+    def records(content: object, path: str) -> CameraRecords | None:
+        if type(content) is not dict or is_one(content) or not any(map(is_one, content.values())):
+            return None
+        found = [(name, CameraRecord(name, v)) for name, v in content.items()]
+        return CameraRecords.of(path, found, read)
+
+    return records
+
+
+def _is_soccernet(content: object) -> bool:
+    return type(content) is dict and is_soccernet(content)
+
+
+def _no_records(content: object, path: str) -> CameraRecords | None:
+    raise AssertionError("lines of JSON are read as text")
+
+
+def _krt_records(content: object, path: str) -> CameraRecords | None:
+    if is_nested(content):
+        return nested_records(content, path)
+    if is_stack(content):
+        return stack_records(content, path)
+    return _KRT_BY_FRAME(content, path)
+
+
+def _is_krt(content: object) -> bool:
+    return is_krt(content) or is_nested(content) or (is_stack(content) and not is_storage(content))
+
+
+_SOCCERNET_RECORDS = _by_frame(_is_soccernet, _soccernet)
+_KRT_BY_FRAME = _by_frame(is_krt, krt_from)
+SOCCERNET = JsonFormat(
+    "soccernet",
+    "SoccerNet camera JSON",
+    _soccernet,
+    _SOCCERNET_RECORDS,
+    _is_soccernet,
+    "pan_degrees, x_focal_length",
+)
+TVCALIB = JsonFormat(
+    "tvcalib", "TVCalib per_sample_output.json", None, _no_records, is_tvcalib, "image_ids"
+)
+JSON_FORMATS = (
+    SOCCERNET,
+    TVCALIB,
+    JsonFormat(
+        "broadtrack", "BroadTrack JSON", None, broadtrack_records, is_broadtrack,
+        "cp of each picture",
+    ),
+    JsonFormat(
+        "deepsportradar", "DeepSportRadar K, R, T list", None, deepsportradar_records,
+        is_deepsportradar, "a list of K, R, T",
+    ),
+    JsonFormat(
+        "krt", "K, R, t and distortion", krt_from, _krt_records, _is_krt, "K, R"
+    ),
+    JsonFormat(
+        "polylines", "projected polylines, JSON", polylines_from, polylines_records,
+        lambda _: False,
+    ),
+    JsonFormat(
+        "projection", "3 x 4 projection matrix", projection_from,
+        _by_frame(is_projection, projection_from), is_projection, "P of 3 x 4",
+    ),
+    JsonFormat(
+        "transforms", "transforms.json of radiance fields", None, transforms_records,
+        is_transforms, "frames of transform_matrix",
+    ),
+    JsonFormat(
+        "sccvsd", "World Cup 2014 homographies, MATLAB", None, homography_records,
+        is_homography_set, "annotation of image_name, homography",
+    ),
+    JsonFormat(
+        "ptz-slam", "frames of one tripod, MATLAB", None, ptz_records, is_ptz_set,
+        "annotation of image_name, camera",
+    ),
+)  # fmt: skip
+_SOCCERNET_KEYS = ("pan_degrees", "tilt_degrees", "position_meters", "x_focal_length")
+_HOMOGRAPHY_KEYS = ("H", "homography", "homography_matrix")
+_SHOWN_KEYS = 4
+_BY_NAME = {known.name: known for known in JSON_FORMATS}
+
+
+def read_json(data: bytes, *, path: str, name: str | None = None) -> LoadedCamera:
+    """The one camera of a JSON file.
+
+    Args:
+        data: the file's bytes. path: for messages.
+        name: one of `JSON_FORMATS`; None goes by the content.
+
+    Raises:
+        CameraError: damaged, no camera, or several.
+    """
+    if name == TVCALIB.name or (name is None and _is_lines(data)):
+        return only_record(tvcalib_records(data, path=path))
+    content = _decoded(data, path)
+    if name is None and is_storage(content):
+        return read_opencv(data, path=path)
+    known = _BY_NAME[name] if name else _detected(content, path)
+    if known is TVCALIB:
+        return tvcalib_from(content, path)
+    records = known.many(content, path)
+    if records is not None:
+        return only_record(records)
+    assert known.one is not None  # formats without it have records or raise
+    return known.one(content, path, "")
+
+
+def json_records(data: bytes, *, path: str, name: str | None = None) -> CameraRecords | None:
+    """The cameras of a JSON file that holds several, or None where it holds one.
+
+    Raises:
+        CameraError: damaged, or no camera.
+    """
+    if name == TVCALIB.name or (name is None and _is_lines(data)):
+        return tvcalib_records(data, path=path)
+    content = _decoded(data, path)
+    if name is None and is_storage(content):
+        return None
+    known = _BY_NAME[name] if name else _detected(content, path)
+    if known is TVCALIB:
+        return tvcalib_records(data, path=path)
+    return known.many(content, path)
+
+
+def detected_title(data: bytes, path: str) -> str:
+    """The title of the format a file of cameras is told to be by its content, as of `read_json`;
+    empty for any other file, damaged ones too."""
+    try:
+        if _is_lines(data):
+            return TVCALIB.title
+        content = _decoded(data, path)
+        return "OpenCV FileStorage" if is_storage(content) else _detected(content, path).title
+    except CameraError:
+        return ""
+
+
+def only_record(records: CameraRecords) -> LoadedCamera:
+    """The camera of a file of many that happens to hold one.
+
+    Raises:
+        CameraError: it holds several, or its camera is damaged.
+    """
+    if len(records.entries) != 1:
+        raise CameraError(
+            records.path,
+            f"holds the cameras of {len(records.entries)} frames, expected one",
+            advice="give the file itself as the source of cameras",
+        )
+    return records.read(next(iter(records.entries)))
+
+
+def _decoded(data: bytes, path: str) -> Any:
+    if is_array_file(data) or path.lower().endswith(ARRAY_SUFFIXES):
+        return array_content(data, path)
+    return decode_fast(data, path=path, error=CameraError)
+
+
+def _detected(content: object, path: str) -> JsonFormat:
+    if type(content) is dict and is_soccernet(content) and not is_tvcalib(content):
+        return SOCCERNET
+    values = list(content.values()) if type(content) is dict else []
+    if looks_like_points(content) or (
+        values and any(looks_like_points(v) for v in values) and not any(map(_is_camera, values))
+    ):
+        raise PointsError(path, "holds points of classes, not a camera", advice=_ANNOTATION_ADVICE)
+    if type(content) is list and any(map(is_tvcalib, content)):
+        return TVCALIB
+    for known in JSON_FORMATS[1:]:
+        if known.recognises(content):
+            return known
+    for known in JSON_FORMATS:
+        if known.one is not None and any(map(known.recognises, values)):
+            return known
+    named = PurePath(path).name.startswith(SOCCERNET_PREFIX)
+    if named or (type(content) is dict and any(key in content for key in _SOCCERNET_KEYS)):
+        return SOCCERNET  # which says what else is missing
+    raise _unknown(content, path)
+
+
+def _unknown(content: object, path: str) -> CameraError:
+    """What is wrong with content of no known format, and the keys of every format."""
+    if type(content) is dict and any(key in content for key in _HOMOGRAPHY_KEYS):
+        return CameraError(
+            path,
+            "holds a homography, and nothing tells which ground and which units it is of",
+            advice="save it as .npy, and choose a camera format: wc14, carwc or world",
+        )
+    found = json_kind(content)
+    if type(content) is dict and content:
+        keys = ", ".join(printable(str(key), 30) for key in list(content)[:_SHOWN_KEYS])
+        more = ", ..." if len(content) > _SHOWN_KEYS else ""
+        found = f"an object with {keys}{more}"
+    formats = "; ".join(f"{known.keys} ({known.name})" for known in JSON_FORMATS if known.keys)
+    return CameraError(
+        path,
+        f"holds no camera of a known format: found {found}, expected {formats}",
+        advice="is this a camera? if so, choose its camera format",
+    )
+
+
+def _is_camera(content: object) -> bool:
+    return any(known.recognises(content) for known in JSON_FORMATS)
+
+
+def _is_lines(data: bytes) -> bool:
+    """Whether a file holds one TVCalib record a line, judged by its first."""
+    data = strip_bom(data)
+    first, _, rest = data.lstrip().partition(b"\n")
+    if not rest.strip() or not first.lstrip().startswith(b"{") or b'"image_ids"' not in first:
+        return False
+    try:
+        return is_tvcalib(json.loads(first))
+    except (ValueError, RecursionError):
+        return False

@@ -1,0 +1,205 @@
+"""A camera as read from a file, records of several cameras in one file, and plausibility
+remarks.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import PurePosixPath
+from typing import Any
+
+from procc_annotator.camera.base import CameraOrProjections
+from procc_annotator.camera.models import FisheyeCamera, PinholeCamera
+from procc_annotator.errors import CameraError
+from procc_annotator.field.load import field_titles, is_builtin_field
+from procc_annotator.field.model import Field
+from procc_annotator.formats.cameras.fit_record import LeftOutResult
+from procc_annotator.formats.frame_names import PICTURE_FOLDERS, picture_folders_of, posix_path
+from procc_annotator.formats.strict_json import printable
+
+
+@dataclass(frozen=True, eq=False)
+class LoadedCamera:
+    """A camera as read.
+
+    Attributes:
+        camera: expressed in pixels of ``size``.
+        model: ``pinhole``, ``fisheye``, ``homography``, ``projections``, or what a plug-in
+            calls its own; for people.
+        size: (width, height) of the picture the pixels refer to; None when the file does not say,
+            which for SoccerNet cameras means the evaluation size. Projections are given as shares
+            of the picture, whatever its size; their ``size`` is the one that makes these pixels.
+        extra: keys of the file that are not part of the model, written back on saving.
+        notices: remarks a person should see.
+        assumed_field: name of the field whose world these pixels belong to, where the format alone
+            says so and nobody named it; empty otherwise.
+        content: all of the file's keys and values, so that saving spells unchanged numbers alike.
+        fitted_on: `annotation_digest` of the annotation it was fitted to, where that is told.
+        held_out: how well the elements it was fitted to are shown by the cameras of the others,
+            where that is told.
+        size_is_usual: whether no file says ``size``, which is the usual one of the format.
+    """
+
+    camera: CameraOrProjections
+    model: str
+    size: tuple[int, int] | None = None
+    extra: Mapping[str, Any] = field(default_factory=dict)
+    notices: tuple[str, ...] = ()
+    content: Mapping[str, Any] = field(default_factory=dict)
+    fitted_on: str | None = None
+    held_out: LeftOutResult | None = None
+    assumed_field: str = ""
+    size_is_usual: bool = False
+
+    def size_where(self, told: tuple[int, int] | None) -> tuple[int, int] | None:
+        """(width, height) of the picture the pixels refer to; None where nothing says it.
+
+        Args:
+            told: what a person says; the file knows better, what is usual for its format does not.
+        """
+        return (told or self.size) if self.size_is_usual else (self.size or told)
+
+
+def with_notices(loaded: LoadedCamera, notices: Iterable[str]) -> LoadedCamera:
+    """The same with more remarks for a person."""
+    return replace(loaded, notices=(*loaded.notices, *notices))
+
+
+_PICTURE_SUFFIXES = frozenset(
+    {".jpg", ".jpeg", ".png", ".bmp", ".tif", ".tiff", ".webp", ".jp2", ".ppm", ".pgm"}
+)
+
+# Decoded content of one camera, the file, the place in it -> the camera.
+ReadRecord = Callable[[Any, str, str], LoadedCamera]
+
+
+@dataclass(frozen=True)
+class CameraRecord:
+    """One camera of a file, decoded but not yet looked at; place is where it stands."""
+
+    place: str
+    content: Any
+
+
+@dataclass(frozen=True, eq=False)
+class CameraRecords:
+    """The cameras of one file, by frame name; a damaged one fails when it is read.
+
+    Attributes:
+        path: the file, for messages.
+        entries: frame name -> what the file holds for it; more than one entry cannot be read.
+        read_record: reads one entry.
+        notices: remarks on parts of the file that belong to no frame.
+        only_folder: that all pictures lie in by their names, while frames are called without it.
+    """
+
+    path: str
+    entries: Mapping[str, tuple[CameraRecord, ...]]
+    read_record: ReadRecord
+    notices: tuple[str, ...] = field(default=())
+    only_folder: str = ""
+
+    @classmethod
+    def of(
+        cls,
+        path: str,
+        found: Iterable[tuple[str, CameraRecord]],
+        read_record: ReadRecord,
+        notices: tuple[str, ...] = (),
+    ) -> CameraRecords:
+        """From (picture's name, record) pairs in file order; frames are called by the last parts of
+        these names, or by their paths where they lie in several folders."""
+        pairs = list(found)
+        folders = picture_folders_of(posix_path(name) for name, _ in pairs)
+        by_path = len(folders) > 1
+        only = next(iter(folders - {*PICTURE_FOLDERS}), "") if len(folders) == 1 else ""
+        entries: dict[str, tuple[CameraRecord, ...]] = {}
+        for name, record in pairs:
+            frame = frame_of_image(name, by_path)
+            entries[frame] = (*entries.get(frame, ()), record)
+        return cls(path, entries, read_record, notices, only)
+
+    def below(self, folder: str) -> CameraRecords:
+        """The same cameras of frames in a folder of a tree."""
+        if not folder:
+            return self
+        entries = {f"{folder}/{name}": found for name, found in self.entries.items()}
+        return replace(self, entries=entries, only_folder="")
+
+    def read(self, frame: str) -> LoadedCamera:
+        """The camera of a frame.
+
+        Raises:
+            CameraError: it is damaged, or the frame has two.
+        """
+        records = self.entries[frame]
+        if len(records) > 1:
+            places = " and ".join(record.place for record in records[:3])
+            raise CameraError(
+                self.path,
+                f"holds {len(records)} cameras for frame {printable(frame)!r}",
+                place=places,
+                advice="keep one of them; pictures of several folders are told apart by paths below"
+                " the dataset",
+            )
+        return self.read_record(records[0].content, self.path, records[0].place)
+
+    def place(self, frame: str) -> str:
+        """Where in the file a frame's camera stands."""
+        return self.entries[frame][0].place
+
+
+def frame_of_image(name: str, by_path: bool = False) -> str:
+    """The frame a picture's name stands for: without the suffix of a picture, and without folders
+    unless it is called by its path."""
+    path = PurePosixPath(posix_path(name))
+    frame = path.stem if path.suffix.lower() in _PICTURE_SUFFIXES else path.name
+    return str(path.parent / frame) if by_path else frame
+
+
+NAME_THE_FORMAT = "choose its camera format: world takes metres from the field's centre"
+
+
+def field_mismatch(assumed: str, field: Field) -> str:
+    """Why a camera cannot be taken for one of a field; empty if it can.
+
+    A field of the user's own may be any, soccer too.
+
+    Args:
+        assumed: as of `LoadedCamera`.
+        field: what the pictures show.
+    """
+    if not assumed or field.name == assumed:
+        return ""
+    if field.source is not None and not is_builtin_field(field.source):
+        return ""
+    titles = field_titles()
+    return (
+        f"nothing says which ground it is of, so that it would be taken for a"
+        f" {titles[assumed].lower()} field's, and this is {titles.get(field.name, field.title)}"
+    )
+
+
+_FAR_M = 1000.0
+
+
+def with_plausibility_remark(loaded: LoadedCamera) -> LoadedCamera:
+    """The same with a remark where no camera stands: below the ground, or a kilometre away.
+
+    Structure from motion finds a world up to its place, turn and size; only who laid it upon the
+    field can know whether that was done.
+    """
+    camera = loaded.camera
+    if not isinstance(camera, PinholeCamera | FisheyeCamera):
+        return loaded
+    x, y, z = camera.position_world
+    doubt = ""
+    if z > 0:
+        doubt = f"stands {z:.3g} m below the ground: expected metres with z down"
+    elif max(abs(x), abs(y), abs(z)) > _FAR_M:
+        doubt = "stands more than a kilometre from the field's centre: expected metres"
+    if not doubt:
+        return loaded
+    told = f"{doubt} (is the world of the file the field's?)"
+    return with_notices(loaded, (told,))

@@ -1,0 +1,232 @@
+"""Frame names: from file paths and from picture names in other files, and lookups by frame."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Container, Iterable
+from pathlib import PurePosixPath
+from typing import Any, TypeVar, overload
+
+from procc_annotator.errors import AnnotationError, UsageError
+from procc_annotator.formats.strict_json import json_kind, printable
+
+PICTURE_SUFFIX = re.compile(
+    r"\.(jpe?g|jfif|png|bmp|webp|tiff?|gif|avif|heic|ppm|pgm)$", re.IGNORECASE
+)
+# Where the published sets and other programs keep pictures.
+PICTURE_FOLDERS = ("images", "images/default", "img1", "v3_frames")
+_DRIVE = re.compile(r"[A-Za-z]:")
+_LONGEST_PATH = 600  # of the folders above a picture
+
+
+def escapes_folder(path: str) -> bool:
+    """Whether a path with slashes, as a file tells it, may lead out of the folder it belongs in."""
+    return (
+        path.startswith("/")
+        or "\\" in path
+        or "\0" in path
+        or _DRIVE.match(path) is not None
+        or ".." in path.split("/")
+    )
+
+
+def posix_path(path: str) -> str:
+    """A path that may have been written on any system, with slashes and without ``./``."""
+    return path.replace("\\", "/").removeprefix("./")
+
+
+def picture_folders_of(pictures: Iterable[str]) -> frozenset[str]:
+    """The folders of the pictures that one file names; none where any leads out of the dataset.
+    Frames are called by their paths where there are several.
+
+    Args:
+        pictures: their names, `slashed`.
+    """
+    folders = frozenset(picture.rpartition("/")[0] for picture in pictures)
+    return folders if all(map(_can_be_folder, folders)) else frozenset()
+
+
+def _can_be_folder(path: str) -> bool:
+    return not escapes_folder(path) and path.isprintable() and len(path) <= _LONGEST_PATH
+
+
+def is_file_name(name: str) -> bool:
+    """Whether a file or folder can have a name on every system, and a terminal can show it."""
+    return name not in ("", ".", "..") and name.isprintable() and not set(name) & set('/\\:*?"<>|')
+
+
+def frame_of_file(path: str, prefix: str = "") -> str:
+    """The frame that a file below a tree belongs to; `file_of_frame` is the way back.
+
+    Args:
+        path: below the dataset, with slashes: ``game/camera_00037.json``.
+        prefix: what the file's own name begins with beside the frame: ``camera_``.
+    """
+    folder, slash, name = path.rpartition("/")
+    return folder + slash + PurePosixPath(name).stem.removeprefix(prefix)
+
+
+def file_of_frame(frame: str, suffix: str, prefix: str = "") -> str:
+    """The path of a frame's file below a folder of such files, with slashes.
+
+    Args:
+        frame: its name: ``00037``, or ``game/00037`` in a tree.
+        suffix: of the file: ``.json``.
+        prefix: what the file's own name begins with beside the frame: ``camera_``.
+
+    Raises:
+        UsageError: the name leads out of that folder.
+    """
+    if escapes_folder(frame):
+        raise UsageError(f"the frame {frame!r} leads out of the folder its file belongs in")
+    folder, slash, name = frame.rpartition("/")
+    return f"{folder}{slash}{prefix}{name}{suffix}"
+
+
+T = TypeVar("T")
+D = TypeVar("D")
+
+
+class ByFrame(dict[str, T]):
+    """A dict that finds a name in another composition where the very name is not there.
+
+    Iterating gives the names as they are.
+
+    Attributes:
+        picture_folders: folders that only keep pictures: a frame of a tree is found with such a
+            folder in its path and without it.
+        only_folder: the folder, with a slash at its end, that all files lie in while frames are
+            called without it; a frame of a tree is found with it, too.
+    """
+
+    picture_folders: tuple[str, ...] = ()
+    only_folder: str = ""
+    _composed: tuple[int, dict[str, str]] | None = None
+
+    def name_there(self, frame: str) -> str | None:
+        """How a frame is called here; None where there is nothing of it."""
+        if (found := self._name_of(frame)) is not None:
+            return found
+        if self.only_folder:
+            composed, folder = (unicodedata.normalize("NFC", s) for s in (frame, self.only_folder))
+            if composed.startswith(folder):
+                return self.name_there(composed.removeprefix(folder))
+        return self._beside_pictures(frame) if self.picture_folders else None
+
+    def called_in(self, others: ByFrame[D], frame: str) -> str | None:
+        """How one of these frames is called among others, where either may be called without the
+        only folder it lies in; None where there is nothing of it."""
+        return others.name_there(self.only_folder + frame) or others.name_there(frame)
+
+    def _name_of(self, frame: str) -> str | None:
+        """The name itself, or the one that is composed otherwise."""
+        if dict.__contains__(self, frame):
+            return frame
+        if frame.isascii():  # composed in one way only
+            return None
+        if self._composed is None or self._composed[0] != len(self):
+            names: dict[str, str] = {}
+            for name in self:
+                if not name.isascii():
+                    names.setdefault(unicodedata.normalize("NFC", name), name)
+            self._composed = len(self), names
+        return self._composed[1].get(unicodedata.normalize("NFC", frame))
+
+    def _beside_pictures(self, frame: str) -> str | None:
+        above, slash, name = frame.rpartition("/")
+        without = (
+            f"{above}/".removesuffix(f"{inner}/") + name
+            for inner in self.picture_folders
+            if f"/{above}".endswith(f"/{inner}")
+        )
+        within = (f"{above}/{inner}/{name}" for inner in self.picture_folders if slash)
+        found = map(self._name_of, (*without, *within))
+        return next((name for name in found if name is not None), None)
+
+    def __contains__(self, frame: object) -> bool:
+        return isinstance(frame, str) and self.name_there(frame) is not None
+
+    def __missing__(self, frame: str) -> T:
+        name = self.name_there(frame)
+        if name is None:
+            raise KeyError(frame)
+        return dict.__getitem__(self, name)
+
+    @overload
+    def get(self, frame: str, default: None = None, /) -> T | None: ...
+    @overload
+    def get(self, frame: str, default: T, /) -> T: ...
+    @overload
+    def get(self, frame: str, default: D, /) -> T | D: ...
+    def get(self, frame: str, default: D | None = None, /) -> T | D | None:
+        name = self.name_there(frame)
+        return default if name is None else dict.__getitem__(self, name)
+
+
+class FrameTable(ByFrame[T]):
+    """What a table tells of frames, whichever folders keep their pictures."""
+
+    picture_folders = PICTURE_FOLDERS
+
+
+_LONGEST_NAME = 200
+
+
+class PictureFrames:
+    """How the pictures of one file are called as frames: by their last parts, or by their paths
+    where they lie in several folders, or in one folder of the dataset's tree.
+
+    Paths that lead out of the dataset (absolute ones, ``..``) tell no folder.
+
+    Args:
+        pictures: their names, as the file tells them.
+        folder: of the file, below the dataset, if that is a tree.
+        there: the frames of the dataset that have a picture.
+    """
+
+    def __init__(
+        self, pictures: Iterable[Any], folder: str = "", there: Container[str] = frozenset()
+    ) -> None:
+        paths = [posix_path(p) for p in pictures if type(p) is str]
+        folders = picture_folders_of(paths)
+        in_one = len(folders) == 1 and "" not in folders
+        self._by_path = len(folders) > 1 or (
+            in_one and any(PICTURE_SUFFIX.sub("", path) in there for path in paths)
+        )
+        self._folder = folder
+
+    def frame(self, picture: Any, path: str, place: str) -> str:
+        """The frame that a picture's name in the file belongs to; raises as `frame_of_picture`."""
+        name = frame_of_picture(picture, path, place)
+        inner = posix_path(picture).rpartition("/")[0] if self._by_path else ""
+        return "/".join(part for part in (self._folder, inner.strip("/"), name) if part)
+
+
+def frame_of_picture(picture: Any, path: str, place: str) -> str:
+    """The frame a picture's name in a file belongs to: its last part, without the suffix.
+
+    Raises:
+        AnnotationError: it is no text, or cannot be the name of a frame.
+    """
+    if type(picture) is not str:
+        raise AnnotationError(
+            path,
+            f"expected the name of a picture, found {json_kind(picture)}",
+            place=place,
+            advice="correct the name",
+        )
+    name = PICTURE_SUFFIX.sub("", picture_name(picture))
+    if name in ("", ".", "..") or not name.isprintable() or len(name) > _LONGEST_NAME:
+        raise AnnotationError(
+            path,
+            f"{printable(picture)!r} cannot be the name of a frame",
+            place=place,
+            advice="correct the name",
+        )
+    return name
+
+
+def picture_name(path: str) -> str:
+    """The last part of a path that may have been written on any system."""
+    return posix_path(path).rpartition("/")[2]

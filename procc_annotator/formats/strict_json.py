@@ -1,0 +1,250 @@
+"""Strict JSON decoding: UTF-8, one value, no repeated keys, errors with their place."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections import deque
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, TypeGuard, TypeVar
+
+import msgspec
+
+from procc_annotator.errors import InputError
+
+T = TypeVar("T")
+
+_BOM = b"\xef\xbb\xbf"
+# What is read must be writable again, also from deep inside a program: Python gives up a writer at
+# some depth that depends on who called it.
+_DEEPEST = 64
+_LONGEST_KEY = 60
+
+
+class DuplicateKeyError(ValueError):
+    """A JSON object has the same key twice."""
+
+
+def strip_bom(data: bytes) -> bytes:
+    """The bytes behind UTF-8's byte order mark, which some editors write."""
+    return data[3:] if data.startswith(_BOM) else data
+
+
+def has_only_keys(data: bytes, keys: int) -> bool:
+    """Whether JSON text certainly holds no more keys than were decoded.
+
+    Fast decoders drop all but the last of repeated keys. Each key is followed by a colon; as many
+    colons as decoded keys therefore prove that none was dropped. More of them may as well stand in
+    texts, so that a False only means to look closer.
+
+    Args:
+        data: JSON text that was decoded.
+        keys: how many keys came out, all objects together.
+    """
+    return data.count(b":") == keys
+
+
+def decode_fast(data: bytes, *, path: str, error: type[InputError]) -> Any:
+    """The decoded value at a few microseconds a file.
+
+    Only the keys of the outermost object are counted by `has_only_keys`: give files with objects
+    inside to a decoder that knows them.
+
+    Raises:
+        error: as `decode_strict` raises it.
+    """
+    try:
+        content = msgspec.json.decode(strip_bom(data))
+    except (msgspec.DecodeError, UnicodeDecodeError, RecursionError):
+        # The slow decoder tells line and column, and reads NaN so that its place can be named.
+        return decode_strict(data, path=path, error=error)
+    flat = data.count(b"[") < _DEEPEST
+    if type(content) is dict and flat and has_only_keys(data, len(content)):
+        return content
+    return decode_strict(data, path=path, error=error)
+
+
+def decode_strict(
+    data: bytes,
+    *,
+    path: str,
+    error: type[InputError],
+    parse_float: Callable[[str], float] = float,
+) -> Any:
+    """The decoded value; a repeated key is an error, NaN and Infinity are let through.
+
+    Args:
+        data: the file's bytes.
+        path: for error messages.
+        error: what to raise.
+        parse_float: makes a number of the text of one that has a fraction or an exponent.
+
+    Raises:
+        error: not UTF-8, not JSON, or a repeated key.
+    """
+    text = _text(data, path, error)
+    try:
+        content = json.loads(text, object_pairs_hook=_no_repeats, parse_float=parse_float)
+        # Half of a surrogate pair can be spelled (\ud83d) but never written as UTF-8 again.
+        if "\\u" in text:
+            json.dumps(content, ensure_ascii=False).encode()
+    except json.JSONDecodeError as problem:
+        raise error(
+            path,
+            f"is not valid JSON: {problem.msg}",
+            place=f"line {problem.lineno} column {problem.colno}",
+            advice="the file may be cut off: restore it or correct this place",
+        ) from problem
+    except DuplicateKeyError as problem:
+        place = _place_of_repeat(text)
+        raise error(path, str(problem), place=place, advice="keep one of them") from problem
+    except UnicodeEncodeError as problem:
+        raise error(
+            path, "holds half a character, as in \\ud83d", advice="correct the text"
+        ) from problem
+    except RecursionError as problem:
+        raise _too_deep(path, error) from problem
+    except ValueError as problem:  # an integer of thousands of digits
+        raise error(
+            path, "holds an integer of thousands of digits, which is not read", advice="correct it"
+        ) from problem
+    if _is_deep(content):
+        raise _too_deep(path, error)
+    return content
+
+
+def decode_as(
+    data: bytes, kind: type[T], what: str, *, path: Path | str, error: type[InputError] = InputError
+) -> T:
+    """The decoded value of a known type.
+
+    Args:
+        data: the file's bytes.
+        kind: of the value; what it does not know is left out.
+        what: the file should be, for the message.
+        path: for the message.
+        error: what to raise.
+
+    Raises:
+        error: it is not UTF-8, not JSON, nested too deeply, or of another type.
+    """
+    try:
+        return msgspec.json.decode(strip_bom(data), type=kind)
+    except (msgspec.DecodeError, UnicodeDecodeError) as problem:
+        raise error(path, f"is no {what}: {problem}") from problem
+    except RecursionError as problem:
+        raise _too_deep(path, error) from problem
+
+
+def is_finite_number(value: object) -> TypeGuard[float]:
+    """Whether a JSON value is a number that can be computed with (true and false are not)."""
+    if type(value) is float:
+        return math.isfinite(value)
+    # An integer with more digits than a float can hold is as useless as infinity.
+    return type(value) is int and abs(value) < 1 << 1000
+
+
+def json_repr(value: object) -> str:
+    """A JSON value in an error message, as the file spells it; long ones cut."""
+    return printable(json.dumps(value, ensure_ascii=False), 40)
+
+
+def is_unicode(text: str) -> bool:
+    """Whether text can be written to a file: the name of a file need not be valid Unicode."""
+    try:
+        text.encode()
+    except UnicodeEncodeError:
+        return False
+    return True
+
+
+def printable(text: str, longest: int = _LONGEST_KEY) -> str:
+    """A key or text of a file in an error message: cut, and nothing a terminal would obey."""
+    short = text if len(text) <= longest else f"{text[: longest - 3]}..."
+    return "".join(c if c.isprintable() else repr(c)[1:-1] for c in short)
+
+
+def json_kind(value: object) -> str:
+    """What sort of JSON value this is, in words."""
+    names = {
+        dict: "an object",
+        list: "a list",
+        str: "text",
+        bool: "true or false",
+        type(None): "null",
+    }
+    return names.get(type(value), "a number")
+
+
+def _text(data: bytes, path: str, error: type[InputError]) -> str:
+    if not data.strip(b" \t\r\n\0"):
+        raise error(path, "is empty, expected a JSON object", advice="restore it from a backup")
+    if b"\0" in data:
+        raise error(
+            path,
+            "is not UTF-8 text",
+            place=f"byte {data.index(0)}",
+            advice="it looks like UTF-16 or a binary file: save it as UTF-8",
+        )
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError as problem:
+        raise error(
+            path, "is not UTF-8 text", place=f"byte {problem.start}", advice="save it as UTF-8"
+        ) from problem
+
+
+def _no_repeats(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    found = dict(pairs)
+    if len(found) != len(pairs):
+        seen: set[str] = set()
+        for key, _ in pairs:
+            if key in seen:
+                raise DuplicateKeyError(f"the key {printable(key)!r} occurs twice")
+            seen.add(key)
+    return found
+
+
+class _KeyValuePairs(list[tuple[str, Any]]):
+    """An object as it stands in the file, repeated keys included."""
+
+
+def _place_of_repeat(text: str) -> str:
+    """Where the object with a repeated key is (``Circle left[3]``).
+
+    Empty for the outermost object, and where it cannot be told.
+    """
+    try:
+        content = json.loads(text, object_pairs_hook=_KeyValuePairs)
+    except (ValueError, RecursionError):  # something further down is wrong as well
+        return ""
+    waiting: deque[tuple[str, Any]] = deque([("", content)])
+    while waiting:
+        place, value = waiting.popleft()
+        if type(value) is _KeyValuePairs:
+            if len(dict(value)) < len(value):
+                return printable(place, 3 * _LONGEST_KEY)
+            waiting.extend((f"{place}.{key}" if place else key, below) for key, below in value)
+        elif type(value) is list:
+            waiting.extend((f"{place}[{i}]", below) for i, below in enumerate(value))
+    return ""
+
+
+def _is_deep(content: Any) -> bool:
+    level = [content]
+    for _ in range(_DEEPEST):
+        below: list[Any] = []
+        for value in level:
+            if type(value) is dict:
+                below.extend(value.values())
+            elif type(value) is list:
+                below.extend(value)
+        if not below:
+            return False
+        level = below
+    return True
+
+
+def _too_deep(path: Path | str, error: type[InputError]) -> InputError:
+    return error(path, "is nested too deeply to be read", advice="is it this file?")

@@ -1,0 +1,163 @@
+"""Suffixes of image and video files, and image sizes read from headers without decoding."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from pathlib import Path
+from typing import BinaryIO
+
+from procc_annotator.errors import ImageError
+
+PICTURE_SUFFIXES = frozenset({".jpg", ".jpeg", ".png", ".bmp", ".webp"})
+VIDEO_SUFFIXES = frozenset({".mp4", ".mov", ".mkv", ".avi", ".m4v", ".ts"})
+
+
+_MAX_ASPECT_RATIO = 20  # times the shorter side: more than any panorama
+_PNG_SIGNATURE = b"\x89PNG\r\n\x1a\n"
+# Enough for every header but those with a large thumbnail in front.
+_HEADER_BYTES = 1 << 16
+# Markers without a length, and those that start a frame (C4, C8 and CC are tables).
+_JPEG_MARKERS_WITHOUT_LENGTH = frozenset({0x01, *range(0xD0, 0xD8)})
+_JPEG_FRAME_MARKERS = frozenset(range(0xC0, 0xD0)) - {0xC4, 0xC8, 0xCC}
+
+
+def is_valid_size(width: int, height: int) -> bool:
+    """Whether a size in px can be that of a picture of a field."""
+    return min(width, height) >= 2 and max(width, height) <= _MAX_ASPECT_RATIO * min(width, height)
+
+
+def require_valid_size(path: Path, width: int, height: int) -> None:
+    """Refuse what is no picture of a field, before a camera is looked for in it.
+
+    Raises:
+        ImageError: a side is too short beside the other one, or for any camera.
+    """
+    if not is_valid_size(width, height):
+        raise ImageError(
+            path, f"is {width} x {height} px, expected a picture of a field",
+            advice="replace or remove it",
+        )  # fmt: skip
+
+
+def header_size(data: bytes | memoryview) -> tuple[int, int] | None:
+    """(width, height) px as stored, before any EXIF turn; None unless jpg, png, bmp or webp."""
+    if bytes(data[:8]) == _PNG_SIGNATURE and len(data) >= 24:
+        return _big_endian(data[16:20]), _big_endian(data[20:24])
+    if bytes(data[:2]) == b"\xff\xd8":
+        return _jpeg_size(data)
+    if bytes(data[:2]) == b"BM" and len(data) >= 26:
+        return _bmp_size(data)
+    if bytes(data[:4]) == b"RIFF" and bytes(data[8:12]) == b"WEBP" and len(data) >= 30:
+        return _webp_size(data)
+    return None
+
+
+def displayed_size(file: BinaryIO) -> tuple[int, int] | None:
+    """(width, height) px of a picture as it is shown; None where only decoding tells, as where EXIF
+    data may turn it.
+
+    Of a png or webp the heads of all chunks are read, as EXIF may follow the pixels.
+
+    Args:
+        file: seekable.
+
+    Raises:
+        OSError: it cannot be read.
+    """
+    file.seek(0)
+    start = file.read(_HEADER_BYTES)
+    if start[:8] == _PNG_SIGNATURE:
+        turned = _may_have_exif(file, 8, _png_chunk)
+    elif start[:4] == b"RIFF":
+        turned = _may_have_exif(file, 12, _webp_chunk)
+    else:
+        turned = b"Exif" in start
+    return None if turned else header_size(start)
+
+
+def _may_have_exif(file: BinaryIO, place: int, chunk: Callable[[bytes], tuple[bytes, int]]) -> bool:
+    """Whether a chunk from a place of the file on is EXIF, or lies beyond its end."""
+    end = file.seek(0, os.SEEK_END)
+    while place + 8 <= end:
+        file.seek(place)
+        kind, length = chunk(file.read(8))
+        if kind == b"IEND":  # some programs append their own data
+            return False
+        if kind.upper() == b"EXIF":
+            return True
+        place += length
+    return place != end
+
+
+def _png_chunk(head: bytes) -> tuple[bytes, int]:
+    """Its kind, and its length with head and checksum."""
+    return head[4:], 12 + _big_endian(head[:4])
+
+
+def _webp_chunk(head: bytes) -> tuple[bytes, int]:
+    """Its kind, and its length with head and the byte that makes it even."""
+    length = _little_endian(head[4:])
+    return head[:4], 8 + length + length % 2
+
+
+def is_truncated_png(data: bytes | memoryview) -> bool:
+    """Whether a png announces more than the file holds.
+
+    Decoders make room for what is announced: 41 bytes can ask for 2 GB and seconds of time.
+    """
+    if bytes(data[:8]) != _PNG_SIGNATURE:
+        return False
+    place = 8
+    while place + 8 <= len(data):
+        if bytes(data[place + 4 : place + 8]) == b"IEND":  # some programs append their own data
+            return False
+        place += 12 + _big_endian(data[place : place + 4])  # length, kind, content, checksum
+    return place > len(data)
+
+
+def _big_endian(part: bytes | memoryview) -> int:
+    return int.from_bytes(part, "big")
+
+
+def _little_endian(part: bytes | memoryview) -> int:
+    return int.from_bytes(part, "little")
+
+
+def _jpeg_size(data: bytes | memoryview) -> tuple[int, int] | None:
+    place = 2
+    while place + 9 < len(data):
+        if data[place] != 0xFF:
+            return None
+        marker = data[place + 1]
+        if marker == 0xFF:  # filling
+            place += 1
+        elif marker in _JPEG_MARKERS_WITHOUT_LENGTH:
+            place += 2
+        elif marker in _JPEG_FRAME_MARKERS:
+            return _big_endian(data[place + 7 : place + 9]), _big_endian(
+                data[place + 5 : place + 7]
+            )
+        else:
+            place += 2 + max(2, _big_endian(data[place + 2 : place + 4]))
+    return None
+
+
+def _bmp_size(data: bytes | memoryview) -> tuple[int, int]:
+    if _little_endian(data[14:18]) == 12:  # the oldest kind has 16 bit sizes
+        return _little_endian(data[18:20]), _little_endian(data[20:22])
+    width = int.from_bytes(data[18:22], "little", signed=True)
+    height = int.from_bytes(data[22:26], "little", signed=True)  # negative: top row first
+    return abs(width), abs(height)
+
+
+def _webp_size(data: bytes | memoryview) -> tuple[int, int] | None:
+    kind = bytes(data[12:16])
+    if kind == b"VP8X":
+        return _little_endian(data[24:27]) + 1, _little_endian(data[27:30]) + 1
+    if kind == b"VP8L":
+        bits = _little_endian(data[21:25])
+        return (bits & 0x3FFF) + 1, (bits >> 14 & 0x3FFF) + 1
+    if kind == b"VP8 ":
+        return _little_endian(data[26:28]) & 0x3FFF, _little_endian(data[28:30]) & 0x3FFF
+    return None

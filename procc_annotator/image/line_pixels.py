@@ -1,0 +1,275 @@
+"""Detect line pixels in the whole image: ridges on the field mask, thinned and linked.
+
+A line is a band lighter or darker than both its sides: there the picture curves much across and
+little along. What is narrow in a crowd, on boards and in letters is so too: the colour of the
+ground tells where to look, and a ridge counts only where others of its direction continue it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from procc_annotator.image.field_mask import field_mask, floor_mask, floor_regions
+from procc_annotator.image.pixels import PixelArray
+
+FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.intp]
+BoolArray = NDArray[np.bool_]
+Values = NDArray[np.float32]
+
+_WORKING_WIDTH_PX = 1280  # paint is seen as well in a picture made smaller, in less time
+_RIDGE_SIGMAS_PX = (1.2, 2.0)
+_MIN_RIDGE_RESPONSE = 2.5
+# A ridge is lighter than both sides, so many px away; beside a step only one of them is darker.
+_FLANK_DISTANCES_PX, _MIN_CONTRAST, _CONTRAST_SHARE = (4, 7), 2.0, 0.3
+# A ridge goes on so far to one side at least, in small steps, perhaps bending a little.
+_CONTINUATION_PX, _CONTINUATION_STEP_PX, _CONTINUATION_CURVATURES, _MIN_SHARE = (
+    36,
+    4,
+    (-0.006, 0.0, 0.006),
+    0.7,
+)
+_SAME_DIRECTION_COSINE = np.cos(2 * np.radians(14.0))
+_MASK_MARGIN_PX, _MASK_INNER_PX, _IMAGE_BORDER_PX = 12, 4, 4
+_TEXTURE_WINDOW_PX, _MIN_TEXTURE_RATIO = (
+    96,
+    12.0,
+)  # a ridge is so many times as strong as usual about it
+_WIDE_LINE_REDUCTION = 3
+_FILTER_MARGIN_PX = 16  # farther from a place nothing changes what is found there
+
+
+@dataclass(frozen=True, eq=False)
+class LinePixels:
+    """Where a picture shows paint, or what looks like it.
+
+    Attributes:
+        size: (width, height) px of the picture.
+        points: (2, N) picture px, on the middle of the paint; row by row.
+        along: (N,) rad, the line's direction in the picture, 0 to pi.
+        on_ground: (N,) whether it is well inside the ground; the others lie at its rim, where a
+            touchline may be, or boards.
+        ground: (h, 320) 1 where the ground is, players on it included.
+    """
+
+    size: tuple[int, int]
+    points: FloatArray
+    along: FloatArray
+    on_ground: BoolArray
+    ground: NDArray[np.uint8]
+
+
+def detect_line_pixels(
+    picture: PixelArray,
+    *,
+    light: bool = True,
+    dark: bool = False,
+    floor: bool = False,
+    wide: bool = False,
+) -> LinePixels:
+    """Find what looks like the paint of lines in a picture.
+
+    Args:
+        picture: (H, W, 3 or 4) BGR or BGRA.
+        light, dark: whether paint is lighter, or darker, than what lies beside it.
+        floor: whether the ground is the floor of a hall, of several colours and with a grain;
+            otherwise it is of one.
+        wide: whether some lines may be many px wide.
+    """
+    height, width = picture.shape[:2]
+    shrink = max(width / _WORKING_WIDTH_PX, 1.0)
+    small = np.ascontiguousarray(picture)
+    if shrink > 1:
+        size = (_WORKING_WIDTH_PX, max(round(height / shrink), 1))
+        small = np.asarray(cv2.resize(small, size, interpolation=cv2.INTER_AREA), dtype=np.uint8)
+    small = np.ascontiguousarray(small[:, :, :3])
+    pieces = floor_regions(small) if floor else [field_mask(small)]
+    if not pieces:
+        return _no_line_pixels((width, height))
+    beside = _search_mask(np.bitwise_or.reduce(pieces), small.shape)
+    signs = [sign for sign, wanted in ((1, light), (-1, dark)) if wanted]
+    # White paint is light in all colours, coloured paint dark in one of them.
+    blue, green, red = cv2.split(small)
+    grey = cv2.min(cv2.min(blue, green), red).astype(np.float32)
+    places, along = _linked_ridges(grey, beside, signs)
+    if wide:
+        more = _wide_ridges(grey, beside, signs)
+        places = np.concatenate([places, more[0]], axis=1)
+        along = np.concatenate([along, more[1]])
+    ground = pieces[0]
+    if floor:
+        ground = floor_mask(pieces, _count_per_cell(places, ground.shape, small.shape))
+        column, row = np.rint(places).astype(np.intp)
+        kept = _search_mask(ground, small.shape)[row, column]
+        places, along = places[:, kept], along[kept]
+    whole = cv2.resize(ground, small.shape[1::-1], interpolation=cv2.INTER_NEAREST)
+    inner = cv2.erode(whole, np.ones((2 * _MASK_INNER_PX + 1,) * 2, np.uint8)) > 0
+    column, row = np.rint(places).astype(np.intp)
+    return LinePixels(
+        (width, height), (places + 0.5) * shrink - 0.5, along, inner[row, column], ground
+    )
+
+
+def _linked_ridges(
+    grey: Values, where: BoolArray, signs: Sequence[int]
+) -> tuple[FloatArray, FloatArray]:
+    """(2, n) px on the middle of ridges that go on, and (n,) rad their directions."""
+    part, corner = _search_window(where)
+    grained = len(signs) > 1
+    found = [_ridges(grey[part] * np.float32(sign), where[part], grained) for sign in signs]
+    places, along = (np.concatenate(one, axis=-1) for one in zip(*found, strict=True))
+    places = places + corner
+    kept = _is_continued(places, along, grey.shape)
+    return places[:, kept], along[kept]
+
+
+def _wide_ridges(
+    grey: Values, where: BoolArray, signs: Sequence[int]
+) -> tuple[FloatArray, FloatArray]:
+    """The same of ridges so wide that they show in a smaller picture only."""
+    size = (grey.shape[1] // _WIDE_LINE_REDUCTION, grey.shape[0] // _WIDE_LINE_REDUCTION)
+    small = np.asarray(cv2.resize(grey, size, interpolation=cv2.INTER_AREA), dtype=np.float32)
+    there = cv2.resize(where.astype(np.uint8), size, interpolation=cv2.INTER_NEAREST) > 0
+    there[:_IMAGE_BORDER_PX] = there[-_IMAGE_BORDER_PX:] = False
+    there[:, :_IMAGE_BORDER_PX] = there[:, -_IMAGE_BORDER_PX:] = False
+    places, along = _linked_ridges(small, there, signs)
+    scale = np.array([[grey.shape[1] / size[0]], [grey.shape[0] / size[1]]])
+    return (places + 0.5) * scale - 0.5, along
+
+
+def _no_line_pixels(size: tuple[int, int]) -> LinePixels:
+    nothing = np.zeros(0)
+    ground = np.zeros((1, 1), dtype=np.uint8)
+    return LinePixels(size, np.zeros((2, 0)), nothing, nothing > 0, ground)
+
+
+def _search_mask(ground: NDArray[np.uint8], shape: tuple[int, ...]) -> BoolArray:
+    """Where paint is looked for: on the ground and at its rim, not at the picture's border."""
+    wide = cv2.resize(ground, shape[1::-1], interpolation=cv2.INTER_NEAREST)
+    beside = cv2.dilate(wide, np.ones((2 * _MASK_MARGIN_PX + 1,) * 2, np.uint8)) > 0
+    beside[:_IMAGE_BORDER_PX] = beside[-_IMAGE_BORDER_PX:] = False
+    beside[:, :_IMAGE_BORDER_PX] = beside[:, -_IMAGE_BORDER_PX:] = False
+    return np.asarray(beside)
+
+
+def _count_per_cell(places: FloatArray, cells: tuple[int, ...], shape: tuple[int, ...]) -> IntArray:
+    """(h, 320) how many places (2, n) lie in each cell."""
+    column, row = (
+        (places[axis] * cells[1 - axis] / shape[1 - axis]).astype(np.intp) for axis in (0, 1)
+    )
+    counts = np.bincount(row * cells[1] + column, minlength=cells[0] * cells[1])
+    return counts.reshape(cells)
+
+
+def _search_window(where: BoolArray) -> tuple[tuple[slice, slice], FloatArray]:
+    """The part of a picture that is looked at, with what the filters need beside it; and (2, 1) px
+    from the picture's corner to that of the part."""
+    rows, columns = (np.flatnonzero(where.any(axis=axis)) for axis in (1, 0))
+    if not len(rows):
+        return (slice(0, 1), slice(0, 1)), np.zeros((2, 1))
+    begins = [max(int(one[0]) - _FILTER_MARGIN_PX, 0) for one in (rows, columns)]
+    ends = [int(one[-1]) + _FILTER_MARGIN_PX + 1 for one in (rows, columns)]
+    part = slice(begins[0], ends[0]), slice(begins[1], ends[1])
+    return part, np.array([[begins[1]], [begins[0]]], dtype=np.float64)
+
+
+def _ridges(grey: Values, where: BoolArray, grained: bool) -> tuple[FloatArray, FloatArray]:
+    """(2, n) px on the middle of light ridges, and (n,) rad their directions; those that stand out
+    of what is around them, where there may be a grain."""
+    strength, directed = _ridge_curvature(grey)
+    least: Any = _MIN_RIDGE_RESPONSE
+    if grained:
+        usual = (
+            cv2.blur(np.sqrt(np.maximum(strength, 0)), (_TEXTURE_WINDOW_PX, _TEXTURE_WINDOW_PX))
+            ** 2
+        )
+        least = np.maximum(_MIN_TEXTURE_RATIO * usual, _MIN_RIDGE_RESPONSE)
+    rows, columns = np.nonzero((strength > least) & where)
+    apart, mixed = directed(rows, columns)
+    along = 0.5 * np.arctan2(mixed, apart)
+    across = np.stack([-np.sin(along), np.cos(along)])
+    step = np.rint(across).astype(np.intp)
+    here = strength[rows, columns]
+    after = strength[rows + step[1], columns + step[0]]
+    before = strength[rows - step[1], columns - step[0]]
+    # Thinned: a middle is stronger than what lies to either side; to parts of a px by a parabola.
+    middle = (here >= after) & (here > before)
+    off = np.clip(0.5 * (after - before) / (2 * here - after - before + 1e-6), -0.6, 0.6)
+    places = np.stack([columns, rows]) + off * step
+    places, along, across = places[:, middle], along[middle], across[:, middle]
+    smooth = np.asarray(cv2.GaussianBlur(grey, (0, 0), 1.0), dtype=np.float32)
+    contrast = _ridge_contrast(smooth, places, across)
+    kept = contrast > np.maximum(_MIN_CONTRAST, _CONTRAST_SHARE * here[middle])
+    return places[:, kept], np.mod(along[kept], np.pi)
+
+
+def _ridge_curvature(
+    grey: Values,
+) -> tuple[Values, Callable[[IntArray, IntArray], tuple[Values, Values]]]:
+    """How much a picture curves across less how much along, at the scale where that is most; and
+    what tells, at rows and columns, the two numbers for the direction, xx - yy and twice xy."""
+    scales = []
+    for sigma in _RIDGE_SIGMAS_PX:
+        smooth = cv2.GaussianBlur(grey, (0, 0), sigma)
+        xx, yy, xy = (
+            cv2.Sobel(smooth, cv2.CV_32F, *order, ksize=3, scale=times * sigma**2 / 4)
+            for order, times in (((2, 0), 1), ((0, 2), 1), ((1, 1), 2))
+        )
+        apart = cv2.subtract(xx, yy)
+        # Less one curvature than the other, or than nothing where the other is no hollow's.
+        strength = cv2.min(-cv2.add(xx, yy), cv2.magnitude(apart, xy))
+        scales.append((np.asarray(strength, dtype=np.float32), apart, xy))
+    (fine, *_), (wide, *_) = scales
+
+    def directed(rows: IntArray, columns: IntArray) -> tuple[Values, Values]:
+        wider = wide[rows, columns] > fine[rows, columns]
+        apart, xy = (
+            np.where(wider, scales[1][i][rows, columns], scales[0][i][rows, columns])
+            for i in (1, 2)
+        )
+        return apart, xy
+
+    return np.maximum(fine, wide), directed
+
+
+def _ridge_contrast(grey: Values, places: FloatArray, across: FloatArray) -> FloatArray:
+    """(n,) grey levels that places are lighter than the lighter of their sides."""
+
+    def at(off: int) -> FloatArray:
+        column, row = np.rint(places + off * across).astype(np.intp)
+        height, width = grey.shape
+        return np.asarray(grey[row.clip(0, height - 1), column.clip(0, width - 1)])
+
+    middle = at(0)
+    sides = [np.maximum(at(off), at(-off)) for off in _FLANK_DISTANCES_PX]
+    return np.asarray(middle - np.minimum(*sides))
+
+
+def _is_continued(places: FloatArray, along: FloatArray, shape: tuple[int, ...]) -> BoolArray:
+    """(n,) whether others of like direction continue a ridge, to one side at least."""
+    height, width = shape
+    columns, rows = np.rint(places).astype(np.intp)
+    direction = np.stack([np.cos(2 * along), np.sin(2 * along)]).astype(np.float32)
+    field = np.zeros((2, height, width), dtype=np.float32)
+    for dy, dx in ((-1, -1), (-1, 1), (1, -1), (1, 1), (-1, 0), (1, 0), (0, -1), (0, 1), (0, 0)):
+        row, column = (rows + dy).clip(0, height - 1), (columns + dx).clip(0, width - 1)
+        field[:, row, column] = direction
+    steps = np.arange(_CONTINUATION_STEP_PX, _CONTINUATION_PX + 1, _CONTINUATION_STEP_PX)
+    cosine, sine = np.cos(along)[:, None], np.sin(along)[:, None]
+    most = np.zeros(len(along), dtype=np.intp)
+    for way in (1, -1):
+        for bend in _CONTINUATION_CURVATURES:
+            ahead, aside = way * steps, way * bend * steps**2
+            x = np.rint(places[0][:, None] + ahead * cosine - aside * sine).astype(np.intp)
+            y = np.rint(places[1][:, None] + ahead * sine + aside * cosine).astype(np.intp)
+            inside = (x >= 0) & (x < width) & (y >= 0) & (y < height)
+            x, y = x.clip(0, width - 1), y.clip(0, height - 1)
+            like = field[0, y, x] * direction[0][:, None] + field[1, y, x] * direction[1][:, None]
+            most = np.maximum(most, ((like > _SAME_DIRECTION_COSINE) & inside).sum(axis=1))
+    return np.asarray(most >= _MIN_SHARE * len(steps))

@@ -1,0 +1,267 @@
+"""Drawing tool: clicks along an element snapped to its line, and the cursor state."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from procc_annotator.annotation import Point, point_from_px, points_px
+from procc_annotator.dataset import editing
+from procc_annotator.dataset.records import PointKey
+from procc_annotator.interaction import gestures
+from procc_annotator.interaction.gestures import (
+    IGNORED,
+    Edit,
+    Modifiers,
+    Position,
+    Reaction,
+    Selection,
+    ToolContext,
+    confirmation,
+    line_direction,
+    point_key,
+)
+from procc_annotator.interaction.overlay_primitives import NO_DRAFT_STATE, Draft, DraftState, Snap
+from procc_annotator.translation import tr, tr_count
+
+
+@dataclass
+class DrawTool:
+    """Clicks along an element; one that has points already is continued at its last one if a hand
+    chose it for that.
+
+    Continuing an unconfirmed element confirms it.
+    """
+
+    class_name: str | None = None
+    points: list[Position] = field(default_factory=list)
+    unnamed: bool = False  # what is drawn is to be named after
+    _snapped: set[Position] = field(default_factory=set)
+    _spot_placed: bool = False  # by the click before, which a double click would repeat
+    _first: Position | None = None  # where the first click was meant, if it may be snapped again
+
+    @property
+    def busy(self) -> bool:
+        """Whether a polyline is under way."""
+        return bool(self.points)
+
+    def draft(
+        self,
+        selected_class: str | None,
+        cursor: Position | None,
+        landing: Position | None = None,
+        hand: DraftState = NO_DRAFT_STATE,
+    ) -> Draft | None:
+        """What to show: the polyline under way, or the class the next click begins."""
+        name = self.class_name if self.busy else selected_class
+        if name is None:
+            return None
+        return Draft(name, tuple(self.points), cursor, landing, hand)
+
+    def landing(
+        self, position: Position, modifiers: Modifiers, context: ToolContext
+    ) -> Position | None:
+        """Where a click here would be put by snapping; None: exactly here."""
+        name = self.class_name if self.busy else context.clicked_class
+        if name is None:
+            return None
+        direction = self._direction(name, position, context)
+        return context.snapped(name, position, modifiers, direction)
+
+    def press(self, position: Position, modifiers: Modifiers, context: ToolContext) -> Reaction:
+        """Add a point; the first one finishes a spot, the second one a straight element where that
+        is wanted."""
+        self._spot_placed = False
+        if not self.busy:
+            begun = context.clicked_class or context.unnamed
+            if begun is None:
+                return Reaction(message=tr("choose an element first: field map, list, or its key"))
+            self.class_name, self.unnamed = begun, context.clicked_class is None
+            if self.class_name in context.spots:
+                return self._place(self.class_name, position, context)
+        placed = self.landing(position, modifiers, context)
+        if not self.points:
+            self._first = None if modifiers.ctrl else position
+        elif len(self.points) == 1:
+            self._snap_first_again(position, context)
+        if placed is not None:
+            self._snapped.add(placed)
+        self.points.append(placed if placed is not None else position)
+        if context.is_two_point_element and self._is_complete(context):
+            return self.finish(context, finished=True)
+        return Reaction(select=Selection(None)) if self.unnamed else Reaction()
+
+    def move(self, position: Position, modifiers: Modifiers, context: ToolContext) -> Reaction:
+        return IGNORED
+
+    def release(self, position: Position, modifiers: Modifiers, context: ToolContext) -> Reaction:
+        return IGNORED
+
+    def double_click(
+        self, position: Position, modifiers: Modifiers, context: ToolContext
+    ) -> Reaction:
+        """Finish: the first click of the two has already added its point."""
+        if self._spot_placed:
+            self._spot_placed = False
+            return IGNORED  # the first of the two clicks was all that there is to do
+        if self.busy:
+            return self.finish(context, finished=True)
+        if context.is_two_point_element:
+            return IGNORED  # the first of the two clicks has just finished the element
+        return self.press(position, modifiers, context)
+
+    def key(self, name: str, context: ToolContext, *, shift: bool = False) -> Reaction:
+        """Enter finishes (with Shift: and stays with this element) or confirms an unconfirmed
+        element, Backspace takes back the last point, Escape cancels, then deselects."""
+        if not self.busy:
+            if context.selected_class is None:
+                return IGNORED
+            if name == "Escape":
+                return Reaction(select=Selection(None))
+            return confirmation(context) if name == "Enter" else IGNORED
+        if name == "Enter":
+            return self.finish(context, finished=not shift)
+        if name == "Backspace":
+            self.points.pop()
+            return Reaction()
+        if name == "Escape":
+            self.points.clear()
+            return Reaction(cancelled=True)
+        return IGNORED
+
+    def finish(self, context: ToolContext, *, finished: bool = False) -> Reaction:
+        """Make what was clicked an edit; also used before anything that would leave the frame."""
+        if not self.busy or self.class_name is None:
+            return IGNORED
+        name = self.class_name
+        points, snapped = self.drawn(context)
+        self.points.clear()
+        self._snapped.clear()
+        goes_on, title = context.polyline(name) is not None, context.title(name)
+        edited = editing.append_points(editing.confirm(context.annotation, name), name, points)
+        label = gestures.drawing(title, goes_on=goes_on)
+        edit = Edit(label, edited, snapped=snapped)
+        if self.unnamed:
+            asked = name if finished else None
+            return Reaction(edit=edit, select=Selection(name), completed=name, to_name=asked)
+        return Reaction(edit=edit, select=Selection(name), finished=finished, completed=name)
+
+    def drawn(self, context: ToolContext) -> tuple[tuple[Point, ...], frozenset[PointKey]]:
+        """The points under way, and those of them that were put on a line's centre."""
+        points = tuple(point_from_px(x, y, context.picture_size) for x, y in self.points)
+        on_line = zip(points, self.points, strict=True)
+        return points, frozenset(point_key(q) for q, p in on_line if p in self._snapped)
+
+    def call(self, name: str) -> bool:
+        """Give what is under way its name; False for what has one, or is named already."""
+        if not self.busy or not self.unnamed:
+            return False
+        self.class_name, self.unnamed = name, False
+        return True
+
+    def _place(self, name: str, position: Position, context: ToolContext) -> Reaction:
+        """A single place: where it was clicked before it is no more."""
+        self._spot_placed = True
+        moves, title = context.polyline(name) is not None, context.title(name)
+        point = point_from_px(*position, context.picture_size)
+        confirmed = editing.confirm(context.annotation, name)
+        drawn = confirmed.get(name)
+        if drawn is not None and len(drawn.points) == 1:
+            edited = editing.move_point(confirmed, name, 0, point)
+        else:
+            edited = editing.set_points(confirmed, name, [point])
+        label = gestures.moving(title) if moves else gestures.drawing(title)
+        edit = Edit(label, edited)
+        return Reaction(edit=edit, select=Selection(name), finished=True, completed=name)
+
+    def is_last_click(self, context: ToolContext) -> bool:
+        """Whether another click would finish the element by itself."""
+        name = self.class_name
+        return (
+            context.is_two_point_element
+            and not self.unnamed  # it may be a curve
+            and len(self.points) == 1
+            and name not in context.curved
+            and context.polyline(name) is None
+        )
+
+    def _is_complete(self, context: ToolContext) -> bool:
+        name = self.class_name
+        return (
+            name is not None
+            and not self.unnamed
+            and name not in context.curved
+            and len(self.points) == 2
+            and context.polyline(name) is None
+        )
+
+    def _snap_first_again(self, second: Position, context: ToolContext) -> None:
+        """Only now is a straight element's direction known, which finds its line more surely."""
+        name = self.class_name
+        if self._first is None or name is None or self.unnamed or name in context.curved:
+            return
+        if context.polyline(name) is not None:  # its earlier points told the direction
+            return
+        direction = line_direction(self._first, second)
+        if direction is None:
+            return
+        placed = context.snapped(name, self._first, Modifiers(), direction)
+        if placed is not None:
+            self._snapped.discard(self.points[0])
+            self._snapped.add(placed)
+            self.points[0] = placed
+
+    def _direction(self, name: str, position: Position, context: ToolContext) -> Position | None:
+        """Where a straight element runs, as far as its clicks tell."""
+        if name in context.curved or self.unnamed:
+            return None
+        drawn = context.polyline(name)
+        earlier = points_px(drawn, context.picture_size).tolist() if drawn is not None else []
+        line: list[Position] = [*((x, y) for x, y in earlier), *self.points]
+        if not line:
+            return None
+        # With one point, the line from it to this click is as good as two points.
+        return line_direction(line[0], line[-1]) or line_direction(line[0], position)
+
+
+# So many clicks are enough for points all along the line: see `assist.regularise`.
+_STRAIGHT, _CURVE = 2, 5
+
+
+def draft_with_cursor(
+    draw: DrawTool, context: ToolContext, cursor: Position | None, held: Modifiers
+) -> Draft | None:
+    """The polyline under way, with its line to the cursor and what is told there; before the first
+    click what that begins; None where it would begin nothing.
+
+    Args:
+        draw: the tool.
+        context: what the next click would work on.
+        cursor: where it would be.
+        held: keys.
+    """
+    name = draw.class_name if draw.busy else context.clicked_class
+    if name is None or cursor is None:
+        return draw.draft(context.clicked_class, cursor)
+    landing = draw.landing(cursor, held, context)
+    hand = _draft_state(name, len(draw.points), context, landing, suspended=held.ctrl)
+    return draw.draft(context.clicked_class, cursor, landing, hand)
+
+
+def _draft_state(
+    class_name: str, drawn: int, context: ToolContext, landing: Position | None, *, suspended: bool
+) -> DraftState:
+    points = drawn + context.point_count(class_name)
+    if class_name in context.spots:
+        return DraftState(points, max(0, 1 - points))
+    snap: Snap = "found" if landing is not None else "none"
+    if context.snap is None or suspended:
+        snap = "off"
+    needed = _CURVE if class_name in context.curved else _STRAIGHT
+    return DraftState(points, max(0, needed - points), snap)
+
+
+def draft_words(hand: DraftState) -> str:
+    """The same in words."""
+    if hand.missing:
+        return tr_count(hand.missing, "{n} to go", "{n} to go")
+    return tr_count(hand.points, "{n} point", "{n} points")

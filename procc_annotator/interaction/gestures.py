@@ -1,0 +1,320 @@
+"""Tool context, reactions and edits of gestures; undo step names; edits of selected points."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from procc_annotator.annotation import FrameAnnotation, Point, Polyline, points_px
+from procc_annotator.dataset import editing
+from procc_annotator.dataset.editing import PointRef
+from procc_annotator.dataset.records import OriginKind, PointKey
+from procc_annotator.translation import translatable, translatable_count
+
+
+def drawing(title: str, *, goes_on: bool = False) -> str:
+    """Points of an element were clicked; ``is_resuming``: behind those it had."""
+    if goes_on:
+        return translatable("continue {title}", title=translatable(title))
+    return translatable("draw {title}", title=translatable(title))
+
+
+def confirming(title: str) -> str:
+    """An unconfirmed element counts from now on."""
+    return translatable("confirm {title}", title=translatable(title))
+
+
+def moving(title: str) -> str:
+    """A point of an element, or a single place, is elsewhere."""
+    return translatable("move {title}", title=translatable(title))
+
+
+def moving_all(title: str) -> str:
+    """An element is elsewhere as a whole."""
+    return translatable("move all of {title}", title=translatable(title))
+
+
+def moving_points(count: int) -> str:
+    """Several points are elsewhere."""
+    return translatable_count(count, "move {n} point", "move {n} points")
+
+
+def nudging(title: str) -> str:
+    """The arrows moved points of one element."""
+    return translatable("nudge {title}", title=translatable(title))
+
+
+def nudging_points(count: int) -> str:
+    """The arrows moved points of several elements."""
+    return translatable_count(count, "nudge {n} point", "nudge {n} points")
+
+
+def inserting(title: str) -> str:
+    """A line has a point more."""
+    return translatable("insert a point in {title}", title=translatable(title))
+
+
+def deleting(title: str) -> str:
+    """An element is gone."""
+    return translatable("delete {title}", title=translatable(title))
+
+
+def deleting_point(number: int, title: str) -> str:
+    """A point of an element is gone; the first one is 1."""
+    return translatable(
+        "delete point {number} of {title}", number=number, title=translatable(title)
+    )
+
+
+def deleting_points(count: int) -> str:
+    """Several points are gone."""
+    return translatable_count(count, "delete {n} point", "delete {n} points")
+
+
+Position = tuple[float, float]
+
+# A class, a position and the element's direction there (None: unknown) to the centre of its paint,
+# or None.
+Snapper = Callable[[str, Position, Position | None], Position | None]
+
+# Where each arrow key goes.
+ARROWS: dict[str, Position] = {
+    "Left": (-1, 0),  # not shown
+    "Right": (1, 0),  # not shown
+    "Up": (0, -1),
+    "Down": (0, 1),  # not shown
+}
+
+_LONG_ENOUGH_PX = 30.0  # two clicks nearer than this do not tell a line's direction
+
+
+@dataclass(frozen=True, slots=True)
+class Modifiers:
+    """Keys held during a mouse event."""
+
+    alt: bool = False
+    shift: bool = False
+    ctrl: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class ToolContext:
+    """What a tool may look at.
+
+    Attributes:
+        annotation: the finished annotation of the frame.
+        picture_size: (width, height) px.
+        view_scale: screen px per picture px.
+        selected_class, selected_point: the selection.
+        selected_points: all selected points, when there are several.
+        curved: classes that are no straight lines; their direction changes along them.
+        snap: finds the centre of a class's paint near a position; None: snapping is off.
+        pinned: elements as a whole cannot be dragged.
+        two_clicks_finish: a straight element is finished by its second click.
+        title: what people call a class.
+        spots: classes that are single places: one click annotates them, and no line is near.
+        unnamed: the class of a line that is named after it was drawn; None: classes come first.
+        continues: whether clicks add to the points the selected element has.
+    """
+
+    annotation: FrameAnnotation
+    picture_size: tuple[int, int]
+    view_scale: float = 1.0
+    selected_class: str | None = None
+    selected_point: PointRef | None = None
+    selected_points: frozenset[PointRef] = frozenset()
+    curved: frozenset[str] = frozenset()
+    snap: Snapper | None = None
+    pinned: bool = True
+    is_two_point_element: bool = False
+    title: Callable[[str], str] = str.strip
+    spots: frozenset[str] = frozenset()
+    unnamed: str | None = None
+    continues: bool = False
+
+    @property
+    def clicked_class(self) -> str | None:
+        """The class that clicks begin or continue: never one that is finished or copied, unless it
+        was chosen to be continued."""
+        name = self.selected_class
+        return name if self.continues or self.polyline(name) is None else None
+
+    @property
+    def chosen_points(self) -> frozenset[PointRef]:
+        """All selected points that the annotation still has."""
+        chosen = self.selected_points
+        if self.selected_point is not None:
+            chosen |= {self.selected_point}
+        return frozenset(ref for ref in chosen if self._exists(ref))
+
+    def polyline(self, class_name: str | None) -> Polyline | None:
+        """A class's polyline, confirmed or not."""
+        if class_name is None:
+            return None
+        found = self.annotation.get(class_name)
+        return found if found is not None else self.annotation.get_unconfirmed(class_name)
+
+    def point_count(self, class_name: str | None) -> int:
+        """Points of a class; 0 when it has none."""
+        polyline = self.polyline(class_name)
+        return len(polyline.points) if polyline is not None else 0
+
+    def is_unconfirmed(self, class_name: str) -> bool:
+        """Whether nobody has decided yet where this element is."""
+        return self.annotation.get_unconfirmed(class_name) is not None
+
+    def _exists(self, ref: PointRef | None) -> bool:
+        return ref is not None and ref[1] < self.point_count(ref[0])
+
+    def snapped(
+        self, class_name: str, position: Position, modifiers: Modifiers, direction: Position | None
+    ) -> Position | None:
+        """The line's centre near a position; None without a line, for a class that has none, or
+        while Ctrl suspends it."""
+        if self.snap is None or modifiers.ctrl or class_name in self.spots:
+            return None
+        return self.snap(class_name, position, direction)
+
+
+@dataclass(frozen=True, slots=True)
+class Edit:
+    """A finished gesture: its name in the history, and the annotation it leads to.
+
+    ``kind`` says how its new points came to be; those in ``snapped`` were put on a line's centre.
+    """
+
+    label: str
+    annotation: FrameAnnotation
+    kind: OriginKind = OriginKind.CLICKED
+    snapped: frozenset[PointKey] = frozenset()
+
+
+@dataclass(frozen=True, slots=True)
+class Selection:
+    """What a gesture selects; ``point`` is an index in the class's polyline."""
+
+    class_name: str | None
+    point: int | None = None
+    points: frozenset[PointRef] = frozenset()
+
+
+@dataclass(frozen=True, slots=True)
+class Reaction:
+    """A tool's answer to an event; what is None stays as it is.
+
+    Attributes:
+        edit: the gesture ended with this.
+        preview: show this annotation while the gesture goes on.
+        cancelled: the gesture was given up; show the finished annotation again.
+        select: change the selection.
+        message: say this.
+        explanation: why nothing happened; said where it cannot be missed the first time.
+        finished: an element was finished by hand: the next one may be offered.
+        completed: the element that was finished or confirmed by hand.
+        to_name: the class of a line that was finished and has no name yet.
+        handled: the event meant something to the tool.
+    """
+
+    edit: Edit | None = None
+    preview: FrameAnnotation | None = None
+    cancelled: bool = False
+    select: Selection | None = None
+    message: str = ""
+    explanation: str = ""
+    finished: bool = False
+    completed: str | None = None
+    to_name: str | None = None
+    handled: bool = True
+
+
+IGNORED = Reaction(handled=False)
+
+
+def confirmation(context: ToolContext) -> Reaction:
+    """Confirm the selected element if it is unconfirmed, and go on to the next such one."""
+    name = context.selected_class
+    if name is None or not context.is_unconfirmed(name):
+        return IGNORED
+    edited = editing.confirm(context.annotation, name)
+    label = confirming(context.title(name))
+    return Reaction(
+        edit=Edit(label, edited, OriginKind.COPIED),
+        select=Selection(next_unconfirmed(context) or name),
+        finished=not edited.unconfirmed,
+        completed=name,
+    )
+
+
+def next_unconfirmed(context: ToolContext) -> str | None:
+    """The unconfirmed element that comes after the selected one, round and round."""
+    names = [p.class_name for p in context.annotation.unconfirmed]
+    at = names.index(context.selected_class) if context.selected_class in names else -1
+    others = [*names[at + 1 :], *names[: max(at, 0)]]
+    return others[0] if others else None
+
+
+def line_direction(begin: Position, end: Position) -> Position | None:
+    """Unit direction from one position to another; None when they are too near to tell."""
+    length = math.dist(begin, end)
+    if length < _LONG_ENOUGH_PX:
+        return None
+    return (end[0] - begin[0]) / length, (end[1] - begin[1]) / length
+
+
+def point_key(point: Point) -> PointKey:
+    """A point's identity within its frame."""
+    return point.u, point.v
+
+
+def confirmed(annotation: FrameAnnotation, chosen: frozenset[PointRef]) -> FrameAnnotation:
+    """An annotation with the elements of some points confirmed."""
+    for name in sorted({name for name, _ in chosen}):
+        annotation = editing.confirm(annotation, name)
+    return annotation
+
+
+def toggled(ref: PointRef, context: ToolContext) -> Reaction:
+    """One more point is chosen, or one fewer."""
+    chosen = context.chosen_points ^ {ref}
+    if not chosen:
+        return Reaction(select=Selection(ref[0]))
+    name, index = ref if ref in chosen else min(chosen)
+    return Reaction(select=Selection(name, index, frozenset(chosen)))
+
+
+def points_within(begin: Position, end: Position, context: ToolContext) -> set[PointRef]:
+    """The points in a rectangle, of unconfirmed elements too."""
+    left, right = sorted((begin[0], end[0]))
+    top, bottom = sorted((begin[1], end[1]))
+    inside: set[PointRef] = set()
+    for polyline in (*context.annotation.polylines, *context.annotation.unconfirmed):
+        for i, (x, y) in enumerate(points_px(polyline, context.picture_size).tolist()):
+            if left <= x <= right and top <= y <= bottom:
+                inside.add((polyline.class_name, i))
+    return inside
+
+
+def deletion(context: ToolContext, class_name: str, index: int) -> Reaction:
+    """A point goes; the next one of its element is chosen."""
+    base = editing.confirm(context.annotation, class_name)
+    edited = editing.delete_point(base, class_name, index)
+    left = edited.get(class_name)
+    after = min(index, len(left.points) - 1) if left is not None else None
+    label = deleting_point(index + 1, context.title(class_name))
+    return Reaction(edit=Edit(label, edited), select=Selection(class_name, after))
+
+
+def nudged(context: ToolContext, chosen: frozenset[PointRef], arrow: str, step: float) -> Reaction:
+    """The chosen points go one step of an arrow, picture px."""
+    width, height = context.picture_size
+    dx, dy = ARROWS[arrow]
+    base = confirmed(context.annotation, chosen)
+    edited = editing.move_points(base, chosen, dx * step / (width - 1), dy * step / (height - 1))
+    names = {name for name, _ in chosen}
+    label = (
+        nudging(context.title(next(iter(names))))
+        if len(names) == 1
+        else nudging_points(len(chosen))
+    )
+    return Reaction(edit=Edit(label, edited, OriginKind.MOVED))

@@ -1,0 +1,325 @@
+"""Status bar hints: what the next click, Enter and Esc do.
+
+These three come first in every state, since a narrow window shows only the beginning.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Literal
+
+from procc_annotator.field.model import Field
+from procc_annotator.interaction.draw_tool import DrawTool
+from procc_annotator.interaction.edit_tool import FAR_NUDGE_PX, FINE_NUDGE_PX, NUDGE_PX, EditTool
+from procc_annotator.interaction.gestures import ToolContext
+from procc_annotator.interaction.hit_test import Hit
+from procc_annotator.translation import tr, tr_count, word
+
+
+@dataclass(frozen=True, slots=True)
+class GhostHint:
+    """What there is to know of ghosts.
+
+    Attributes:
+        count: how many are shown.
+        current: the class of the one that is looked at.
+        points: how many points accepting it adds; None while they are looked for.
+        resumes: whether the next one is not the first: it comes behind where a walk was left.
+        coming: whether a walk waits for the ghosts of a new fit.
+    """
+
+    count: int = 0
+    current: str | None = None
+    points: int | None = None
+    resumes: bool = False
+    coming: bool = False
+
+
+SEPARATOR = "  •  "
+_NOTHING_TO_DO = word("click, Enter and Esc do nothing yet")
+_NAMED_AFTER = word("click begins a line that is named after")
+
+
+@dataclass(frozen=True, slots=True)
+class _HintText:
+    """The phrases of a state.
+
+    Attributes:
+        tool: what is in hand, and what it is at.
+        click: what a click does; "" where the other answers tell.
+        answers: what Enter and Esc do.
+        more: what else there is to know.
+    """
+
+    tool: str
+    click: str
+    answers: tuple[str, ...]
+    more: tuple[str, ...] = ()
+
+    @property
+    def said(self) -> list[str]:
+        """All of them in their order."""
+        return [self.tool, *filter(None, (self.click,)), *self.answers, *self.more]
+
+    def with_more_first(self, *phrases: str) -> _HintText:
+        """Something that is to be known before all else, next to what the keys do."""
+        return replace(self, more=(*phrases, *self.more))
+
+
+def status_hint(
+    mode: Literal["draw", "edit"],
+    draw: DrawTool,
+    edit: EditTool,
+    context: ToolContext | None,
+    field: Field,
+    *,
+    blocked: str = "",
+    over: Hit | None = None,
+    blind: bool = False,
+    upcoming: str | None = None,
+    suggested: str | None = None,
+    ghosts: GhostHint = GhostHint(),
+) -> str:
+    """Say what comes next.
+
+    Args:
+        mode: the tool in hand.
+        draw, edit: the tools.
+        context: None when no frame is open.
+        field: titles of the classes.
+        blocked: why the frame cannot be edited; empty when it can.
+        over: what is under the cursor in edit mode.
+        blind: the projection is hidden until the frame is committed.
+        upcoming: the class that is chosen by itself once this one is finished.
+        suggested: the class to draw next.
+        ghosts: how many there are, and which one is looked at.
+    """
+    if context is None:
+        offer = tr("Drop a folder of pictures here, or open one with Ctrl+O")
+        return SEPARATOR.join([offer, tr(_NOTHING_TO_DO)])
+    if blocked:
+        return SEPARATOR.join([tr("READ ONLY"), blocked, *_blocked_words(ghosts, field)])
+    if ghosts.current is not None and not draw.busy and not edit.busy:
+        by_hand = mode == "draw"
+        click = tr("click begins it by hand") if by_hand else _click_words(context, field, over)
+        said = _ghost_words(ghosts, _title(ghosts.current, field), click)
+    else:
+        drawing = mode == "draw"
+        words = (
+            _draw_words(draw, context, field, upcoming)
+            if drawing
+            else _edit_words(edit, context, field, over)
+        )
+        if not draw.busy and not edit.busy:
+            all_too = not context.is_unconfirmed(context.selected_class or "")  # Enter confirms it
+            words = _with_ghosts(words, ghosts, all_too=all_too)
+            if suggested is not None and (not drawing or suggested != context.selected_class):
+                words = words.with_more_first(tr("next: {title}", title=_title(suggested, field)))
+        said = words.said
+    if blind:
+        commits = tr("Ctrl+Enter commits the frame and shows the projection")
+        said = [tr("BLIND"), *said, commits]
+    return SEPARATOR.join(said)
+
+
+def _blocked_words(ghosts: GhostHint, field: Field) -> list[str]:
+    if ghosts.current is None and not ghosts.coming:
+        return [tr(_NOTHING_TO_DO)]
+    ghost = (
+        tr("GHOST {title}", title=_title(ghosts.current, field))
+        if ghosts.current is not None
+        else tr("GHOST the next one comes")
+    )
+    return [ghost, tr("click and Enter do nothing"), tr("Esc goes back"), tr("Tab goes on")]
+
+
+def _with_ghosts(words: _HintText, ghosts: GhostHint, *, all_too: bool) -> _HintText:
+    """What is to be said of ghosts while none is looked at."""
+    if ghosts.coming:
+        waits = tr("GHOST the next one comes in a moment")
+        return _HintText(waits, words.click, (tr("Enter does nothing yet"), tr("Esc goes back")))
+    if not ghosts.count:
+        return words
+    count = ghosts.count
+    tab = (
+        tr_count(count, "Tab: next of {n} ghost", "Tab: next of {n} ghosts")
+        if ghosts.resumes
+        else tr_count(count, "Tab: first of {n} ghost", "Tab: first of {n} ghosts")
+    )
+    return words.with_more_first(tab, *([tr("Shift+Enter: accept all")] if all_too else []))
+
+
+def _ghost_words(ghosts: GhostHint, title: str, click: str) -> list[str]:
+    if ghosts.points is None:
+        enter = tr("Enter accepts it")
+    elif ghosts.points:
+        enter = tr_count(ghosts.points, "Enter accepts {n} point", "Enter accepts {n} points")
+    else:
+        enter = tr("Enter does nothing: no line is found along it")
+    return [
+        tr("GHOST {title}", title=title),
+        click,
+        enter,
+        tr("Esc goes back"),
+        tr("Tab goes on"),
+        tr(". not visible here"),
+        tr("Shift+Enter: all"),
+    ]
+
+
+def _draw_words(
+    draw: DrawTool, context: ToolContext, field: Field, upcoming: str | None
+) -> _HintText:
+    if draw.busy and draw.class_name is not None:
+        return _drawing_words(draw, context, field, upcoming)
+    if context.selected_class is not None:
+        return _chosen_words(context.selected_class, context, field, upcoming)
+    if context.unnamed is not None:
+        first = tr("or choose its element first: field map, list, its key or /")
+        answers = (tr("Enter and Esc do nothing yet"), first)
+        return _HintText(tr("DRAW"), tr(_NAMED_AFTER), answers, _snap_words(context))
+    choose = tr("choose an element: field map, list, its key or /")
+    return _HintText(tr("DRAW"), "", (choose, tr(_NOTHING_TO_DO)))
+
+
+def _drawing_words(
+    draw: DrawTool, context: ToolContext, field: Field, upcoming: str | None
+) -> _HintText:
+    """While a line is under way."""
+    count, stay = len(draw.points), tuple[str, ...]()
+    if draw.unnamed:
+        tool = tr_count(count, "DRAW a line, {n} point", "DRAW a line, {n} points")
+        enter = tr("Enter or double-click finishes and asks its name")
+        stay = (tr("an element's key names it"),)
+    else:
+        title = _title(draw.class_name or "", field)
+        tool = tr_count(count, "DRAW {title}, {n} point", "DRAW {title}, {n} points", title=title)
+        enter = tr("Enter or double-click finishes")
+        if upcoming is not None:
+            following = _title(upcoming, field)
+            enter = tr("Enter or double-click finishes and goes on to {title}", title=following)
+            stay = (tr("Shift+Enter finishes and stays"),)
+    last = draw.is_last_click(context)
+    click = tr("click adds the second point and finishes") if last else tr("click adds a point")
+    back = tr("Backspace takes back the last point")
+    return _HintText(tool, click, (enter, tr("Esc cancels")), (*stay, back, *_snap_words(context)))
+
+
+def _chosen_words(
+    class_name: str, context: ToolContext, field: Field, upcoming: str | None
+) -> _HintText:
+    """While an element is chosen that the next click begins, continues or places."""
+    title, count = _title(class_name, field), context.point_count(class_name)
+    waiting, spot = context.is_unconfirmed(class_name), class_name in context.spots
+    tool = (
+        tr("DRAW {title}, unconfirmed", title=title) if waiting else tr("DRAW {title}", title=title)
+    )
+    enter = tr("Enter does nothing") if spot else tr("Enter does nothing yet")
+    if waiting:
+        enter = tr("Enter confirms it")
+    answers, more = (enter, tr("Esc deselects")), _point_words(context)
+    if context.clicked_class is None:
+        again = tr("choose it again, then clicks continue it")
+        return _HintText(tool, tr(_NAMED_AFTER) if context.unnamed else "", answers, (again, *more))
+    if spot:
+        following = _title(upcoming, field) if upcoming is not None else None
+        return _HintText(tool, _placing_words(following, placed=count > 0), answers, more)
+    click = (
+        tr_count(
+            count,
+            "click continues it after its {n} point",
+            "click continues it after its {n} points",
+        )
+        if count
+        else tr("click begins it")
+    )
+    return _HintText(tool, click, answers, (*more, *_snap_words(context)))
+
+
+def _placing_words(following: str | None, *, placed: bool) -> str:
+    """What a click does to a single place; ``following``: what comes after it."""
+    if following is None:
+        return tr("click moves it here") if placed else tr("click marks it")
+    if placed:
+        return tr("click moves it here and goes on to {title}", title=following)
+    return tr("click marks it and goes on to {title}", title=following)
+
+
+def _snap_words(context: ToolContext) -> tuple[str, ...]:
+    return (tr("hold Ctrl to click beside the line"),) if context.snap is not None else ()
+
+
+def _edit_words(edit: EditTool, context: ToolContext, field: Field, over: Hit | None) -> _HintText:
+    if edit.busy:
+        return _held_words(edit, context, field)
+    click, selected = _click_words(context, field, over), context.selected_class
+    enter = tr("Enter does nothing")
+    if selected is not None and context.is_unconfirmed(selected):
+        enter = tr("Enter confirms {title}", title=_title(selected, field))
+    if count := len(context.chosen_points):
+        lets_go = tr_count(count, "Esc lets go of the point", "Esc lets go of {n} points")
+        return _HintText(tr("EDIT"), click, (enter, lets_go), _point_words(context))
+    if selected is None:
+        return _HintText(tr("EDIT"), click, (tr("Enter and Esc do nothing"),))
+    removes = tuple[str, ...]()
+    if context.point_count(selected):
+        removes = (tr("Delete removes {title}", title=_title(selected, field)),)
+    return _HintText(tr("EDIT"), click, (enter, tr("Esc deselects")), removes)
+
+
+def _held_words(edit: EditTool, context: ToolContext, field: Field) -> _HintText:
+    """While the mouse holds something."""
+    nothing, back = tr("Enter does nothing"), tr("Esc puts it back")
+    drops = tr("release drops it here")
+    if edit.held == "frame":
+        chooses = tr("release chooses all points inside")
+        return _HintText(tr("EDIT choosing points"), chooses, (nothing, tr("Esc gives up")))
+    if edit.held == "points":
+        count = len(context.chosen_points)
+        return _HintText(
+            tr_count(count, "EDIT {n} point", "EDIT {n} points"), drops, (nothing, back)
+        )
+    if edit.grabbed is not None:
+        name, index = edit.grabbed
+        point = tr("EDIT point {number} of {title}", number=index + 1, title=_title(name, field))
+        if edit.inserting:
+            back = tr("Esc takes the new point away")
+        return _HintText(point, drops, (nothing, back))
+    if edit.held == "pinned":
+        selects = tr("release selects the element, which is pinned")
+        return _HintText(tr("EDIT"), selects, (nothing, tr("Esc lets go")))
+    return _HintText(tr("EDIT the element"), drops, (nothing, back))
+
+
+def _click_words(context: ToolContext, field: Field, over: Hit | None) -> str:
+    if over is not None and over.kind == "point":
+        return tr(
+            "drag moves point {number} of {title}, Alt+Shift+click removes it",
+            number=over.index + 1,
+            title=_title(over.class_name, field),
+        )
+    if over is not None:
+        title = _title(over.class_name, field)
+        return tr("click selects {title}, Alt+click inserts a point", title=title)
+    if not context.annotation.annotated and not context.annotation.unconfirmed:
+        return tr("click does nothing: there are no points to edit, draw an element first")
+    if context.chosen_points:
+        return tr("click a point to drag it, beside it to let go")
+    return tr("click or drag a point, drag on empty ground to choose several")
+
+
+def _point_words(context: ToolContext) -> tuple[str, ...]:
+    count = len(context.chosen_points)
+    if not count:
+        return ()
+    nudge = tr(
+        "arrows nudge {step:g} px, with Shift {fine:g} px, Ctrl {far:g} px",
+        step=NUDGE_PX,
+        fine=FINE_NUDGE_PX,
+        far=FAR_NUDGE_PX,
+    )
+    return nudge, tr_count(count, "Delete removes the point", "Delete removes {n} points")
+
+
+def _title(class_name: str, field: Field) -> str:
+    return tr(field.title_of(class_name))

@@ -1,0 +1,291 @@
+"""Confidence intervals of metrics, quantiles and curves; annotation-noise sensitivity."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+from statistics import NormalDist
+from typing import Literal, get_args
+
+import numpy as np
+
+from procc_annotator.metrics.polylines import FloatArray, IntArray
+from procc_annotator.metrics.statistics.bootstrap import (
+    BootstrapSample,
+    BootstrapSettings,
+    RatioMetrics,
+    bootstrap,
+)
+
+_STANDARD_NORMAL = NormalDist()
+_QUADRATURE_NODES, _QUADRATURE_WEIGHTS = np.polynomial.legendre.leggauss(64)
+_BISECTIONS = 60
+
+
+def normal_cdf(z: float) -> float:
+    """The share of a normal distribution below ``z`` standard deviations."""
+    return _STANDARD_NORMAL.cdf(z)
+
+
+def normal_ppf(share: float) -> float:
+    """The place, in standard deviations, below which a share in (0, 1) of it lies."""
+    return _STANDARD_NORMAL.inv_cdf(share)
+
+
+def student_t_cdf(t: float, freedom: float) -> float:
+    """The share of Student's distribution below ``t``.
+
+    Args:
+        freedom: degrees of freedom, above 0, not necessarily whole.
+    """
+    # With t = sqrt(freedom) tan(angle) the density is a power of the cosine.
+    half = math.atan(t / math.sqrt(freedom)) / 2
+    constant = math.exp(math.lgamma((freedom + 1) / 2) - math.lgamma(freedom / 2))
+    powers = np.cos(half * (_QUADRATURE_NODES + 1)) ** (freedom - 1)
+    return 0.5 + constant / math.sqrt(math.pi) * half * float(_QUADRATURE_WEIGHTS @ powers)
+
+
+@lru_cache(maxsize=512)
+def student_t_ppf(share: float, freedom: float) -> float:
+    """The place below which a share in (0, 1) of Student's distribution lies.
+
+    Args:
+        freedom: degrees of freedom, at least 1.
+    """
+    if share < 0.5:
+        return -student_t_ppf(1 - share, freedom)
+    low, high = 0.0, 1.0
+    while student_t_cdf(high, freedom) < share:
+        low, high = high, 2 * high
+    for _ in range(_BISECTIONS):
+        middle = (low + high) / 2
+        low, high = (middle, high) if student_t_cdf(middle, freedom) < share else (low, middle)
+    return (low + high) / 2
+
+
+IntervalMethodName = Literal["t", "percentile", "bca"]
+INTERVAL_METHODS: tuple[IntervalMethodName, ...] = get_args(IntervalMethodName)
+
+
+@dataclass(frozen=True, slots=True)
+class Interval:
+    """Where a figure lies, chance considered.
+
+    Attributes:
+        low, high: in the unit of the figure.
+        level: the share of sets in which the truth lies within.
+        method: how it was found.
+    """
+
+    low: float
+    high: float
+    level: float
+    method: IntervalMethodName
+
+    def excludes(self, value: float) -> bool:
+        """Whether a value lies outside."""
+        return not self.low <= value <= self.high
+
+
+def confidence_intervals(
+    sampled: BootstrapSample,
+    draws: BootstrapSettings,
+    method: IntervalMethodName = "t",
+    *,
+    expanded: bool = True,
+) -> list[Interval | None]:
+    """One interval a figure; None where fewer than two clusters count.
+
+    Args:
+        expanded: whether ``percentile`` and ``bca`` look farther out for few clusters; without,
+            they are what the textbooks call so.
+    """
+    deviations = sampled.deviation
+    found: list[Interval | None] = []
+    for k, value in enumerate(sampled.values):
+        if not math.isfinite(value) or not math.isfinite(deviations[k]):
+            found.append(None)
+            continue
+        far = critical_value(float(sampled.effective[k]), draws.level)
+        if method == "t":
+            half = far * float(deviations[k])
+            found.append(Interval(float(value) - half, float(value) + half, draws.level, method))
+            continue
+        tail = far if expanded else normal_ppf((1 + draws.level) / 2)
+        if expanded:  # sets drawn vary as if one cluster less told of it
+            count = int(sampled.counted[:, k].sum())
+            tail *= math.sqrt(count / (count - 1))
+        drawn = sampled.drawn[:, k]
+        ascending = np.sort(drawn[np.isfinite(drawn)])
+        without = sampled.without[sampled.counted[:, k], k]
+        found.append(
+            _interval_from_resamples(float(value), ascending, without, tail, draws.level, method)
+        )
+    return found
+
+
+def critical_value(effective: float, level: float) -> float:
+    """How many deviations an interval reaches to either side: Student's quantile for as many
+    clusters as there effectively are, less one."""
+    return student_t_ppf((1 + level) / 2, max(1.0, round(effective - 1, 6)))
+
+
+def bca_acceleration(without: FloatArray) -> float:
+    """How fast a figure's deviation changes with it (Efron 1987).
+
+    Args:
+        without: (G,) the figure without each cluster.
+    """
+    off = without.mean() - without
+    squares = float((off * off).sum())
+    return float((off**3).sum()) / (6 * squares**1.5) if squares > 0 else 0.0
+
+
+def _interval_from_resamples(
+    value: float,
+    ascending: FloatArray,
+    without: FloatArray,
+    tail: float,
+    level: float,
+    method: IntervalMethodName,
+) -> Interval | None:
+    if not len(ascending):
+        return None
+    ends = (-tail, tail)
+    if method == "bca":
+        below = np.searchsorted(ascending, value) + np.searchsorted(ascending, value, "right")
+        least = 0.5 / len(ascending)  # where all sets lie on one side of the figure
+        bias = normal_ppf(min(max(below / (2 * len(ascending)), least), 1 - least))
+        faster = bca_acceleration(without[np.isfinite(without)])
+        ends = tuple(bias + (bias + z) / (1 - faster * (bias + z)) for z in ends)  # type: ignore[assignment]
+    low, high = np.quantile(ascending, [normal_cdf(z) for z in ends])
+    return Interval(float(low), float(high), level, method)
+
+
+@dataclass(frozen=True, eq=False)
+class CurveBand:
+    """A curve over T thresholds with its band; NaN where there is none.
+
+    Attributes:
+        values: (T,) the curve.
+        low, high: (T,) between which the true curve runs everywhere at once, in as many sets as the
+            level says.
+    """
+
+    values: FloatArray
+    low: FloatArray
+    high: FloatArray
+
+    @property
+    def beyond_chance(self) -> FloatArray:
+        """(T,) 1 where the whole band lies above 0, -1 where it lies below, else 0."""
+        return np.where(self.low > 0, 1.0, np.where(self.high < 0, -1.0, 0.0))
+
+
+def curve_band(
+    sampled: BootstrapSample, draws: BootstrapSettings, least: float = -np.inf, most: float = np.inf
+) -> CurveBand:
+    """The band of a curve whose places are the figures sampled.
+
+    The largest deviation among all thresholds, in standard deviations of each, is taken from the
+    sets drawn (Montiel Olea and Plagborg-Møller, Journal of Applied Econometrics 2019); few
+    clusters widen it as they do an interval. Where no set drawn deviates the band has no width.
+
+    Args:
+        least, most: beyond which no curve can be.
+    """
+    deviation = sampled.deviation
+    half = np.where(np.isfinite(deviation), 0.0, np.nan)
+    # A set drawn may hold no frame that counts.
+    drawn = sampled.drawn[np.isfinite(sampled.drawn[:, np.isfinite(deviation)]).all(axis=1)]
+    spread = drawn.std(axis=0) if len(drawn) else np.zeros(len(deviation))
+    there = np.isfinite(deviation) & (spread > 0)
+    if there.any():
+        off = np.abs(drawn[:, there] - sampled.values[there]) / spread[there]
+        largest = float(np.quantile(off.max(axis=1), draws.level))
+        few = critical_value(float(sampled.effective[there].min()), draws.level)
+        few /= normal_ppf((1 + draws.level) / 2)
+        half[there] = largest * few * deviation[there]
+    low, high = (np.clip(sampled.values + side * half, least, most) for side in (-1, 1))
+    return CurveBand(sampled.values, low, high)
+
+
+def quantile_confidence_interval(
+    values: FloatArray, frames: IntArray, clusters: IntArray, share: float, draws: BootstrapSettings
+) -> Interval | None:
+    """The interval of a quantile; None without values, or of fewer than two clusters.
+
+    Args:
+        values: (n,) e.g. distances in px.
+        frames: (n,) number of the frame that each belongs to.
+        clusters: (F,) number of each frame's cluster, from 0 on.
+        share: of the values that lie below the quantile.
+        draws: says the level; nothing is drawn.
+    """
+    if not len(values):
+        return None
+    below = values <= np.quantile(values, share)
+    count = len(clusters)
+    ratios = RatioMetrics(
+        np.bincount(frames, below, count)[:, None].astype(np.float64),
+        np.bincount(frames, minlength=count)[:, None].astype(np.float64),
+    )
+    of_share = confidence_intervals(bootstrap(ratios, clusters, None), draws)[0]
+    if of_share is None:
+        return None
+    ends = np.clip((of_share.low, of_share.high), 0.0, 1.0)
+    # The share counted is a little off the one asked for where values are few.
+    ends = np.clip(ends + share - float(below.mean()), 0.0, 1.0)
+    low, high = np.quantile(values, ends)
+    return Interval(float(low), float(high), draws.level, of_share.method)
+
+
+# The median distance between two annotators, over the standard deviation of one's clicks across a
+# line: the difference of two normal errors is root two times as wide, half of it within 0.6745.
+_MEDIAN_OF_DIFFERENCE = 0.6744897501960817 * 2**0.5
+
+
+@dataclass(frozen=True, eq=False)
+class AnnotationNoiseSensitivity:
+    """K means over frames that were judged R times with every point moved at random.
+
+    Attributes:
+        means: (K,) over frames and repeats. Below the figures themselves, whose clicks were off
+            once already.
+        deviations: (K,) standard deviation of a mean: what other clicks on these very frames would
+            make of it.
+        shares: (K,) how much of the variance from set to set comes from clicks, in [0, 1]; NaN
+            where it does not vary.
+    """
+
+    means: FloatArray
+    deviations: FloatArray
+    shares: FloatArray
+
+
+def annotation_noise_sensitivity(
+    moved: FloatArray, deviations: FloatArray
+) -> AnnotationNoiseSensitivity:
+    """Compare what clicks alone change with what sets of other frames change.
+
+    Frames are clicked each for itself, so that the variance of their mean is the sum of theirs over
+    the square of their number; that takes far fewer repeats than the means' own variance.
+
+    Args:
+        moved: (F, R, K) figures of F frames in R repeats.
+        deviations: (K,) of the means from set to set, where both frames and clicks are others.
+    """
+    frames, repeats, _ = moved.shape
+    own = np.full(moved.shape[2], np.nan)
+    if frames and repeats > 1:
+        own = np.sqrt(moved.var(axis=1, ddof=1).sum(axis=0)) / frames
+    with np.errstate(divide="ignore", invalid="ignore"):
+        shares = np.where(deviations > 0, np.minimum(1.0, (own / deviations) ** 2), np.nan)
+    means = moved.mean(axis=(0, 1)) if frames else np.full(moved.shape[2], np.nan)
+    return AnnotationNoiseSensitivity(means, own, shares)
+
+
+def noise_from_median_distance(median_px: float) -> float:
+    """The standard deviation of one annotator's clicks from the median distance of two, px."""
+    return median_px / _MEDIAN_OF_DIFFERENCE

@@ -1,0 +1,310 @@
+"""Write the files of a report from a dataset and camera methods."""
+
+from __future__ import annotations
+
+import platform
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from importlib import metadata
+from pathlib import Path
+
+from procc_annotator.dataset.camera_set import CameraSet
+from procc_annotator.errors import UsageError
+from procc_annotator.formats.atomic import write_atomic
+from procc_annotator.formats.file_source import FileSource
+from procc_annotator.report.page.charts import draw_charts, jitter_chart
+from procc_annotator.report.page.html import Heading, Page, report_html
+from procc_annotator.report.page.overlays import (
+    OverlayDrawer,
+    OverlayPicture,
+    Painters,
+    choose_frames,
+)
+from procc_annotator.report.page.pairs import (
+    PairPainters,
+    Pairs,
+    ReportedPair,
+    disagreement_section,
+    legacy_section,
+)
+from procc_annotator.report.page.report_data import AuditReport, ReportWork
+from procc_annotator.report.page.report_tables import (
+    comparison_table,
+    fits_table,
+    report_csv,
+    report_json,
+    terms,
+)
+from procc_annotator.report.tables.latex import COLUMN_PT, latex_tables
+from procc_annotator.report.tables.table import MetricTable
+from procc_annotator.report.temporal import (
+    TemporalMetrics,
+    breaks_table,
+    shots_over_time_table,
+    terminal_tables,
+)
+from procc_annotator.version import __version__
+
+REPORT_SUFFIXES = (".html", ".csv", ".json", ".tex")
+_MOST_BREAKS = 100  # on the page; all are in the files
+_LIBRARIES = ("numpy", "opencv-python-headless", "matplotlib", "PySide6-Essentials")
+
+
+@dataclass(frozen=True, slots=True)
+class ReportRequest:
+    """What a report is to hold.
+
+    Attributes:
+        title, date: at its head.
+        worst: frames a source to draw; lot: frames to draw by lot, with ``seed``.
+        disagreement: pairs of sources; pictures: how many of each.
+        reference: the source that the metrics of earlier papers take as true; empty for none.
+        latex_width_pt: that tables in LaTeX may have.
+        recipe: name of the file that holds what all figures were made from; empty for none.
+    """
+
+    title: str
+    date: str
+    worst: int = 4
+    lot: int = 3
+    seed: int = 1
+    disagreement: tuple[tuple[str, str], ...] = ()
+    pictures: int = 3
+    reference: str = ""
+    recipe: str = ""
+    latex_width_pt: float = COLUMN_PT
+
+
+@dataclass(frozen=True)
+class ReportPainters:
+    """Who paints what, and in which colours.
+
+    Attributes:
+        overlays: paint one frame under one source.
+        pairs: paint the disagreement of two sources; None leaves these pictures out.
+        colours: of the sources in charts.
+    """
+
+    overlays: Painters
+    pairs: PairPainters | None
+    colours: Sequence[str]
+
+
+@dataclass(frozen=True)
+class ReportInputs:
+    """What figures and pictures are made from.
+
+    Attributes:
+        annotations: the source of annotation files.
+        cameras: of the report's sources, in their order.
+        pictures: frame -> picture.
+        over_time: the sources over their shots; none unless that was asked.
+    """
+
+    annotations: FileSource
+    cameras: Sequence[CameraSet]
+    pictures: Mapping[str, Path]
+    over_time: tuple[TemporalMetrics, ...] = ()
+
+
+def report_kind(path: Path) -> str:
+    """``html``, ``csv``, ``json`` or ``tex``, by suffix.
+
+    Raises:
+        UsageError: another suffix.
+    """
+    suffix = path.suffix.lower()
+    if suffix not in REPORT_SUFFIXES:
+        raise UsageError(
+            f"{path}: a report is written as {', '.join(REPORT_SUFFIXES)}, end the name so"
+        )
+    return suffix[1:]
+
+
+def check_request(request: ReportRequest, names: Sequence[str]) -> None:
+    """Fail before the work, not after it.
+
+    Raises:
+        UsageError: a pair or a reference that names no source.
+    """
+    wanted = [name for pair in request.disagreement for name in pair]
+    for name in [*wanted, *([request.reference] if request.reference else [])]:
+        if name not in names:
+            raise UsageError(f"there is no source called {name!r}: there are {', '.join(names)}")
+    if any(a == b for a, b in request.disagreement):
+        raise UsageError("a source never disagrees with itself: name two")
+
+
+def write_report(
+    report: AuditReport,
+    material: ReportInputs,
+    request: ReportRequest,
+    drawing: ReportPainters | None,
+    outputs: Sequence[Path],
+    work: ReportWork,
+) -> list[str]:
+    """Write every file; each appears when it is complete.
+
+    Args:
+        report: gathered from the material.
+        drawing: needed for a page only.
+        outputs: paths with suffixes of `REPORT_SUFFIXES`.
+        work: who shares the comparison of sources, and who watches.
+
+    Returns:
+        One line each for what could not be used when pictures were drawn.
+
+    Raises:
+        SaveError: a file cannot be written.
+    """
+    kinds = [report_kind(path) for path in outputs]
+    setup = report.setup
+    pairs = Pairs(
+        material.cameras, setup.field, setup.size, report.frames, work.executor, work.progress
+    )
+    legacy = _legacy_pairs(request, report, pairs)
+    disagreeing = tuple(pairs.compared(a, b) for a, b in request.disagreement)
+    tables: list[MetricTable] = []
+    if disagreeing:
+        tables.append(disagreement_section(_marked(disagreeing, report)))
+    if legacy:
+        told = _marked(legacy, report)
+        tables.append(legacy_section(told[0].a, told))
+    steady = (
+        terminal_tables(shots_over_time_table(material.over_time)) if material.over_time else []
+    )
+    every_pair = tuple({(p.a, p.b): p for p in (*disagreeing, *legacy)}.values())
+    problems = [problem for pair in every_pair for problem in pair.problems]
+    problems += [f"{pair.a}, {pair.b}: {pair.failure}" for pair in every_pair if pair.failure]
+    contents: dict[str, bytes] = {}
+    if "csv" in kinds:
+        contents["csv"] = report_csv(report)
+    if "json" in kinds:
+        contents["json"] = report_json(report, every_pair, material.over_time)
+    if "tex" in kinds:
+        remarks = [request.title, request.date, terms(report), f"procc-annotator {__version__}"]
+        remarks += [f"recipe: {request.recipe}"] if request.recipe else []
+        fits = fits_table(report)
+        first = [comparison_table(report), *([fits] if fits else []), *report.told.sheets]
+        contents["tex"] = latex_tables(
+            [*first, *steady, *tables], remarks, request.latex_width_pt
+        ).encode("utf-8", "backslashreplace")
+    if "html" in kinds and drawing is not None:
+        page = _page(report, material, request, drawing, pairs, tables, work, problems)
+        if material.over_time:
+            chart = jitter_chart(material.over_time, drawing.colours)
+            page = replace(page, over_time=[*steady, *_breaks(material)], over_time_charts=[chart])
+        contents["html"] = report_html(report, heading(report, request), page)
+        problems = list(page.failures)
+    for path, kind in zip(outputs, kinds, strict=True):
+        write_atomic(path, contents[kind])
+    return list(dict.fromkeys(problems))
+
+
+def _marked(pairs: Sequence[ReportedPair], report: AuditReport) -> list[ReportedPair]:
+    """The same, their sources called as they stand in the other tables."""
+    names = {source.name: source.marked_name for source in report.sources}
+    return [replace(p, a=names.get(p.a, p.a), b=names.get(p.b, p.b)) for p in pairs]
+
+
+def _breaks(material: ReportInputs) -> list[MetricTable]:
+    """The jumps and outages, where there are any and not too many to be read."""
+    found = breaks_table(material.over_time, shown=True)
+    return [found] if 0 < len(found.rows) <= _MOST_BREAKS else []
+
+
+def heading(report: AuditReport, request: ReportRequest) -> Heading:
+    """Title, date, settings and versions."""
+    taus = ", ".join(f"{tau:g}" for tau in report.thresholds)
+    settings = [
+        ("Field", report.setup.field.title),
+        ("Protocol, evaluation size", terms(report)),
+        ("Thresholds", f"{taus} px; the first one leads"),
+        *(
+            (f"Source {source.name}", f"{source.folder} (format {source.format})")
+            for source in report.sources
+        ),
+        ("Intervals", report.certainty.described),
+        ("Worst frames a source", str(request.worst)),
+        ("Frames drawn by lot", f"{request.lot}, seed {request.seed}"),
+    ]
+    if len(report.detailed) < len(report.evaluated):
+        few = f"the {len(report.detailed)} sources of {len(report.evaluated)} with the highest JaC"
+        settings.append(("Shown in charts and pictures", few))
+    if request.reference:
+        settings.append(("Reference of the metrics of earlier papers", request.reference))
+    versions = [("procc-annotator", __version__), ("Python", platform.python_version())]
+    versions += [(name, _version(name)) for name in _LIBRARIES]
+    return Heading(request.title, request.date, tuple(settings), tuple(versions))
+
+
+def _page(
+    report: AuditReport,
+    material: ReportInputs,
+    request: ReportRequest,
+    drawing: ReportPainters,
+    pairs: Pairs,
+    tables: Sequence[MetricTable],
+    work: ReportWork,
+    problems: Sequence[str],
+) -> Page:
+    charts = draw_charts(report, drawing.colours)
+    chosen = choose_frames(report, request.worst, request.lot, request.seed)
+    drawer = OverlayDrawer(
+        report, material.annotations, material.cameras, material.pictures, drawing.overlays
+    )
+    sources = [source.name for source in report.detailed]
+    worst = [(source, frame) for source, frames in chosen.worst.items() for frame in frames]
+    lot = [(source, frame) for frame in chosen.random for source in sources]
+    drawn_now = (drawer.draw(*one) for one in [*worst, *lot])
+    total = len(worst) + len(lot)
+    figures: list[OverlayPicture] = list(work.progress(drawn_now, total, "drawing"))
+    shown = [
+        ReportedPair(
+            a,
+            b,
+            None,
+            pairs.compared(a, b).described,
+            pairs.pictures(a, b, request.pictures, drawing.pairs, material.pictures)
+            if drawing.pairs is not None
+            else (),
+        )
+        for a, b in request.disagreement
+    ]
+    drawn, by_lot = figures[: len(worst)], figures[len(worst) :]
+    return Page(
+        charts,
+        [(s, [f for f in drawn if f.source == s]) for s in chosen.worst] if drawn else [],
+        [(n, [f for f in by_lot if f.frame == n]) for n in chosen.random],
+        shown,
+        tables,
+        _without_paths([*problems, *drawer.problems], material),
+    )
+
+
+def _legacy_pairs(
+    request: ReportRequest, report: AuditReport, pairs: Pairs
+) -> tuple[ReportedPair, ...]:
+    if not request.reference:
+        return ()
+    others = [source.name for source in report.sources if source.name != request.reference]
+    return tuple(pairs.compared(request.reference, other) for other in others)
+
+
+def _without_paths(problems: Iterable[str], material: ReportInputs) -> list[str]:
+    """Names instead of paths: the page is sent to people who do not have these folders."""
+    known = {str(material.annotations.path), *(str(c.path) for c in material.cameras)}
+    known |= {str(path.parent) for path in material.pictures.values()}
+    shown = []
+    for problem in problems:
+        for path in sorted(known, key=len, reverse=True):
+            problem = problem.replace(path, Path(path).name or ".")
+        shown.append(problem)
+    return shown
+
+
+def _version(library: str) -> str:
+    try:
+        return metadata.version(library)
+    except metadata.PackageNotFoundError:
+        return "not installed"

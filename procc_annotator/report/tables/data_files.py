@@ -1,0 +1,195 @@
+"""Tables as CSV, JSON and Parquet, and reading CSV cells back."""
+
+from __future__ import annotations
+
+import csv
+import importlib
+import io
+import math
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+import msgspec
+
+from procc_annotator.errors import ProccError
+from procc_annotator.formats.csv_tables import escape_formula, unescape_formula
+from procc_annotator.messages import install_hint
+from procc_annotator.report.tables.table import (
+    Column,
+    Metric,
+    MetricTable,
+    Row,
+    Value,
+    records,
+    shortest_number,
+)
+
+CRLF = "\r\n"  # what RFC 4180 asks for
+
+
+def csv_bytes(sheet: MetricTable, *, line_end: str = "\n") -> bytes:
+    """Header and rows, UTF-8."""
+    rows = csv_rows(sheet.columns, sheet.rows, line_end=line_end)
+    return csv_header(sheet.columns, line_end=line_end) + rows
+
+
+def csv_header(columns: Sequence[Column], *, line_end: str = "\n") -> bytes:
+    """The first line, of a file that is written row by row."""
+    return _lines([[escape_formula(column.key) for column in columns]], line_end)
+
+
+def csv_rows(columns: Sequence[Column], rows: Iterable[Row], *, line_end: str = "\n") -> bytes:
+    """More lines of such a file."""
+    forms = [column.written for column in columns]
+    return _lines(([*map(_written, row, forms)] for row in rows), line_end)
+
+
+def _lines(rows: Iterable[Sequence[str | int | float]], line_end: str) -> bytes:
+    text = io.StringIO(newline="")
+    csv.writer(text, lineterminator=line_end).writerows(rows)
+    return text.getvalue().encode("utf-8", "backslashreplace")
+
+
+def _written(value: Value, form: str) -> str | int | float:
+    if value is None:
+        return ""
+    if isinstance(value, str):
+        return escape_formula(value)
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if not math.isfinite(value):
+        return ""
+    if form == "shortest":
+        return shortest_number(value)
+    return f"{value:{form}}" if form else value
+
+
+_YES_NO = {"true": True, "false": False}
+_EXPECTED = {
+    "whole": "a whole number",
+    "number": "a number",
+    "yes_no": "true or false",
+    "text": "some text",
+}
+
+
+def value_of(column: Column, cell: str) -> Value:
+    """The value of a cell; None for an empty one.
+
+    Raises:
+        ValueError: the column holds no such values; says what was expected.
+    """
+    if not cell and not column.required:
+        return None
+    try:
+        if column.kind == "number":
+            value = float(cell)
+            if math.isfinite(value):
+                return value
+        elif column.kind == "whole":
+            return int(cell)
+        elif column.kind == "yes_no":
+            return _YES_NO[cell]
+        elif cell:
+            return unescape_formula(cell)
+    except (ValueError, KeyError):
+        pass
+    raise ValueError(f"{column.key} is {cell[:40]!r}, expected {_EXPECTED[column.kind]}")
+
+
+def metric_entry(figures: Iterable[Metric], values: object) -> dict[str, Any]:
+    """Figures by their keys, taken from values that have them as attributes."""
+    return {figure.key: figure.of(values) for figure in figures}
+
+
+def table_entry(sheet: MetricTable) -> dict[str, Any]:
+    """A whole sheet: what it shows, and its rows by the keys of the columns."""
+    return {
+        "title": sheet.title,
+        "described": sheet.described,
+        "notes": list(sheet.notes),
+        "rows": list(records(sheet)),
+    }
+
+
+def json_bytes(content: Any, *, indent: int = 1) -> bytes:
+    """A file for people and programs."""
+    return msgspec.json.format(encoded(content), indent=indent) + b"\n"
+
+
+def encoded(content: Any) -> bytes:
+    """As short as it can be; of a file's name that is no valid Unicode the bytes are spelled."""
+    try:
+        return msgspec.json.encode(content, enc_hook=_as_plain)
+    except UnicodeEncodeError:
+        plain = msgspec.to_builtins(content, enc_hook=_as_plain, str_keys=True)
+        return msgspec.json.encode(_all_writable(plain))
+
+
+def writable(text: str) -> str:
+    """Text that any file can hold: names of files need not be valid Unicode."""
+    return text.encode("utf-8", "backslashreplace").decode("utf-8")
+
+
+def _all_writable(content: Any) -> Any:
+    if isinstance(content, dict):
+        return {writable(key): _all_writable(value) for key, value in content.items()}
+    if isinstance(content, list | tuple):
+        return [_all_writable(value) for value in content]
+    return writable(content) if isinstance(content, str) else content
+
+
+def _as_plain(value: object) -> str:
+    """Words that know how they are said in other languages: files keep the English ones."""
+    if isinstance(value, str):
+        return str(value)
+    raise NotImplementedError(f"{type(value).__name__} cannot be written as JSON")
+
+
+def parquet_bytes(columns: Sequence[Column], rows: Sequence[Row]) -> bytes:
+    """A whole table.
+
+    Raises:
+        ProccError: pyarrow is not installed.
+    """
+    arrow, parquet = parquet_libraries()
+    schema = parquet_schema(columns)
+    arrays = [
+        arrow.array([row[i] for row in rows], type=field.type) for i, field in enumerate(schema)
+    ]
+    stream = io.BytesIO()
+    parquet.write_table(arrow.Table.from_arrays(arrays, schema=schema), stream)
+    return stream.getvalue()
+
+
+def parquet_schema(columns: Sequence[Column]) -> Any:
+    """The types of the columns.
+
+    Raises:
+        ProccError: pyarrow is not installed.
+    """
+    arrow, _ = parquet_libraries()
+    types = {
+        "text": arrow.string(),
+        "whole": arrow.int64(),
+        "number": arrow.float64(),
+        "yes_no": arrow.bool_(),
+    }
+    return arrow.schema(
+        [arrow.field(c.key, types[c.kind], nullable=not c.required) for c in columns]
+    )
+
+
+def parquet_libraries() -> tuple[Any, Any]:
+    """pyarrow and its Parquet module.
+
+    Raises:
+        ProccError: pyarrow is not installed.
+    """
+    try:
+        return importlib.import_module("pyarrow"), importlib.import_module("pyarrow.parquet")
+    except ModuleNotFoundError as error:
+        raise ProccError(
+            "a Parquet table needs the library pyarrow, which is not installed"
+            f" ({install_hint('parquet')}; or write a .csv table)"
+        ) from error

@@ -1,0 +1,308 @@
+"""Tables and their metrics (columns): values, display texts and definitions."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from itertools import takewhile
+from typing import Literal
+
+from procc_annotator.errors import printable
+
+DASH = "–"  # for what is undefined
+
+Better = Literal["higher", "lower"]
+
+
+@dataclass(frozen=True, slots=True)
+class Metric:
+    """One figure, wherever it is told.
+
+    Attributes:
+        key: in files.
+        title: for people.
+        unit: ``%`` for a share, which is kept as 0 to 1 and shown times 100; else what follows the
+            title: px, m, °. Empty for a count or a plain number.
+        better: whether a higher or a lower value is the better one; None where neither is.
+        digits: decimals it is shown with; ``significant`` ones where that is said.
+        definition: a sentence or two for who has not met it.
+        signed: whether values above 0 are shown with a plus.
+        most: what lies beyond says no more than this; shown as ``> 1000``.
+        attribute: of the values it is taken from, where that is not called like the key.
+    """
+
+    key: str
+    title: str
+    unit: str = ""
+    better: Better | None = None
+    digits: int = 2
+    definition: str = ""
+    significant: bool = False
+    signed: bool = False
+    most: float = math.inf
+    attribute: str = ""
+
+    def of(self, values: object) -> float | None:
+        """The figure, taken from values that have it as an attribute."""
+        found: float | None = getattr(values, self.attribute or self.key)
+        return found
+
+    def text(self, value: float | None) -> str:
+        """The value as it is shown, without its unit; a dash where it is undefined."""
+        if value is None or math.isnan(value):
+            return DASH
+        number = 100 * value if self.unit == "%" else value
+        if number > self.most:
+            return f"> {self.most:.0f}"
+        kind = "g" if self.significant else "f"
+        shown = f"{number:{'+' if self.signed else ''}.{self.digits}{kind}}"
+        return shown if float(shown) else shown.lstrip("+-")  # no sign before 0.00
+
+
+def metric_values(figures: Iterable[Metric], values: object) -> tuple[float | None, ...]:
+    """Figures taken from values that have them as attributes; all are None where there are none."""
+    return tuple(None if values is None else figure.of(values) for figure in figures)
+
+
+def shortest_number(value: float) -> str:
+    """A number as short as it is exact: ``5``, ``2.5``."""
+    short = f"{value:g}"
+    return short if float(short) == value and "e" not in short else repr(value)
+
+
+Value = str | int | float | bool | None
+Row = tuple[Value, ...]
+Kind = Literal["text", "whole", "number", "yes_no"]
+
+
+@dataclass(frozen=True, slots=True)
+class Column:
+    """A figure seen in a place, or plain text.
+
+    Attributes:
+        key: in files.
+        heading: for people.
+        kind: of its values, all of which may be None unless ``required``.
+        figure: None for text and for numbers of no further meaning.
+        group: a heading above several columns, e.g. a source.
+        joined: how its text follows that of the column before it in one cell, ``{}`` being the
+            text: `` ± {}``; empty for a cell of its own. Files keep both columns.
+        written: how its numbers are written in CSV, e.g. ``.2f``, or ``shortest`` for 5 instead of
+            5.0; otherwise with as many digits as it takes to read back the same value. People see
+            them so, too, where it is no figure that has digits of its own.
+        required: never None; Parquet says so.
+    """
+
+    key: str
+    heading: str = ""
+    kind: Kind = "text"
+    figure: Metric | None = None
+    group: str = ""
+    joined: str = ""
+    written: str = ""
+    required: bool = False
+
+    @property
+    def numeric(self) -> bool:
+        """Whether it stands at the right edge."""
+        return self.kind in ("whole", "number")
+
+    def text(self, value: Value, of_row: Metric | None = None) -> str:
+        """A value as it is shown: figures by their digits, True as ``yes``, None as a dash; of text
+        None is empty.
+
+        Args:
+            of_row: the figure that the row is about, where the column is not.
+        """
+        figure = self.figure or of_row
+        if isinstance(value, bool):
+            return "yes" if value else ""
+        if value is None:
+            return DASH if self.numeric else ""
+        if isinstance(value, str):
+            return value
+        if figure is None or self.kind == "whole":
+            return f"{value:{'.15g' if self.written in ('', 'shortest') else self.written}}"
+        return figure.text(value)
+
+
+def metric_column(
+    figure: Metric, at: str = "", *, key: str = "", heading: str = "", group: str = "",
+    joined: str = "",
+) -> Column:  # fmt: skip
+    """A figure as a column.
+
+    Args:
+        at: where it is seen, e.g. ``@5``; it follows the title, before the unit.
+        key: in files, unless it is the figure's own. heading: unless it is title, ``at`` and unit.
+        group, joined: as of `Column`.
+    """
+    said = " ".join(part for part in (f"{figure.title}{at}", figure.unit) if part)
+    return Column(key or figure.key, heading or said, "number", figure, group, joined)
+
+
+TAU = Column("threshold", "tau px", "number", written="shortest")
+
+
+def count_column(key: str, heading: str = "", *, group: str = "", joined: str = "") -> Column:
+    """A count as a column."""
+    return Column(key, heading or key, "whole", group=group, joined=joined)
+
+
+def defined_count_column(
+    figure: Metric, at: str = "", *, key: str = "", heading: str = "", group: str = ""
+) -> Column:
+    """A count that has a definition as a column.
+
+    Args:
+        at, key, heading, group: as of `of`.
+    """
+    return Column(key or figure.key, heading or f"{figure.title}{at}", "whole", figure, group)
+
+
+@dataclass(frozen=True)
+class MetricTable:
+    """Columns and rows, to be written as CSV, JSON, Parquet, HTML, LaTeX, or on the terminal.
+
+    Attributes:
+        name: in files, and as an anchor on a page.
+        title: above it, for people.
+        columns: what each place of a row is.
+        rows: values, never made into text before: numbers, text, yes or no, None for undefined.
+        described: what every figure rests on: protocol, size, options.
+        notes: below it, for people.
+        bold: places (row, column) of values that stand out.
+        parts: rows that a line is drawn above.
+        of_rows: the figures that the rows are about, where the columns are not: mean, median, ...
+    """
+
+    name: str
+    title: str
+    columns: tuple[Column, ...]
+    rows: tuple[Row, ...]
+    described: str = ""
+    notes: tuple[str, ...] = ()
+    bold: frozenset[tuple[int, int]] = frozenset()
+    parts: tuple[int, ...] = ()
+    of_rows: tuple[Metric, ...] = ()
+
+    def __post_init__(self) -> None:
+        for row in self.rows:
+            if len(row) != len(self.columns):
+                raise ValueError(f"{self.name}: {len(row)} values, {len(self.columns)} columns")
+
+    @property
+    def caption(self) -> str:
+        """The title, and in brackets what the figures rest on."""
+        return f"{self.title} ({self.described})" if self.described else self.title
+
+
+def records(sheet: MetricTable) -> Iterator[dict[str, Value]]:
+    """Its rows by the keys of the columns."""
+    keys = [column.key for column in sheet.columns]
+    return (dict(zip(keys, row, strict=True)) for row in sheet.rows)
+
+
+@dataclass(frozen=True, slots=True)
+class DisplayColumn:
+    """A heading, with what is better, where it stands and what it means."""
+
+    heading: str
+    better: Better | None
+    numeric: bool
+    group: str
+    definition: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Cell:
+    """What is shown, and whether it stands out."""
+
+    text: str
+    bold: bool = False
+
+
+@dataclass(frozen=True)
+class DisplayTable:
+    """Texts of a sheet; columns that are joined share a cell.
+
+    Attributes:
+        naming: how many of the first columns it takes to tell its rows apart, at least one.
+    """
+
+    caption: str
+    columns: tuple[DisplayColumn, ...]
+    rows: tuple[tuple[Cell, ...], ...]
+    notes: tuple[str, ...]
+    parts: tuple[int, ...]
+    naming: int
+
+    @property
+    def groups(self) -> tuple[tuple[str, int], ...]:
+        """Groups of columns with their widths; empty where no column has one."""
+        spans: list[tuple[str, int]] = []
+        for column in self.columns:
+            if spans and spans[-1][0] == column.group:
+                spans[-1] = column.group, spans[-1][1] + 1
+            else:
+                spans.append((column.group, 1))
+        return tuple(spans) if any(name for name, _ in spans) else ()
+
+
+def display_table(sheet: MetricTable) -> DisplayTable:
+    """A sheet as texts."""
+    columns = tuple(
+        DisplayColumn(
+            column.heading, column.figure.better if column.figure else None,
+            column.numeric, column.group, column.figure.definition if column.figure else "",
+        )
+        for column in sheet.columns
+        if not column.joined
+    )  # fmt: skip
+    rows = tuple(_cells(sheet, at) for at in range(len(sheet.rows)))
+    return DisplayTable(sheet.caption, columns, rows, sheet.notes, sheet.parts, _naming(sheet))
+
+
+def _naming(sheet: MetricTable) -> int:
+    """Of the columns before the first figure: as many as make the rows differ, or all of them."""
+    plain = list(takewhile(lambda c: c.figure is None and not c.joined, sheet.columns))
+    for count in range(1, len(plain)):
+        if len({row[:count] for row in sheet.rows}) == len(sheet.rows):
+            return count
+    return max(1, len(plain))
+
+
+def _cells(sheet: MetricTable, at: int) -> tuple[Cell, ...]:
+    cells: list[Cell] = []
+    figure = sheet.of_rows[at] if sheet.of_rows else None
+    for place, (column, value) in enumerate(zip(sheet.columns, sheet.rows[at], strict=True)):
+        text = printable(column.text(value, figure), keep="\n")
+        if not column.joined:
+            cells.append(Cell(text, (at, place) in sheet.bold))
+        elif value is not None:
+            before = cells[-1]
+            cells[-1] = Cell(before.text + column.joined.format(text), before.bold)
+    return tuple(cells)
+
+
+Definition = tuple[str, tuple[str, ...]]
+
+
+def definitions(
+    sheets: Iterable[MetricTable], also: Iterable[Metric] = ()
+) -> tuple[Definition, ...]:
+    """Each title with its unit, and what it means: several things where several are called so.
+
+    Args:
+        sheets: whose columns are explained, in their order.
+        also: further figures, which come first.
+    """
+    found: dict[str, dict[str, None]] = {}
+    columns = [column.figure for sheet in sheets for column in sheet.columns]
+    rows = [figure for sheet in sheets for figure in sheet.of_rows]
+    for figure in (*also, *columns, *rows):
+        if figure is not None and figure.definition:
+            title = f"{figure.title}, {figure.unit}" if figure.unit else figure.title
+            found.setdefault(title, {})[figure.definition] = None
+    return tuple((title, tuple(meanings)) for title, meanings in found.items())

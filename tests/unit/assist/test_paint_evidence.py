@@ -1,0 +1,85 @@
+"""Paint under an annotation, beside it and none, by a drawn picture."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+import pytest
+
+from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px
+from procc_annotator.assist.line_evidence import line_evidence, line_evidence_by_class
+from procc_annotator.calibration.label_check.evidence import LinePresence
+from procc_annotator.field.load import load_field
+
+FIELD = load_field("soccer")
+SIZE = (960, 540)
+LINE = "Side line top"
+
+
+@pytest.fixture(scope="module")
+def picture() -> np.ndarray:
+    """Grass with a line that is hidden in its middle third, and a bent one below."""
+    rng = np.random.default_rng(1)
+    grass = np.full((SIZE[1], SIZE[0], 3), (60, 120, 70), dtype=np.uint8)
+    cv2.line(grass, (100, 100), (900, 130), (235, 240, 238), 4, cv2.LINE_AA)
+    grass[:, 400:600] = (60, 120, 70)
+    x = np.arange(100, 901)
+    y = 300 + 5.0 * (1 - ((x - 500) / 400.0) ** 2)
+    course = np.column_stack([x, y])
+    cv2.polylines(
+        grass, [np.round(course * 8).astype(int)], False, (235, 240, 238), 4, cv2.LINE_AA, 3
+    )
+    noisy = np.clip(grass + rng.normal(0, 3, grass.shape), 0, 255).astype(np.uint8)
+    return np.dstack([noisy, np.full(SIZE[::-1], 255, dtype=np.uint8)])
+
+
+def clicked(*places: tuple[float, float], name: str = LINE) -> FrameAnnotation:
+    points = tuple(point_from_px(x, y, SIZE) for x, y in places)
+    return FrameAnnotation((Polyline(name, points),))
+
+
+def test_a_hidden_stretch_is_told_from_paint(picture) -> None:
+    seen = line_evidence_by_class(clicked((100, 100), (500, 115), (900, 130)), picture, FIELD)[LINE]
+    hidden = (seen.places_px[:, 0] > 410) & (seen.places_px[:, 0] < 590)
+    assert (seen.paint[hidden] == LinePresence.NONE).all()
+    clear = (seen.places_px[:, 0] < 385) | (seen.places_px[:, 0] > 615)
+    assert (seen.paint[clear] == LinePresence.UNDER).mean() > 0.9
+    assert seen.missing_share == pytest.approx(0.25, abs=0.07)
+    assert seen.longest_gap_px == pytest.approx(200, abs=60)
+
+
+def test_bent_paint_lies_to_one_side(picture) -> None:
+    seen = line_evidence_by_class(clicked((100, 300), (900, 300)), picture, FIELD)[LINE]
+    assert set(seen.paint.tolist()) == {LinePresence.UNDER, LinePresence.RIGHT}
+    back = line_evidence_by_class(clicked((900, 300), (100, 300)), picture, FIELD)[LINE]
+    assert set(back.paint.tolist()) == {LinePresence.UNDER, LinePresence.LEFT}
+    assert np.nanmax(seen.steady) == pytest.approx(5.0, abs=0.5)
+
+
+def test_bare_grass_has_none_and_ends_are_looked_at_beyond(picture) -> None:
+    bare = line_evidence_by_class(clicked((100, 450), (900, 470)), picture, FIELD)[LINE]
+    assert bare.missing_share > 0.9
+    short = line_evidence_by_class(clicked((140, 101.5), (370, 110.1)), picture, FIELD)[LINE]
+    assert not short.ends_at(0, 30.0)  # it goes on to 100
+    whole = line_evidence_by_class(clicked((102, 100.1), (370, 110.1)), picture, FIELD)[LINE]
+    assert whole.ends_at(0, 30.0)
+
+
+def test_what_did_not_change_is_not_looked_at_again(picture, monkeypatch) -> None:
+    first = clicked((100, 100), (900, 130))
+    known = line_evidence(first, picture, FIELD)
+    both = FrameAnnotation((*first.polylines, *clicked((100, 300), (900, 300), name="Middle line")))
+    again = line_evidence(both, picture, FIELD, known)
+    assert again[first.polylines[0]] is known[first.polylines[0]]
+    assert len(again) == 2
+
+
+def test_spots_unknown_classes_and_single_clicks_are_left_out(picture) -> None:
+    for name, places in (
+        ("Penalty mark left", ((200, 200), (300, 200))),
+        ("Line unknown", ((200, 200), (300, 200))),
+        (LINE, ((200, 200),)),
+        (LINE, ((200, 200), (200, 200))),
+        (LINE, ((-500, 200), (-300, 200))),
+    ):
+        assert line_evidence(clicked(*places, name=name), picture, FIELD) == {}

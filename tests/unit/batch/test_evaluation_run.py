@@ -1,0 +1,184 @@
+"""Pairing, order and bad files of a set; figures do not depend on how the work is shared."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from procc_annotator.batch import evaluation
+from procc_annotator.batch.evaluation import EvaluationRun, run_evaluation
+from procc_annotator.batch.execution.executor import Executor, make_executor
+from procc_annotator.batch.grouping import Grouping
+from procc_annotator.batch.scoring import FrameResult
+from procc_annotator.errors import UsageError
+from procc_annotator.field.load import load_field
+from procc_annotator.formats.cameras.collection import CameraCollection
+from procc_annotator.formats.file_source import open_source
+from procc_annotator.metrics.sets import SetSummary
+from procc_annotator.metrics.setup import EvaluationSetup, check_thresholds
+
+CAMERA = {
+    "pan_degrees": 0.0,
+    "tilt_degrees": 78.0,
+    "roll_degrees": 0.0,
+    "position_meters": [0.0, 60.0, -14.0],
+    "x_focal_length": 1400.0,
+    "y_focal_length": 1400.0,
+    "principal_point": [479.5, 269.5],
+}
+ANNOTATION = {"Middle line": [{"x": 0.5, "y": 0.4}, {"x": 0.5, "y": 0.6}]}
+SETUP = EvaluationSetup(load_field("soccer"))
+
+
+@pytest.fixture
+def annotations(tmp_path: Path) -> Path:
+    folder = tmp_path / "annotations"
+    folder.mkdir()
+    return folder
+
+
+@pytest.fixture
+def cameras(tmp_path: Path) -> Path:
+    folder = tmp_path / "cameras"
+    folder.mkdir()
+    return folder
+
+
+def fill(annotations: Path, cameras: Path, names: Iterable[str]) -> None:
+    for i, name in enumerate(names):
+        (annotations / f"{name}.json").write_text(json.dumps(ANNOTATION))
+        camera = CAMERA | {"pan_degrees": 0.05 * (i % 7)}
+        (cameras / f"camera_{name}.json").write_text(json.dumps(camera))
+
+
+def run(
+    annotations: Path, cameras: Path, executor: Executor | None = None, **more: Any
+) -> EvaluationRun[FrameResult]:
+    sources = open_source(annotations), CameraCollection.open(cameras)
+    return run_evaluation(*sources, SETUP, (5.0, 2.0), executor=executor, **more)
+
+
+def test_frames_come_in_natural_order_each_with_its_own_camera(annotations, cameras) -> None:
+    fill(annotations, cameras, ["10", "9", "1", "100"])
+    results = list(run(annotations, cameras))
+    assert [r.name for r in results] == ["1", "9", "10", "100"]
+    assert all(r.camera == str(cameras / f"camera_{r.name}.json") for r in results)
+    assert all(list(r.scores) == [5.0, 2.0] for r in results)
+
+
+def test_tally_of_good_and_bad_files(annotations, cameras) -> None:
+    fill(annotations, cameras, "abcde")
+    (annotations / "a.json").write_text("{")
+    (cameras / "camera_b.json").write_text("{")
+    (cameras / "camera_c.json").unlink()
+    (annotations / "d.json").unlink()
+    evaluated = run(annotations, cameras)
+    results = {r.name: r for r in evaluated}
+    assert evaluated.total == 4
+    assert evaluated.unmatched_cameras == ("d",)
+    assert (evaluated.counted, evaluated.with_camera) == (3, 1)
+    assert not results["a"].counted
+    assert "a.json" in (results["a"].error or "")
+    assert results["b"].camera is None
+    assert "camera_b.json" in (results["b"].error or "")
+    assert results["c"].error is None
+    assert evaluated.summary()[5.0].completeness == pytest.approx(1 / 3)
+
+
+def test_a_folder_in_place_of_a_file_does_not_stop_the_set(annotations, cameras) -> None:
+    fill(annotations, cameras, "ab")
+    (cameras / "camera_a.json").unlink()
+    (cameras / "camera_a.json").mkdir()
+    results = {r.name: r for r in run(annotations, cameras)}
+    assert "camera_a.json" in (results["a"].error or "")
+    assert results["b"].scores
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+def test_figures_do_not_depend_on_the_number_of_processes(
+    annotations, cameras, monkeypatch: pytest.MonkeyPatch, workers
+) -> None:
+    names = [f"{i:03}" for i in range(30)]
+    fill(annotations, cameras, names)
+    (cameras / "camera_007.json").write_text("[]")
+    monkeypatch.setattr(evaluation, "CHUNK", 4)
+    with make_executor(workers) as executor:
+        evaluated = run(annotations, cameras, executor)
+        results = list(evaluated)
+    assert [r.name for r in results] == names
+    assert [r.name for r in results if r.error] == ["007"]
+    alone = run(annotations, cameras)
+    list(alone)
+    assert evaluated.summary() == alone.summary()
+    assert evaluated.with_camera == 29
+
+
+def test_stopping_half_way_is_clean(annotations, cameras, monkeypatch) -> None:
+    fill(annotations, cameras, [f"{i:03}" for i in range(30)])
+    monkeypatch.setattr(evaluation, "CHUNK", 2)
+    with make_executor(2) as executor:
+        results = iter(run(annotations, cameras, executor))
+        assert next(results).name == "000"
+        results.close()  # type: ignore[attr-defined]
+        # The executor is as good as new.
+        assert len(list(run(annotations, cameras, executor))) == 30
+
+
+def test_nothing_to_do_is_said_before_any_work(annotations, cameras) -> None:
+    with pytest.raises(UsageError, match="no annotation"):
+        run(annotations, cameras)
+    fill(annotations, cameras, ["1"])
+    (cameras / "camera_1.json").rename(cameras / "camera_00001.json")
+    with pytest.raises(UsageError, match=r"'1'.*'00001'"):
+        run(annotations, cameras)
+
+
+def test_thresholds_are_positive_and_each_counts_once() -> None:
+    assert check_thresholds([5, 2.5, 5.0]) == (5.0, 2.5)
+    for bad in ([], [0.0], [-1.0], [float("nan")], [float("inf")]):
+        with pytest.raises(UsageError):
+            check_thresholds(bad)
+
+
+def test_groups_sum_up_their_own_frames_only(annotations, cameras, monkeypatch) -> None:
+    names = [f"{i:03}" for i in range(9)]
+    fill(annotations, cameras, names)
+    (cameras / "camera_001.json").unlink()
+    (annotations / "002.json").write_text("{")
+    tags = {name: ("day" if i % 2 else "night", None) for i, name in enumerate(names[:6])}
+    monkeypatch.setattr(evaluation, "CHUNK", 2)
+    evaluated = run(annotations, cameras, grouping=Grouping(("light", "model"), tags))
+    results = {r.name: r for r in evaluated}
+    assert results["003"].groups == ("day", "pinhole P")
+    assert results["001"].groups == ("day", None)
+    assert results["008"].groups == (None, "pinhole P")
+    found = {(g.by, g.value): g.summaries[5.0] for g in evaluated.group_summaries()}
+    assert list(found) == [
+        ("light", "day"), ("light", "night"), ("light", None),
+        ("model", "pinhole P"), ("model", None),
+    ]  # fmt: skip
+    counts = {key: (s.images, s.evaluated) for key, s in found.items()}
+    # 002 cannot be read: it belongs to no figure.
+    assert counts[("light", "day")] == (3, 2)
+    assert counts[("light", "night")] == (2, 2)
+    assert counts[("light", None)] == (3, 3)
+    assert counts[("model", "pinhole P")] == (7, 7)
+    assert counts[("model", None)] == (1, 0)
+
+    alone = fill_only(annotations, cameras, ["003", "005"])
+    assert found[("light", "day")].mean_jac == alone[5.0].mean_jac
+    assert found[("light", "day")].per_class == alone[5.0].per_class
+
+
+def fill_only(annotations: Path, cameras: Path, names: list[str]) -> dict[float, SetSummary]:
+    """The figures of these frames alone."""
+    for path in annotations.iterdir():
+        if path.stem not in names:
+            path.unlink()
+    evaluated = run(annotations, cameras)
+    list(evaluated)
+    return evaluated.summary()

@@ -1,0 +1,134 @@
+"""Cameras of a dataset: found by frame, scaled with a remark, a damaged file not the end of all."""
+
+from __future__ import annotations
+
+import json
+import os
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from procc_annotator.camera.models import PinholeCamera
+from procc_annotator.dataset.camera_set import CameraSet
+from procc_annotator.errors import CameraError
+from procc_annotator.formats.cameras import collection
+from procc_annotator.formats.cameras.soccernet import write_camera
+
+CAMERA = PinholeCamera(0.1, 1.3, 0.0, (0.0, 60.0, -15.0), (1500.0, 1500.0), (479.5, 269.5))
+
+
+def test_cameras_by_frame(tmp_path: Path) -> None:
+    (tmp_path / "camera_1.json").write_bytes(write_camera(CAMERA))
+    (tmp_path / "camera_2.json").write_text(json.dumps({"pan_degrees": 1}))
+    cameras = CameraSet.open(tmp_path)
+    assert cameras.name == tmp_path.name
+    assert list(cameras.frames) == ["1", "2"]
+    found = cameras.camera("1", (960, 540))
+    assert found is not None
+    assert (found.model, found.notice) == ("pinhole P", None)
+    assert cameras.camera("3", (960, 540)) is None
+    with pytest.raises(CameraError, match=r"camera_2\.json: the key 'tilt_degrees' is missing"):
+        cameras.camera("2", (960, 540))
+
+
+def test_a_homography_is_scaled_and_says_so(tmp_path: Path) -> None:
+    np.save(tmp_path / "1.npy", np.array([[0.05, 0, 25.5], [0, 0.05, 19.0], [0, 0, 1]]))
+    cameras = CameraSet.open(tmp_path, name="CARWC")
+    found = cameras.camera("1", (960, 540))
+    assert found is not None
+    assert found.notice == "scaled from 1280x720 to 960x540"
+    assert found.model == "homography"
+    assert cameras.name == "CARWC"
+
+
+def test_a_camera_file_that_vanished(tmp_path: Path) -> None:
+    (tmp_path / "camera_1.json").write_bytes(write_camera(CAMERA))
+    cameras = CameraSet.open(tmp_path)
+    (tmp_path / "camera_1.json").unlink()
+    with pytest.raises(CameraError, match="cannot be read"):
+        cameras.camera("1", (960, 540))
+
+
+def test_sets_are_named_so_that_they_can_be_told_apart(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("run.1", "run.2"):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "camera_1.json").write_bytes(write_camera(CAMERA))
+    assert [CameraSet.open(tmp_path / n).name for n in ("run.1", "run.2")] == ["run.1", "run.2"]
+    assert CameraSet.open(tmp_path / "run.1" / "camera_1.json").name == "camera_1"
+    monkeypatch.chdir(tmp_path / "run.2")
+    assert CameraSet.open(Path()).name == "run.2"
+
+
+def put(folder: Path, name: str, camera: PinholeCamera = CAMERA) -> None:
+    path = folder / name
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_bytes(write_camera(camera))
+
+
+def later(folder: Path) -> None:
+    """As if it was changed a second later: clocks of file systems are coarse."""
+    for path in (folder, folder.parent):
+        changed = path.stat().st_mtime_ns + 10**9
+        os.utime(path, ns=(changed, changed))
+
+
+@pytest.mark.parametrize("written", ["g1/camera_2.json", "season/h2/camera_1.json"])
+def test_cameras_that_come_to_a_folder_of_a_tree_are_found(tmp_path: Path, written: str) -> None:
+    put(tmp_path, "g1/camera_1.json")
+    put(tmp_path, "season/h1/camera_1.json")
+    cameras = CameraSet.open(tmp_path)
+    frame = written.replace("camera_", "").removesuffix(".json")
+    asked = ["g1/1", frame]
+    assert cameras.look_again(asked) is None
+    put(tmp_path, written)
+    later((tmp_path / written).parent)
+    found = cameras.look_again(asked)
+    assert found is not None
+    newer, changed = found
+    assert changed == {frame}
+    assert newer.camera(frame, (960, 540)) is not None
+    (tmp_path / written).unlink()
+    later((tmp_path / written).parent)
+    again = newer.look_again(asked)
+    assert again is not None
+    assert again[1] == {frame}
+
+
+def test_changed_cameras_are_told_by_the_names_they_are_asked_for(tmp_path: Path) -> None:
+    """Frames of a tree are called `1` by cameras that all lie in one folder."""
+    put(tmp_path, "g1/camera_1.json")
+    put(tmp_path, "g1/camera_2.json")
+    cameras = CameraSet.open(tmp_path)
+    asked = ["g1/1", "g1/2"]
+    for name in asked:
+        assert cameras.camera(name, (960, 540)) is not None
+    put(tmp_path, "g1/camera_1.json", replace(CAMERA, pan_rad=0.1234567))
+    found = cameras.look_again(asked)
+    assert found is not None
+    assert found[1] == {"g1/1"}
+
+
+def test_a_file_that_comes_while_the_folders_are_listed_is_seen_later(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for game in ("game1", "game2"):
+        (tmp_path / game).mkdir()
+        (tmp_path / game / "1.json").write_bytes(write_camera(CAMERA))
+    list_cameras = collection.list_cameras
+
+    def listed(*args: object) -> object:
+        found = list_cameras(*args)
+        (tmp_path / "game2/2.json").write_bytes(write_camera(CAMERA))
+        return found
+
+    monkeypatch.setattr(collection, "list_cameras", listed)
+    cameras = CameraSet.open(tmp_path)
+    monkeypatch.undo()
+    asked = ["game1/1", "game2/1", "game2/2"]
+    newer, others = cameras.look_again(asked)
+    assert others == {"game2/2"}
+    assert list(newer.frames) == asked

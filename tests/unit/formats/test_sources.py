@@ -1,0 +1,200 @@
+"""Folders, archives and which file belongs to which frame."""
+
+from __future__ import annotations
+
+import warnings
+import zipfile
+from pathlib import Path
+
+import pytest
+
+from procc_annotator.errors import InputError, UsageError
+from procc_annotator.formats.file_listing import list_annotations, list_cameras
+from procc_annotator.formats.file_source import open_source
+
+
+def make(folder: Path, *names: str) -> Path:
+    for name in names:
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(name)
+    return folder
+
+
+def zipped(folder: Path, target: Path) -> Path:
+    with zipfile.ZipFile(target, "w") as archive:
+        for path in sorted(folder.rglob("*")):
+            archive.write(path, path.relative_to(folder))
+    return target
+
+
+NAMES = ("10.json", "9.json", "camera_9.json", ".hidden.json", "notes.txt", "jac.json")
+
+
+@pytest.mark.parametrize("inside", ["", "test/"])
+@pytest.mark.parametrize("as_zip", [False, True])
+def test_folders_and_archives_with_or_without_a_split_look_the_same(
+    tmp_path: Path, inside: str, as_zip: bool
+) -> None:
+    folder = make(tmp_path / "data", *(inside + n for n in (*NAMES, "__MACOSX/._9.json")))
+    source = open_source(zipped(folder, tmp_path / "data.zip") if as_zip else folder)
+    with source:
+        found = list_annotations(source)
+        assert found == {"9": f"{inside}9.json", "10": f"{inside}10.json"}
+        assert list(found) == ["9", "10"]
+        assert list_cameras(source) == {"9": f"{inside}camera_9.json"} | {
+            "notes": f"{inside}notes.txt"
+        }
+        assert source.read(found["9"]) == f"{inside}9.json".encode()
+
+
+def test_homographies_by_name(tmp_path: Path) -> None:
+    folder = make(tmp_path, "1.npy", "00002_homography.npy", "3.homographyMatrix")
+    assert list_cameras(open_source(folder)) == {
+        "1": "1.npy",
+        "00002": "00002_homography.npy",
+        "3": "3.homographyMatrix",
+    }
+    assert set(list_cameras(open_source(folder), "wc14")) == {"1", "00002", "3"}
+    assert list_cameras(open_source(folder), "soccernet") == {}
+
+
+def test_two_cameras_for_one_frame_are_an_error(tmp_path: Path) -> None:
+    folder = make(tmp_path, "1.npy", "1_homography.npy")
+    with pytest.raises(InputError, match="second file for frame '1'"):
+        list_cameras(open_source(folder))
+
+
+def test_a_json_camera_beats_a_homography_and_says_so(tmp_path: Path) -> None:
+    folder = make(tmp_path, "camera_2.json", "1.npy", "2.npy", "10.npy")
+    found = list_cameras(open_source(folder))
+    assert list(found.items()) == [("1", "1.npy"), ("2", "camera_2.json"), ("10", "10.npy")]
+    assert [n.split(";")[0] for n in found.notices] == [
+        "1 frame has a JSON camera and a homography"
+    ]
+    chosen = list_cameras(open_source(folder), "carwc")
+    assert list(chosen.items()) == [("1", "1.npy"), ("2", "2.npy"), ("10", "10.npy")]
+    assert not chosen.notices
+
+
+def test_plain_json_beside_named_cameras_is_passed_over_with_a_word(tmp_path: Path) -> None:
+    found = list_cameras(open_source(make(tmp_path, "camera_1.json", "1.json", "2.json")))
+    assert found == {"1": "camera_1.json"}
+    (notice,) = found.notices
+    assert notice.startswith("1 file like 2.json taken for an annotation, not a camera")
+
+
+def test_annotations_beside_homographies_are_not_cameras(tmp_path: Path) -> None:
+    folder = make(tmp_path, "1.json", "2.json", "1.homographyMatrix", "2.jpg", "README.txt")
+    found = list_cameras(open_source(folder))
+    assert found == {"1": "1.homographyMatrix", "README": "README.txt"}
+    assert not found.notices
+    assert set(list_annotations(open_source(folder))) == {"1", "2"}
+
+
+def test_plain_names_are_cameras_in_a_folder_of_their_own(tmp_path: Path) -> None:
+    folder = make(tmp_path, "1.json", "2.json", "README.txt")
+    assert list(list_cameras(open_source(folder))) == ["1", "2", "README"]
+
+
+def test_a_split_folder_may_have_a_dot_and_a_member_may_be_replaced(tmp_path: Path) -> None:
+    folder = make(tmp_path / "data", "v1.2/1.json")
+    assert list_annotations(open_source(folder)) == {"1": "v1.2/1.json"}
+    path = tmp_path / "z.zip"
+    with zipfile.ZipFile(path, "w") as archive, warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        archive.writestr("1.json", "old")
+        archive.writestr("1.json", "new")
+    with open_source(path) as source:
+        assert source.read(list_annotations(source)["1"]) == b"new"
+
+
+@pytest.mark.parametrize("inside", ["", "test/"])
+def test_names_in_an_archive_may_begin_at_its_top(tmp_path: Path, inside: str) -> None:
+    """As ``zip`` and ``tar`` of other programs store ``.``: with ``./`` before every name."""
+    path = tmp_path / "z.zip"
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.writestr("./", "")
+        for name in ("2", "10"):
+            archive.writestr(f"./{inside}{name}.json", name)
+    with open_source(path) as source:
+        found = list_annotations(source)
+        assert list(found) == ["2", "10"]
+        assert found.only_folder == inside
+        assert [source.read(file) for file in found.values()] == [b"2", b"10"]
+        assert source.tree() == list(found.values())
+        assert source.folders() == ([inside.rstrip("/")] if inside else [])
+
+
+def test_an_archive_with_a_name_that_climbs_out_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "secret.json").write_text("secret")
+    (tmp_path / "in").mkdir()
+    path = tmp_path / "in" / "z.zip"
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.writestr("../secret.json", "mine")
+        archive.writestr("1.json", "{}")
+    with pytest.raises(
+        InputError, match=r"z\.zip: holds the name '\.\./secret\.json', which leads"
+    ):
+        open_source(path)
+    assert (tmp_path / "secret.json").read_text() == "secret"
+
+
+def test_a_single_file_is_a_set_of_one(tmp_path: Path) -> None:
+    make(tmp_path, "camera_7.json", "camera_8.json")
+    source = open_source(tmp_path / "camera_7.json")
+    assert list_cameras(source) == {"7": "camera_7.json"}
+    assert source.read("camera_7.json") == b"camera_7.json"
+
+
+def test_what_cannot_be_opened_is_said(tmp_path: Path) -> None:
+    with pytest.raises(UsageError, match="no such file or folder"):
+        open_source(tmp_path / "absent")
+    (tmp_path / "bad.zip").write_bytes(b"PK nonsense")
+    with pytest.raises(InputError, match="not a readable zip archive"):
+        open_source(tmp_path / "bad.zip")
+
+
+def test_a_folder_in_place_of_a_file_and_a_damaged_member(tmp_path: Path) -> None:
+    folder = make(tmp_path / "data", "1.json", "3.json")
+    (folder / "2.json").mkdir()
+    source = open_source(folder)
+    assert list(list_annotations(source)) == ["1", "2", "3"]
+    with pytest.raises(InputError, match=r"2\.json: cannot be read: is a folder, expected a file"):
+        source.read("2.json")
+    with pytest.raises(InputError, match="cannot be read"):
+        source.read("4.json")
+    path = zipped(make(tmp_path / "other", "1.json"), tmp_path / "z.zip")
+    data = bytearray(path.read_bytes())
+    start = data.index(b"1.json") + len(b"1.json")
+    data[start] ^= 0xFF
+    path.write_bytes(bytes(data))
+    with open_source(path) as archive, pytest.raises(InputError, match="cannot be read"):
+        archive.read("1.json")
+
+
+def test_a_link_in_a_circle_is_one_file_that_cannot_be_read(tmp_path: Path) -> None:
+    (tmp_path / "good.json").write_text("{}")
+    (tmp_path / "loop.json").symlink_to("loop.json")
+    with open_source(tmp_path) as folder:
+        assert list(list_annotations(folder)) == ["good", "loop"]
+        with pytest.raises(InputError, match=r"loop\.json: cannot be read"):
+            folder.read("loop.json")
+
+
+def test_a_packed_tree_is_called_by_what_lies_in_its_own_folder(tmp_path: Path) -> None:
+    """As who packs a folder of matches gets it; beside what a Mac adds."""
+    for stem, frames in (("anna", ["g1/1", "g2/1"]), ("ben", ["anna/g1/1", "anna/g2/1"])):
+        path = tmp_path / f"{stem}.zip"
+        with zipfile.ZipFile(path, "w") as archive:
+            archive.writestr("anna/", "")
+            archive.writestr("__MACOSX/anna/g1/._1.json", "x")
+            for game in ("g1", "g2"):
+                archive.writestr(f"anna/{game}/1.json", game)
+        with open_source(path) as source:
+            found = list_annotations(source)
+            assert list(found) == frames
+            assert [source.read(file) for file in found.values()] == [b"g1", b"g2"]
+    with zipfile.ZipFile(tmp_path / "test.zip", "w") as archive:
+        archive.writestr("test/1.json", "{}")
+    with open_source(tmp_path / "test.zip") as source:
+        assert list_annotations(source).only_folder == "test/"

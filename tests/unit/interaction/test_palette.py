@@ -1,0 +1,81 @@
+"""Tones of maps in metres are ordered for everybody; those of sources are not the criterion's."""
+
+from __future__ import annotations
+
+import itertools
+
+import numpy as np
+import pytest
+
+from procc_annotator.field.appearance import colour_difference, hex_colour, linear_rgb
+from procc_annotator.interaction import palette
+from procc_annotator.interaction.camera_view import DISAGREEMENT, UNCERTAINTY, MapStyle
+
+GRASS = ("#4F7F35", "#5F8F3F", "#3F6B3A", "#606060")
+
+# Linear sRGB as seen without the red, the green, the blue receptor (Vienot, Brettel and Mollon
+# 1999 for the first two, Brettel, Vienot and Mollon 1997 for the third, as one matrix each).
+SEEN_BY = {
+    "all": np.eye(3),
+    "no red": np.array([[0.11238, 0.88762, 0.0], [0.11238, 0.88762, 0.0], [0.00401, -0.00401, 1]]),
+    "no green": np.array(
+        [[0.29275, 0.70725, 0.0], [0.29275, 0.70725, 0.0], [-0.02234, 0.02234, 1]]
+    ),
+    "no blue": np.array([[1.0, 0.1446, -0.1446], [0.0, 0.8592, 0.1408], [0.0, 0.8592, 0.1408]]),
+}
+
+
+def over(colour: str, opacity: float, ground: str) -> np.ndarray:
+    """Linear sRGB of a tone on a ground, mixed as painters do: in sRGB."""
+    parts = [
+        opacity * int(colour[i : i + 2], 16) + (1 - opacity) * int(ground[i : i + 2], 16)
+        for i in (1, 3, 5)
+    ]
+    return linear_rgb("#" + "".join(f"{round(p):02x}" for p in parts))
+
+
+def lightness(rgb: np.ndarray) -> float:
+    """CIE L*, 0 to 100."""
+    y = float(np.clip(rgb, 0, 1) @ (0.2126, 0.7152, 0.0722))
+    return 116 * y ** (1 / 3) - 16 if y > 0.008856 else 903.3 * y
+
+
+@pytest.mark.parametrize("look", [DISAGREEMENT, UNCERTAINTY], ids=lambda look: look.name)
+class TestMapLooks:
+    def test_a_tone_a_band(self, look: MapStyle) -> None:
+        assert len(look.colours) == len(look.levels_m) - 1
+
+    def test_lines_are_at_levels_and_need_no_colour(self, look: MapStyle) -> None:
+        assert {line.metres for line in look.lines} <= set(look.levels_m)
+        assert len({line.dash for line in look.lines}) == len(look.lines)
+
+    @pytest.mark.parametrize("ground", GRASS)
+    @pytest.mark.parametrize("eyes", SEEN_BY)
+    def test_more_is_darker_for_every_eye(self, look: MapStyle, eyes: str, ground: str) -> None:
+        found = [lightness(SEEN_BY[eyes] @ over(c, look.opacity, ground)) for c in look.colours]
+        steps = [light - dark for light, dark in itertools.pairwise(found)]
+        assert min(steps) > 3.0, [round(v, 1) for v in found]
+
+
+def as_seen(colour: str, eyes: str) -> str:
+    """A colour as other eyes see it, #rrggbb."""
+    return hex_colour(SEEN_BY[eyes] @ linear_rgb(colour))
+
+
+class TestSources:
+    @pytest.mark.parametrize(("eyes", "least"), [("all", 35), ("no red", 20), ("no green", 20)])
+    @pytest.mark.parametrize("colour", [*palette.SOURCE_COLOURS, palette.FIT])
+    def test_none_is_taken_for_a_tone_of_the_criterion(
+        self, colour: str, eyes: str, least: float
+    ) -> None:
+        """About 2 can just be seen when two tones lie side by side."""
+        near = {
+            word: colour_difference(as_seen(colour, eyes), as_seen(tone, eyes))
+            for word, tone in palette.STATUS_COLOURS.items()
+        }
+        assert min(near.values()) >= least, near
+
+    @pytest.mark.parametrize("eyes", ["all", "no red", "no green"])
+    def test_they_are_told_apart(self, eyes: str) -> None:
+        tones = [as_seen(c, eyes) for c in palette.SOURCE_COLOURS]
+        assert min(colour_difference(a, b) for a, b in itertools.combinations(tones, 2)) >= 30
