@@ -204,11 +204,10 @@ def garbage_goes_between_modules(request: pytest.FixtureRequest) -> Iterator[Non
     if has_windows:
         gc.disable()
     yield
-    if (
-        proposing := sys.modules.get("procc_annotator.calibration.single_image.search")
-    ) is not None:
-        proposing.on_side.cache_clear()  # for the next picture of the same field: 35 MB a side
-        proposing.at_places.cache_clear()
+    search = sys.modules.get("procc_annotator.calibration.single_image.search")
+    if search is not None:  # for the next picture of the same field: 35 MB a side
+        search.hypotheses_on_side.cache_clear()
+        search.hypotheses_at_positions.cache_clear()
     gc.collect()
     gc.enable()
     if not has_windows:

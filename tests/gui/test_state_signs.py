@@ -9,13 +9,13 @@ import pytest
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPalette
 from PySide6.QtWidgets import QApplication
-from tests.unit.interact.test_palette import SEEN_BY, as_seen
 
 from procc_annotator.field.appearance import colour_difference
 from procc_annotator.gui.panels.field_map.ground import ground_colour
 from procc_annotator.gui.panels.states import WORDS, ElementState, paint_symbol, state_colour
 from procc_annotator.gui.theme import alarm_colours, contrast, palette
 from procc_annotator.interaction import palette as tones
+from tests.unit.interaction.test_palette import SEEN_BY, as_seen
 
 ROLE = QPalette.ColorRole
 SIDE = 32

@@ -6,7 +6,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from tests.unit.fit.plain_pictures import FIELD, FRAME, SIZE, apart_px, camera, draw
 
 from procc_annotator.calibration.line_alignment.expected_lines import (
     expected_line_points,
@@ -26,6 +25,7 @@ from procc_annotator.field.geometry import Line
 from procc_annotator.field.model import Field
 from tests.drawn_shots import draw as draw_scene
 from tests.drawn_shots import looking_at, stage_of
+from tests.unit.calibration.plain_pictures import FIELD, FRAME, SIZE, apart_px, camera, draw
 
 TRUE = camera()
 VECTOR = vector_from_camera(TRUE, FRAME)

@@ -6,7 +6,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from tests.unit.fit.plain_pictures import FIELD, apart_px, camera, draw
 
 from procc_annotator.calibration.line_alignment.control_points import (
     ControlPoint,
@@ -16,6 +15,7 @@ from procc_annotator.calibration.line_alignment.control_points import (
     rotated_camera,
 )
 from procc_annotator.camera.models import PinholeCamera
+from tests.unit.calibration.plain_pictures import FIELD, apart_px, camera, draw
 
 PLAIN = PinholeCamera(0.1, 1.3, 0.01, (2.0, 60.0, -16.0), (1500.0, 1500.0), (639.5, 359.5))
 BENT = replace(

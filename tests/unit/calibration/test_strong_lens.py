@@ -7,7 +7,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from tests.unit.fit.conftest import SIZE, Views
 
 from procc_annotator import load_annotation
 from procc_annotator.annotation import FrameAnnotation
@@ -30,6 +29,7 @@ from procc_annotator.calibration.prediction.ghosts import find_ghosts
 from procc_annotator.calibration.result import ill_conditioned_reason
 from procc_annotator.camera.models import FisheyeCamera, PinholeCamera
 from procc_annotator.field.load import load_field
+from tests.unit.calibration.conftest import SIZE, Views
 
 COURT = load_field("basketball_fiba")
 VIEWS = Views(COURT)

@@ -11,8 +11,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from tests.unit.fit import plain_pictures
-from tests.unit.fit.plain_pictures import FIELD, FRAME, SIZE, apart_px, camera, draw
 
 from procc_annotator.calibration.line_alignment.expected_lines import marking_points
 from procc_annotator.calibration.optimization.camera_parameters import vector_from_camera
@@ -45,6 +43,8 @@ from procc_annotator.field.geometry import Line
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.image.video import open_shared_video
 from tests.drawn_shots import Aim, DrawnShot, Look, course, stage_of
+from tests.unit.calibration import plain_pictures
+from tests.unit.calibration.plain_pictures import FIELD, FRAME, SIZE, apart_px, camera, draw
 
 COUNT = 20
 CAMERAS = [camera(0.36 + 0.006 * n + 0.0002 * n * n, 1.33, 1500.0 * 1.005**n) for n in range(COUNT)]

@@ -7,7 +7,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from tests.unit.metric.conftest import SIZE, make_field
 
 from procc_annotator.camera.base import ElementProjections
 from procc_annotator.camera.models import PinholeCamera
@@ -21,6 +20,7 @@ from procc_annotator.metrics.projection import project_field
 from procc_annotator.metrics.score import FrameScore, jac_curve, score
 from procc_annotator.metrics.sets import SetAccumulator
 from procc_annotator.metrics.setup import PROTOCOLS, EvaluationSetup
+from tests.unit.metrics.conftest import SIZE, make_field
 
 CENTRE = (50.0, 25.0)
 
