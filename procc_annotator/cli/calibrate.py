@@ -104,7 +104,7 @@ Overwrite = Annotated[
 
 @dataclass(frozen=True)
 class CalibrateOptions:
-    """What `calibrate` is asked for."""
+    """Options of `calibrate`."""
 
     dataset: options.AnnotatedSet
     out: Out
@@ -196,7 +196,7 @@ def _terms(
     held_out: bool,
     shared_position: bool,
 ) -> dict[str, str]:
-    """What a run has to share with the one that it goes on with."""
+    """Return what a run has to share with the one that it goes on with."""
     return {
         "way to calibrate": " ".join(
             word
@@ -212,7 +212,7 @@ def _terms(
 
 
 def _interrupted_message(stopped: Interrupted, out: Path) -> str:
-    """What an interrupted run left, and how to go on."""
+    """Return what an interrupted run left, and how to go on."""
     go_on = "run it again with --resume to go on"
     if is_archive(out):
         return f"{out} was not written; {go_on}"
@@ -270,9 +270,6 @@ def _check_out(out: Path, source: FileSource, *, overwrite: bool, positions: boo
 
     Args:
         positions: a table of positions is to be written too.
-
-    Raises:
-        UsageError: OUT cannot be what is asked for.
     """
     if is_archive(out):
         if out.is_dir():

@@ -147,7 +147,7 @@ class ClusterOptions:
 
 @dataclass(frozen=True)
 class IntervalOptions:
-    """How intervals are found, and what else is asked of them."""
+    """Options of confidence intervals and tests."""
 
     cluster: Cluster = None
     interval_method: IntervalMethod = USUAL_METHOD
@@ -185,7 +185,7 @@ class IntervalOptions:
 
 
 def cluster_of(name: str | None, tags: Tags | None) -> str | None:
-    """What to cluster by, if it is there.
+    """Return what to cluster by, if it is there.
 
     Raises:
         UsageError: there is no such tag.
@@ -221,7 +221,7 @@ def clustering(
 def groups_asked(
     by: Sequence[str] | None, tags: Tags | None, cluster: str | None
 ) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """What ``--by`` asks for: tags and the model, and what annotations and cameras say.
+    """Return what ``--by`` asks for: tags and the model, and what annotations and cameras say.
 
     Without it every tag is meant but the one that frames are clustered by.
 

@@ -141,8 +141,9 @@ Examples:
 COMMANDS = (
     LazyCommand("open", "Open the window.", "open_window"),
     LazyCommand("evaluate", "Score cameras against annotations."),
-    LazyCommand("gold", "Say how far annotators are from gold frames, and how that changes."),
-    LazyCommand("agree", "Compare two or more annotators of the same frames."),
+    LazyCommand(
+        "agree", "Compare annotators of the same frames, or each with reference annotations."
+    ),
     LazyCommand(
         "compare",
         "Compare two sources of cameras: how far apart is what each pixel means to them?",
@@ -150,7 +151,7 @@ COMMANDS = (
     LazyCommand(
         "report", "Report how well sources of cameras agree with annotations, side by side."
     ),
-    LazyCommand("repeat", "Make the figures of a recipe again, and say what differs."),
+    LazyCommand("repeat", "Run the command of a manifest again, and list every difference."),
     LazyCommand(
         "calibrate", "Fit a camera to the annotation of every frame; pictures are not looked at."
     ),
@@ -256,12 +257,14 @@ class CommandOrPath(TyperGroup):
 
 
 def _is_of_qt(error: ImportError) -> bool:
-    """Whether it is Qt, or a library of the system that Qt needs, that could not be imported."""
+    """Return whether it is Qt, or a library of the system that Qt needs, that could not be
+    imported."""
     return "PySide6" in f"{error.name} {error.path}" or "shiboken6" in f"{error.name} {error.path}"
 
 
 def _interrupted_message(stopped: KeyboardInterrupt) -> str:
-    """What a command that was stopped said of its work: the interrupt's text, if it has one."""
+    """Return what a command that was stopped said of its work: the interrupt's text, if it has
+    one."""
     return f": {stopped}" if str(stopped) else ""
 
 

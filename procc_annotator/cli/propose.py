@@ -118,7 +118,7 @@ Overwrite = Annotated[
 
 @dataclass(frozen=True)
 class ProposeOptions:
-    """What `propose` is asked for."""
+    """Options of `propose`."""
 
     dataset: Source
     out: Out
@@ -195,7 +195,7 @@ def _require_free(out: Path, frames: Sequence[Frame]) -> None:
 
 @dataclass(frozen=True)
 class _FramesToPropose:
-    """What is to be looked at.
+    """Pictures to look at.
 
     Attributes:
         frames: these.
@@ -211,11 +211,7 @@ class _FramesToPropose:
 def _frames_to_propose(
     frames: tuple[Frame, ...], field: Field, annotated: FrameAnnotations | None
 ) -> _FramesToPropose:
-    """The frames to look at: those that nobody put a point in, or all.
-
-    Raises:
-        UsageError: none is left.
-    """
+    """The frames to look at: those that nobody put a point in, or all."""
     if annotated is None:
         return _FramesToPropose(list(frames))
     input_files.report_remarks(annotated.notices)
@@ -234,7 +230,7 @@ def _frames_to_propose(
 
 
 def _interrupted_message(stopped: Interrupted, out: Path) -> str:
-    """What an interrupted run left, and how to go on."""
+    """Return what an interrupted run left, and how to go on."""
     go_on = "run it again with --resume to go on"
     if not stopped.written:
         return f"no sure camera was written; {go_on}"

@@ -125,7 +125,7 @@ Date = Annotated[
 
 @dataclass(frozen=True)
 class ReleaseOptions:
-    """What `release` is asked for."""
+    """Options of `release`."""
 
     dataset: options.AnnotatedSet
     out: Annotated[Path, typer.Argument(help="Folder or .zip to write.")]
@@ -198,11 +198,7 @@ def release(given: ReleaseOptions) -> None:
 
 
 def _check_out(out: Path, source: FileSource, dataset: Path, *, overwrite: bool) -> None:
-    """Fail before the work.
-
-    Raises:
-        UsageError: OUT is, or lies in, what is read; or holds a release nobody asked to replace.
-    """
+    """Fail before the work."""
     outputs.check_place(out, [source])
     if dataset.is_dir() and out.resolve().is_relative_to(dataset.resolve()):
         raise UsageError(f"{out}: lies in what is read, write to another place than {dataset}")
@@ -215,11 +211,7 @@ def _check_out(out: Path, source: FileSource, dataset: Path, *, overwrite: bool)
 
 
 def _splits(path: Path | None) -> FrameTable[str]:
-    """Frame -> split.
-
-    Raises:
-        InputError: no such table.
-    """
+    """Frame -> split."""
     if path is None:
         return FrameTable()
     found: dict[str, str] = {}
@@ -232,11 +224,7 @@ def _splits(path: Path | None) -> FrameTable[str]:
 
 
 def _date(text: str | None) -> str:
-    """The day of a release; today if None.
-
-    Raises:
-        UsageError: it is none.
-    """
+    """The day of a release; today if None."""
     if text is None:
         return datetime.date.today().isoformat()
     try:
@@ -246,7 +234,7 @@ def _date(text: str | None) -> str:
 
 
 class _ReleaseBuilder:
-    """What is found out about a dataset for its release; its files are added as they come.
+    """Facts about a dataset for its release; its files are added as they come.
 
     Nothing is told of frames that are not released.
     """
@@ -315,7 +303,6 @@ class _ReleaseBuilder:
 
 
 def _as_file(suffix: str, write: Callable[[Path], T]) -> tuple[T, bytes]:
-    """What a function says, and what it writes."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / f"file{suffix}"
         return write(path), path.read_bytes()

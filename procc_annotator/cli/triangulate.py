@@ -176,7 +176,7 @@ def named_in_options(
 
 
 def target_file(dataset: Path, output: Path | None) -> Path:
-    """Where the landmarks are written to.
+    """Return where the landmarks are written to.
 
     Raises:
         UsageError: nowhere.

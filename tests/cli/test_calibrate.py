@@ -126,7 +126,7 @@ def test_a_name_that_is_no_utf_8(dataset, tmp_path) -> None:
     few, out = tmp_path / "few", tmp_path / "out"
     few.mkdir()
     (few / f"{name}.json").write_bytes((dataset.annotations / "2.json").read_bytes())
-    files = ("-o", tmp_path / "scores.json", "--recipe", tmp_path / "recipe.json")
+    files = ("-o", tmp_path / "scores.json", "--manifest", tmp_path / "manifest.json")
     for asked in (("calibrate", "-m", "P"), ("evaluate", "--click-noise", "1", *files)):
         command = [sys.executable, "-m", "procc_annotator", *asked, few, out]
         done = subprocess.run(command, check=False, capture_output=True)

@@ -215,18 +215,17 @@ def test_the_noise_of_clicks_is_what_annotators_differ_by(cli, methods) -> None:
     assert [row["moved_jac"] for row in rows] == pytest.approx(moved[0], abs=0.12)
 
 
-def test_a_recipe_knows_the_agreement_and_the_tags(cli, methods) -> None:
+def test_a_manifest_knows_the_agreement_and_the_tags(cli, methods) -> None:
     file = agreement(cli, methods, "960x540")
     terms = ("--click-noise", file, "--tags", "tags.csv", "--cluster", "match")
-    assert cli("evaluate", *BOTH, *terms, "--recipe", "recipe.json").exit_code == 0
-    inputs = {one["role"]: one for one in json.loads(Path("recipe.json").read_text())["inputs"]}
-    assert inputs["click noise"]["path"] == file
-    digest = hashlib.sha256(Path(file).read_bytes()).hexdigest()
-    assert inputs["click noise"]["files"][0]["sha256"] == digest
-    assert inputs["tags"]["path"] == "tags.csv"
-    assert cli("repeat", "recipe.json").exit_code == 0
+    assert cli("evaluate", *BOTH, *terms, "--manifest", "manifest.json").exit_code == 0
+    inputs = json.loads(Path("manifest.json").read_text())["inputs"]
+    data = Path(file).read_bytes()
+    assert inputs[file] == [hashlib.sha256(data).hexdigest(), len(data)]
+    assert "tags.csv" in inputs
+    assert cli("repeat", "manifest.json").exit_code == 0
     Path(file).write_text(Path(file).read_text().replace('"points"', '"Points"', 1))
-    done = cli("repeat", "recipe.json")
+    done = cli("repeat", "manifest.json")
     assert done.exit_code == 1
     assert file in done.output
 

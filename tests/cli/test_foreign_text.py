@@ -46,8 +46,7 @@ def _commands(evil: Path, out: Path) -> dict[str, list[object]]:
     shutil.copytree(annotations, second / "annotations")
     return {
         "evaluate": [annotations, cameras, "--output", out / "e.csv", "--intervals"],
-        "gold": [evil, second],
-        "agree": [annotations, second / "annotations"],
+        "agree": [second / "annotations", "--reference", evil],
         "compare": [cameras, cameras, "--dataset", evil],
         "report": [evil, "--cameras", cameras, "-o", out / "r.html", "-o", out / "r.tex"],
         "calibrate": [annotations, out / "cal"],

@@ -35,14 +35,22 @@ def test_figures_are_those_of_the_official_names(cli, dataset, renamed, tmp_path
     folder, labels = renamed
     cameras = dataset.cameras
     cli("evaluate", dataset.annotations, cameras, "-o", tmp_path / "own.json")
-    recipe = tmp_path / "recipe.json"
+    manifest = tmp_path / "manifest.json"
     done = cli(
-        "evaluate", folder, cameras, "--map", labels, "-o", tmp_path / "s.json", "--recipe", recipe
+        "evaluate",
+        folder,
+        cameras,
+        "--map",
+        labels,
+        "-o",
+        tmp_path / "s.json",
+        "--manifest",
+        manifest,
     )
     assert "names by" in done.stderr
     summaries = [json.loads((tmp_path / f"{n}.json").read_text())["summary"] for n in ("own", "s")]
     assert summaries[0] == summaries[1]
-    again = cli("repeat", recipe)
+    again = cli("repeat", manifest)
     assert again.exit_code == 0, again.stdout + again.stderr
     agreed = cli("agree", dataset.annotations, folder, "--map", labels)
     assert "100.00" in agreed.stdout

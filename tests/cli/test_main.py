@@ -185,7 +185,7 @@ def test_one_of_anything_is_told_in_the_singular(cli, dataset, tmp_path) -> None
 DEEP = b'{"a":' * 1000 + b"1" + b"}" * 1000
 
 
-@pytest.mark.parametrize("reader", ["recipe", "manifest", "before", "click noise"])
+@pytest.mark.parametrize("reader", ["repeat", "submission", "before", "click noise"])
 def test_json_nested_a_thousand_deep_is_one_line(cli, dataset, tmp_path, reader) -> None:
     file = tmp_path / ("release.json" if reader == "before" else "deep.json")
     file.write_bytes(DEEP)
@@ -193,8 +193,8 @@ def test_json_nested_a_thousand_deep_is_one_line(cli, dataset, tmp_path, reader)
         archive.writestr("manifest.json", DEEP)
     annotations, cameras = dataset.set_arguments[:2]
     arguments = {
-        "recipe": ("repeat", file),
-        "manifest": ("evaluate", annotations, "--submission", tmp_path / "sub.zip"),
+        "repeat": ("repeat", file),
+        "submission": ("evaluate", annotations, "--submission", tmp_path / "sub.zip"),
         "before": ("release", dataset.root, tmp_path / "out", "--before", tmp_path),
         "click noise": ("evaluate", annotations, cameras, "--click-noise", file),
     }[reader]

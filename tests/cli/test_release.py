@@ -77,7 +77,7 @@ def test_the_card_has_the_header_that_hubs_read(cli, keep: Path, tmp_path: Path)
     assert "| by | A \\| B |" in card
     assert "Drawn &lt;frames>." in card
     assert "| Side line top | 9 |" in card
-    assert "Nobody looked" in card
+    assert "No quality checks were run" in card
 
 
 def test_croissant_names_every_column_by_what_is_there(cli, keep: Path, tmp_path: Path) -> None:

@@ -45,7 +45,7 @@ _TITLE = "CVAT"
 
 
 def sniff(data: bytes) -> bool:
-    """Whether a file's bytes look like it."""
+    """Return whether a file's bytes look like it."""
     return b"<annotations" in data[:4096]
 
 

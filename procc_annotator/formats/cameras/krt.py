@@ -38,7 +38,7 @@ _SAME_POSE, _SAME_LENS = 1e-3, 1e-5
 
 @dataclass(frozen=True)
 class KrtKeys:
-    """How a format spells the parts of a camera; several spellings of a part must agree."""
+    """Keys of a format for the parts of a camera; several spellings of a part must agree."""
 
     k: tuple[str, ...] = ("K", "camera_matrix", "cameraMatrix", "Camera_Matrix", "intrinsics")
     r: tuple[str, ...] = ("R", "rotation_matrix", "rvec", "rotation_vector", "rotation")
@@ -63,7 +63,7 @@ KRT_KEYS = KrtKeys()
 
 
 def is_krt(content: object) -> bool:
-    """Whether a decoded value has the keys of such a camera."""
+    """Return whether a decoded value has the keys of such a camera."""
     return (
         type(content) is dict
         and any(key in content for key in KRT_KEYS.k)
@@ -134,11 +134,7 @@ def _agreeing(
     read: Callable[[str], FloatArray],
     same: float = _SAME_LENS,
 ) -> tuple[str, FloatArray]:
-    """Return the first spelling that is there and what it holds.
-
-    Raises:
-        CameraError: none is there, or two say something else.
-    """
+    """Return the first spelling that is there and what it holds."""
     first, *others = [key for key in keys if key in values] or [values.need(expected, *keys)]
     found = read(first)
     for other in others:
@@ -162,7 +158,6 @@ def _rotation(values: JsonValues, key: str) -> FloatArray:
 
 
 def _translation(values: JsonValues, key: str, rotation: FloatArray | None) -> FloatArray:
-    """t, where a rotation is given from the position under the key."""
     vector = _three(values, key)
     with np.errstate(over="ignore", invalid="ignore"):
         return vector if rotation is None else np.asarray(-rotation @ vector)
@@ -227,7 +222,7 @@ PROJECTION_KEYS = ("P", "projection_matrix", "projection", "proj", "camera_proje
 
 
 def is_projection(content: object) -> bool:
-    """Whether a decoded value is such a matrix, or an object with one and no K beside it."""
+    """Return whether a decoded value is such a matrix, or an object with one and no K beside it."""
     if type(content) is dict:
         found = [content[key] for key in PROJECTION_KEYS if key in content]
         return "K" not in content and any(_is_3x4(value) or _are_twelve(value) for value in found)
@@ -273,7 +268,7 @@ def camera_of_projection(
 
 
 def _are_twelve(content: object) -> bool:
-    """Whether it is such a matrix row by row in one list."""
+    """Return whether it is such a matrix row by row in one list."""
     return (
         type(content) is list
         and len(content) == 12
@@ -310,12 +305,12 @@ BY_ORDER = "the file names no frames: they are called 0, 1, 2 ... by the order i
 
 
 def is_nested(content: object) -> bool:
-    """Whether a decoded value holds cameras under ``cameras``."""
+    """Return whether a decoded value holds cameras under ``cameras``."""
     return type(content) is dict and any(is_krt(entry) for _, _, entry in _nested(content))
 
 
 def is_stack(content: object) -> bool:
-    """Whether a decoded value is an object of stacked matrices, one a frame."""
+    """Return whether a decoded value is an object of stacked matrices, one a frame."""
     return type(content) is dict and _frames_of_stack(content) is not None
 
 
@@ -407,7 +402,7 @@ def _dome_camera(content: dict[str, Any], path: str, inside: str) -> LoadedCamer
 
 
 def _frames_of_stack(content: dict[str, Any]) -> int | None:
-    """How many frames an object of stacked matrices is of; None for one that is no stack."""
+    """Return how many frames an object of stacked matrices is of; None for one that is no stack."""
     counts = {
         len(value)
         for key, value in content.items()
@@ -430,7 +425,7 @@ def _is_stacked(key: str, value: Any, count: int) -> bool:
 
 
 def _depth(value: Any) -> tuple[int, int]:
-    """How deeply lists nest, and how long the innermost one is."""
+    """Return how deeply lists nest, and how long the innermost one is."""
     depth = length = 0
     while type(value) is list:
         depth, length = depth + 1, len(value)

@@ -38,7 +38,7 @@ CORNER = 0.5  # px from the corner of a picture to the centre of its first pixel
 
 
 def is_transforms(content: object) -> bool:
-    """Whether a decoded value is such a file."""
+    """Return whether a decoded value is such a file."""
     frames = content.get("frames") if type(content) is dict else None
     return type(frames) is list and any(type(f) is dict and _POSE in f for f in frames)
 

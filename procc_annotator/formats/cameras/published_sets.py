@@ -41,7 +41,7 @@ _REMARK = "cameras of a basketball court, for frames called 0, 1, 2 ... by their
 
 
 def is_deepsportradar(content: object) -> bool:
-    """Whether a decoded value is such a list."""
+    """Return whether a decoded value is such a list."""
     return type(content) is list and any(
         type(entry) is dict and {"K", "R", "T"} <= entry.keys() for entry in content
     )
@@ -102,12 +102,12 @@ _FIELD = "soccer"
 
 
 def is_homography_set(content: object) -> bool:
-    """Whether a decoded value is the first of these sets."""
+    """Return whether a decoded value is the first of these sets."""
     return any("homography" in entry for entry in _entries(content))
 
 
 def is_ptz_set(content: object) -> bool:
-    """Whether a decoded value is the second."""
+    """Return whether a decoded value is the second."""
     return any("camera" in entry for entry in _entries(content))
 
 

@@ -44,7 +44,8 @@ F = TypeVar("F")
 def discover(
     kind: type[F], group: str = GROUP, what: str = "camera plug-in"
 ) -> tuple[list[tuple[str, F]], list[str]]:
-    """What the entry points of a group give, with their names, and what is wrong with the others.
+    """Return what the entry points of a group give, with their names, and what is wrong with the
+    others.
 
     Args:
         kind: what each should give, by itself or as the result of a call: one or several.
@@ -89,7 +90,7 @@ class PluginReader:
     format_name: str
 
     def checked(self, loaded: object, path: str) -> LoadedCamera:
-        """What a reader gave, if it is a camera that projects."""
+        """Return what a reader gave, if it is a camera that projects."""
         if not isinstance(loaded, LoadedCamera):
             raise self.error(path, f"it gives {type(loaded).__name__}, expected a LoadedCamera")
         camera = loaded.camera
@@ -251,7 +252,7 @@ def plugin_problems() -> tuple[str, ...]:
 
 
 def format_titles() -> dict[str, str]:
-    """What people read for each name that can be asked for, ``auto`` first."""
+    """Return what people read for each name that can be asked for, ``auto`` first."""
     return {"auto": word("by file type and content"), **{f.name: f.title for f in all_formats()}}
 
 
