@@ -138,7 +138,7 @@ def test_a_full_standard_output_is_one_line(dataset) -> None:
 
 
 def test_an_unexpected_error_is_one_line_and_its_traceback_is_in_the_log(dataset, tmp_path) -> None:
-    code = "from procc_annotator.session.runs import evaluation_run as run; del run.EvaluationRun\n"
+    code = "from procc_annotator.batch import evaluation as run; del run.EvaluationRun\n"
     code += "from procc_annotator.cli.main import run; run()"
     done = subprocess.run(
         [sys.executable, "-c", code, "evaluate", *dataset.set_arguments],
