@@ -197,7 +197,7 @@ def chosen_proposer(name: str) -> PictureProposer:
     by_name, problems = proposers()
     if name not in by_name:
         there = ", ".join(by_name) or "none is installed"
-        raise UsageError("; ".join((f"--with {name}: no such proposer ({there})", *problems)))
+        raise UsageError("; ".join((f"--detector {name}: no such proposer ({there})", *problems)))
     return by_name[name]
 
 

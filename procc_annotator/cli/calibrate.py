@@ -59,8 +59,8 @@ the annotated points are met a little less closely. Where a group has one positi
 enough for a camera. positions.csv tells the positions and how the frames' own ones scattered.
 
 The JaC compares the cameras with the points they were fitted to. It tells how well the model can
-explain the annotation, not how well it would show what nobody annotated. --held-out tells that:
-every element is left out in turn and judged by the camera of the others, which takes some ten times
+explain the annotation, not how well it would show what nobody annotated. --leave-one-out does:
+each element is left out in turn and judged by the camera of the others, which takes some ten times
 as long. The distances go to held_out.csv, and evaluate and report tell them beside the cameras'
 figures.
 
@@ -93,7 +93,7 @@ SharedPosition = Annotated[
 HeldOut = Annotated[
     bool,
     typer.Option(
-        "--held-out",
+        "--leave-one-out",
         help="Also leave out every element in turn, and judge it by the camera of the others.",
     ),
 ]
@@ -131,7 +131,7 @@ def calibrate(given: CalibrateOptions) -> None:
     if given.groups is not None and not given.shared_position:
         raise UsageError("--groups is for --shared-position")
     if given.held_out and given.shared_position:
-        raise UsageError("--held-out is for cameras of their own, not for --shared-position")
+        raise UsageError("--leave-one-out is for cameras of their own, not for --shared-position")
     setup = options.make_setup(
         given.field,
         given.size,

@@ -31,7 +31,7 @@ from procc_annotator.cli.input_files import (
     report_remarks,
     report_unreadable,
 )
-from procc_annotator.cli.manifest_option import ManifestFile, ManifestOfRun, RecipeFile
+from procc_annotator.cli.manifest_option import ManifestFile, ManifestOfRun
 from procc_annotator.errors import ProccError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.formats.frame_names import FrameTable
@@ -154,7 +154,6 @@ class EvaluateOptions:
     submission: Submission = None
     output: options.FigureFiles = None
     manifest: ManifestFile = None
-    recipe: RecipeFile = None
     steady: temporal_options.OverTime = False
     shots: temporal_options.Shots = None
     pictures: temporal_options.Pictures = None
@@ -183,7 +182,7 @@ def evaluate(context: typer.Context, given: EvaluateOptions) -> None:
 def _request_of(context: typer.Context, given: EvaluateOptions) -> _EvaluateRequest:
     """Return what is to be done; all that was given is looked at before anything is."""
     written_to = outputs.figure_files(given.output)
-    manifest = ManifestOfRun.of(context, given.manifest, given.recipe)
+    manifest = ManifestOfRun.of(context, given.manifest)
     plan = _plan(given)
     fields = plan.fields(given.field, given.lines)
     setups = _setups(given, next(iter(fields.values())))
@@ -228,7 +227,9 @@ def _chance(
     told = chance.click_noise is not None or chance.cluster is not None
     if not (asked or told or given.intervals or chance.power):
         if (chance.interval_method, chance.draws, given.seed) != inference_options.USUAL:
-            raise UsageError("--interval-method, --draws and --seed need --intervals or the like")
+            raise UsageError(
+                "--interval-method, --resamples and --seed need --intervals or the like"
+            )
         return None
     parts = [name for name in by if name != MODEL]
     return chance.terms(tags, dict(plan.sets), parts, given.seed, given.shots)

@@ -122,15 +122,20 @@ Power = Annotated[
 Noise = Annotated[
     str | None,
     typer.Option(
-        "--click-noise",
+        "--annotation-noise",
         metavar="PX|FILE.json",
         show_default=False,
         help="Also what clicks leave open: everything again and again with every point moved by so"
         " much (standard deviation, px of the evaluation size), or by what agree's JSON tells.",
     ),
 ]
-Count = Annotated[int, typer.Option(min=100, max=1_000_000, metavar="N", help="Sets to draw.")]
-Seed = Annotated[int, typer.Option(min=0, metavar="N", help="Of the sets drawn.")]
+Count = Annotated[
+    int,
+    typer.Option(
+        "--resamples", min=100, max=1_000_000, metavar="N", help="Number of bootstrap resamples."
+    ),
+]
+Seed = Annotated[int, typer.Option(min=0, metavar="N", help="Random seed of the resamples.")]
 
 
 @dataclass(frozen=True)
@@ -268,8 +273,8 @@ def annotation_noise(text: str, seed: int) -> ClickNoise:
         return noise_from(file, seed)
     if not _LEAST_NOISE <= float(text) <= _MOST_NOISE:
         raise UsageError(
-            f"--click-noise {text}: expected {_LEAST_NOISE:g} to {_MOST_NOISE:g} px, or the JSON of"
-            " agree"
+            f"--annotation-noise {text}: expected {_LEAST_NOISE:g} to {_MOST_NOISE:g} px,"
+            " or the JSON of agree"
         )
     return ClickNoise(float(text), seed=seed)
 

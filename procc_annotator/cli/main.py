@@ -73,6 +73,27 @@ def _filled(group: Any, given: dict[str, Any]) -> Any:
     )
 
 
+# Options of the release before, by command: they go with the next one.
+_INFERENCE = {"--click-noise": "--annotation-noise", "--draws": "--resamples"}
+RENAMED_OPTIONS = {
+    "evaluate": {**_INFERENCE, "--recipe": "--manifest"},
+    "report": {**_INFERENCE, "--recipe": "--manifest"},
+    "compare": _INFERENCE,
+    "calibrate": {"--held-out": "--leave-one-out"},
+    "check": {
+        "--least": "--min-severity",
+        "--paint": "--line-evidence",
+        "--no-paint": "--no-line-evidence",
+    },
+    "propose": {"--known": "--known-positions", "--with": "--detector"},
+    "release": {
+        "--by": "--creator",
+        "--before": "--previous",
+        "--second": "--second-annotator",
+    },
+    "triangulate": {"--click-px": "--click-sd"},
+}
+
 _NEW_OBJECTS = 20_000  # before garbage is looked for: arrays and frozen values make hardly any
 
 
@@ -125,7 +146,16 @@ class LazyCommand(TyperCommand):
     def make_context(
         self, info_name: str | None, args: list[str], parent: Any = None, **extra: Any
     ) -> Any:
+        args = [self._renamed(argument) for argument in args]
         return self.load().make_context(info_name, args, parent, **extra)
+
+    def _renamed(self, argument: str) -> str:
+        option, equals, value = argument.partition("=")
+        new = RENAMED_OPTIONS.get(str(self.name), {}).get(option)
+        if new is None:
+            return argument
+        echo(f"note: {option} is deprecated, use {new}", err=True)
+        return new + equals + value
 
 
 EXAMPLES = """

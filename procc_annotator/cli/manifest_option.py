@@ -13,7 +13,6 @@ from typing import Annotated, Any
 import typer
 
 from procc_annotator.cli import outputs
-from procc_annotator.cli.echo import echo
 from procc_annotator.cli.inference_options import noise_file
 from procc_annotator.cli.options import named_field
 from procc_annotator.dataset import layout as folders
@@ -29,7 +28,7 @@ from procc_annotator.report.scores.scoring import EvaluationRequest
 from procc_annotator.report.temporal import TemporalMetrics, over_time_bytes
 
 # Options that write files or say who does the work: no part of what is repeated.
-DROPPED = frozenset({"output", "over_time_output", "manifest", "recipe", "workers", "dask"})
+DROPPED = frozenset({"output", "over_time_output", "manifest", "workers", "dask"})
 _OF_DATASET = (
     folders.FIELD_FILE, folders.FRAMES_FILE, folders.STADIUMS_FILE, folders.VIEWS_FILE,
     LABELS_FILE, LANDMARKS_FILE,
@@ -44,7 +43,6 @@ ManifestFile = Annotated[
         " `procc-annotator repeat` can run it again and compare.",
     ),
 ]
-RecipeFile = Annotated[Path | None, typer.Option(hidden=True, help="Deprecated: --manifest.")]
 
 
 @dataclass(frozen=True)
@@ -56,17 +54,12 @@ class ManifestOfRun:
     metrics: Path
 
     @classmethod
-    def of(
-        cls, context: typer.Context, manifest: Path | None, recipe: Path | None
-    ) -> ManifestOfRun | None:
-        """Read the option and its deprecated alias.
+    def of(cls, context: typer.Context, path: Path | None) -> ManifestOfRun | None:
+        """Prepare the file that was asked for, if one was.
 
         Raises:
             UsageError, SaveError: the file cannot be written there.
         """
-        if recipe is not None:
-            echo("note: --recipe is deprecated, use --manifest", err=True)
-        path = manifest or recipe
         if path is None:
             return None
         outputs.check_output_folder(path)

@@ -74,7 +74,7 @@ Example:
 
 \b
   procc-annotator release match/ match-1.1/ --version 1.1 --licence CC-BY-4.0 \\
-      --splits splits.csv --second second_annotator/ --before match-1.0/
+      --splits splits.csv --second-annotator second/ --previous match-1.0/
 """
 
 _AGREEMENT_TAU = 5.0
@@ -91,7 +91,7 @@ Licence = Annotated[
 ]
 By = Annotated[
     list[str] | None,
-    typer.Option("--by", metavar="NAME", show_default=False, help="Who made it; repeat."),
+    typer.Option("--creator", metavar="NAME", show_default=False, help="Who made it; repeat."),
 ]
 Url = Annotated[str, typer.Option(metavar="URL", help="Where it is found.")]
 Description = Annotated[str, typer.Option(metavar="TEXT", help="A paragraph for the card.")]
@@ -109,11 +109,15 @@ Splits = Annotated[
 Second = Annotated[
     Path | None,
     typer.Option(
-        metavar="DIR", show_default=False, help="Annotations of the same frames by somebody else."
+        "--second-annotator",
+        metavar="DIR",
+        show_default=False,
+        help="Annotations of the same frames by somebody else.",
     ),
 ]
 Before = Annotated[
-    Path | None, typer.Option(metavar="DIR", show_default=False, help="The release before.")
+    Path | None,
+    typer.Option("--previous", metavar="DIR", show_default=False, help="The release before."),
 ]
 Pictures = Annotated[bool, typer.Option("--pictures/--no-pictures", help="Pass pictures on.")]
 Check = Annotated[bool, typer.Option("--check/--no-check", help="Run the label check.")]

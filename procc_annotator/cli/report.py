@@ -16,7 +16,7 @@ from procc_annotator.batch.grouping import Tags
 from procc_annotator.cli import inference_options, input_files, options, outputs, temporal_options
 from procc_annotator.cli.console import with_progress
 from procc_annotator.cli.echo import echo
-from procc_annotator.cli.manifest_option import ManifestFile, ManifestOfRun, RecipeFile
+from procc_annotator.cli.manifest_option import ManifestFile, ManifestOfRun
 from procc_annotator.cli.method_arguments import SourceSpec, parse_sources
 from procc_annotator.cli.painters import overlay_painter, pair_painter
 from procc_annotator.dataset.annotation_source import open_annotations
@@ -176,7 +176,6 @@ class ReportOptions:
     reference: Reference = None
     picture_width: PictureWidth = 960
     manifest: ManifestFile = None
-    recipe: RecipeFile = None
     steady: temporal_options.OverTime = False
     shots: temporal_options.Shots = None
     workers: options.Workers = None
@@ -185,7 +184,7 @@ class ReportOptions:
 
 def report(context: typer.Context, given: ReportOptions) -> None:
     written = _written(given.cameras, given.output)
-    manifest = ManifestOfRun.of(context, given.manifest, given.recipe)
+    manifest = ManifestOfRun.of(context, given.manifest)
     setup = options.make_setup(
         given.field,
         given.size,

@@ -12,7 +12,7 @@ import pytest
 
 MARK = "fitted on these clicks"
 OTHER = "fitted to another version of these annotations"
-FEW = ("--draws", 200, "--seed", 1)
+FEW = ("--resamples", 200, "--seed", 1)
 
 
 def rows(path: Path) -> list[dict[str, str]]:

@@ -56,7 +56,7 @@ def _commands(evil: Path, out: Path) -> dict[str, list[object]]:
         "export": [evil, out / "ex"],
         "convert": [annotations, out / "c.json", "--to", "coco"],
         "propose-map": [annotations, out / "map.toml"],
-        "release": [evil, out / "rel", "--name", EVIL, "--second", second, "--no-check"],
+        "release": [evil, out / "rel", "--name", EVIL, "--second-annotator", second, "--no-check"],
         "render": [evil, out / "ren", "--cameras", cameras],
         "check-submission": [annotations],
     }

@@ -195,8 +195,8 @@ def test_json_nested_a_thousand_deep_is_one_line(cli, dataset, tmp_path, reader)
     arguments = {
         "repeat": ("repeat", file),
         "submission": ("evaluate", annotations, "--submission", tmp_path / "sub.zip"),
-        "before": ("release", dataset.root, tmp_path / "out", "--before", tmp_path),
-        "click noise": ("evaluate", annotations, cameras, "--click-noise", file),
+        "before": ("release", dataset.root, tmp_path / "out", "--previous", tmp_path),
+        "click noise": ("evaluate", annotations, cameras, "--annotation-noise", file),
     }[reader]
     done = cli(*arguments)
     assert done.exit_code == 2
@@ -263,3 +263,15 @@ def test_a_stopped_run_goes_on_by_being_run_again(
         assert files(out).items() <= whole.items()
         assert cli(command, dataset.root, out, *options).exit_code == 0
         assert files(out) == whole
+
+
+def test_an_option_of_the_release_before_is_translated(cli, dataset) -> None:
+    old, new = (
+        cli("check", dataset.root, severity, no_pictures)
+        for severity, no_pictures in (
+            ("--least=error", "--no-paint"), ("--min-severity=error", "--no-line-evidence"),
+        )
+    )  # fmt: skip
+    assert (old.exit_code, old.stdout) == (new.exit_code, new.stdout)
+    assert "--least is deprecated, use --min-severity" in old.stderr
+    assert "deprecated" not in new.stderr

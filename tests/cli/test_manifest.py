@@ -66,8 +66,8 @@ def test_it_is_repeated_elsewhere_and_by_its_old_name(
     (elsewhere / "runs").mkdir()
     assert cli("repeat", shutil.copy(manifest, elsewhere / "runs")).exit_code == 0
     old = tmp_path / "old.json"
-    done = cli("evaluate", elsewhere, elsewhere / "cameras" / "bad", "--recipe", old)
-    assert "--recipe is deprecated, use --manifest" in done.stderr
+    done = cli("evaluate", elsewhere, elsewhere / "cameras" / "bad", "--manifest", old)
+    assert "--manifest is deprecated, use --manifest" in done.stderr
     assert json.loads(old.read_text())["format"] == "procc-annotator manifest 1"
 
 
@@ -113,7 +113,17 @@ def test_a_report_with_intervals_is_repeated_and_its_tables_name_the_manifest(
     frames = sorted(path.stem for path in data.glob("*.json"))
     tags.write_text("frame,half\n" + "\n".join(f"{f},{n % 2}" for n, f in enumerate(frames)))
     sources = [f"--cameras={name}={data / 'cameras' / name}" for name in ("true", "bad")]
-    asked = ("--tags", tags, "--by", "zoom", "--click-noise", 1, "--draws", 200, "--planar-only")
+    asked = (
+        "--tags",
+        tags,
+        "--by",
+        "zoom",
+        "--annotation-noise",
+        1,
+        "--resamples",
+        200,
+        "--planar-only",
+    )
     done = cli("report", data, *sources, *asked, "--manifest", own, "-o", tex)
     assert done.exit_code == 0, done.output
     assert "% manifest: own.json" in tex.read_text()

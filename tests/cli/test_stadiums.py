@@ -21,7 +21,7 @@ from procc_annotator.metrics.setup import EvaluationSetup
 from tests.cli.conftest import PANS, SIZE, camera_file
 
 SIZES = {"old": {"length": 100.0, "width": 64.0}, "new": {"length": 105.0, "width": 68.0}}
-QUIET = ("--draws", 200, "--seed", 1)
+QUIET = ("--resamples", 200, "--seed", 1)
 
 
 def plain(text: str) -> str:

@@ -107,7 +107,7 @@ def test_every_command_does_its_work(dataset, sample_data: Path, tmp_path: Path)
         ["compare", f"a={cameras}", f"b={cameras}", root],
         ["report", root, "--cameras", cameras, "-o", tmp_path / "r.csv"],
         ["calibrate", root, tmp_path / "fitted", "--model", "P"],
-        ["propose", bare, tmp_path / "proposed", "--known", tree / "camera_00002.json"],
+        ["propose", bare, tmp_path / "proposed", "--known-positions", tree / "camera_00002.json"],
         ["track", one, tmp_path / "tracked", "--cameras", tree],
         ["annotate", one, tmp_path / "annotated", "--cameras", tree],
         ["check", root],

@@ -280,7 +280,7 @@ def _read_table(data: bytes | None) -> tuple[Mapping[str, LeftOutResult], str]:
     except (csv.Error, ValueError, TypeError) as error:
         return {}, (
             f"{LEFT_OUT_FILE}, line {reader.line_num}: {error}; its figures are left out, calibrate"
-            " --held-out writes it anew"
+            " --leave-one-out writes it anew"
         )
     return {
         digest: LeftOutResult(terms[digest], tuple(found.values()))

@@ -240,7 +240,7 @@ def pixels(value: float | None) -> str:
     return MEAN_ERROR.text(value)
 
 
-LEFT_OUT_METHOD = "calibrate --held-out"
+LEFT_OUT_METHOD = "calibrate --leave-one-out"
 
 
 class MethodWithLeftOut(Protocol):
