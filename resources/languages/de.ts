@@ -4,581 +4,184 @@
  <context>
   <name>procc</name>
   <message>
-   <source>the principal point is far from the centre of the picture, which seems cut out of a larger one</source>
-   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
-   <translation>der Bildhauptpunkt liegt weit von der Bildmitte, das Bild scheint aus einem größeren ausgeschnitten</translation>
-  </message>
-  <message>
-   <source>with aspect ratio and principal point {px} px: not clearly better</source>
-   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
-   <translation>mit Seitenverhältnis und Bildhauptpunkt {px} px: nicht deutlich besser</translation>
-  </message>
-  <message>
-   <source>without lens distortion the points are {without} px off, with it {with_it} px: not clearly better</source>
-   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
-   <translation>ohne Linsenverzeichnung liegen die Punkte {without} px daneben, mit ihr {with_it} px: nicht deutlich besser</translation>
-  </message>
-  <message>
-   <source>aspect ratio and principal point bring the points from {before} to {after} px, more than three parameters would by chance</source>
-   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
-   <translation>Seitenverhältnis und Bildhauptpunkt bringen die Punkte von {before} auf {after} px, mehr als drei Parameter zufällig brächten</translation>
-  </message>
-  <message>
-   <source>lens distortion brings the points from {before} to {after} px</source>
-   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
-   <translation>die Linsenverzeichnung bringt die Punkte von {before} auf {after} px</translation>
-  </message>
-  <message>
-   <source>the points show lens distortion clearly and are {px} px off</source>
-   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
-   <translation>die Punkte zeigen deutliche Linsenverzeichnung und liegen {px} px daneben</translation>
-  </message>
-  <message>
-   <source>pan, tilt or roll ± more than {degrees:g}°, position ± more than {way:g} % of the way to the field's centre, or focal length ± more than {focal:g} %, or clicks that are the same from the other end</source>
-   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
-   <translation>Schwenk, Neigung oder Rollen ± mehr als {degrees:g}°, Position ± mehr als {way:g} % des Wegs zur Feldmitte, oder Brennweite ± mehr als {focal:g} %, oder Klicks, die vom anderen Ende gleich sind</translation>
-  </message>
-  <message>
    <source>pan ± {degrees:.1f}°</source>
-   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <extracomment>[procc_annotator/calibration/result.py]</extracomment>
    <translation>Schwenk ± {degrees:.1f}°</translation>
   </message>
   <message>
    <source>tilt ± {degrees:.1f}°</source>
-   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <extracomment>[procc_annotator/calibration/result.py]</extracomment>
    <translation>Neigung ± {degrees:.1f}°</translation>
   </message>
   <message>
    <source>roll ± {degrees:.1f}°</source>
-   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <extracomment>[procc_annotator/calibration/result.py]</extracomment>
    <translation>Rollen ± {degrees:.1f}°</translation>
   </message>
   <message>
-   <source>position ± {metres:.0f} m</source>
-   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
-   <translation>Position ± {metres:.0f} m</translation>
+   <source>untouched</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>unberührt</translation>
   </message>
   <message>
-   <source>focal length ± {percent:.0f} %</source>
-   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
-   <translation>Brennweite ± {percent:.0f} %</translation>
+   <source>in progress</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>in Arbeit</translation>
   </message>
   <message>
-   <source>the same from the other end</source>
-   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
-   <translation>vom anderen Ende gleich</translation>
+   <source>done</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>fertig</translation>
   </message>
   <message>
-   <source>coordinates look like pixels, expected 0 to 1 (x = {x:g}, y = {y:g})</source>
-   <extracomment>[procc_annotator/fit/fitting.py]</extracomment>
-   <translation>Koordinaten sehen nach Pixeln aus, erwartet ist 0 bis 1 (x = {x:g}, y = {y:g})</translation>
+   <source>approved</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>freigegeben</translation>
   </message>
   <message>
-   <source>another camera that shows other lines suits the picture nearly as well</source>
-   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
-   <translation>eine andere Kamera, die andere Linien zeigt, passt fast ebenso gut zum Bild</translation>
+   <source>rejected</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>abgelehnt</translation>
   </message>
   <message>
-   <source>{lines:.0f} % of the lines in sight lie on paint, which explains {paint:.0f} % of the paint on the ground</source>
-   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
-   <translation>{lines:.0f} % der sichtbaren Linien liegen auf Farbe, was {paint:.0f} % der Farbe am Boden erklärt</translation>
+   <source>clicked</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>geklickt</translation>
   </message>
   <message>
-   <source>the picture is nearly square, as a squeezed one is: its pixels may not be square</source>
-   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
-   <translation>das Bild ist fast quadratisch wie ein gestauchtes: seine Pixel sind vielleicht nicht quadratisch</translation>
+   <source>snapped</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>eingerastet</translation>
   </message>
   <message>
-   <source>lines are missing that should be in sight</source>
-   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
-   <translation>es fehlen Linien, die zu sehen sein müssten</translation>
+   <source>regularised</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>begradigt</translation>
   </message>
   <message>
-   <source>there is paint where the field has none</source>
-   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
-   <translation>es gibt Farbe, wo das Feld keine hat</translation>
+   <source>copied</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>kopiert</translation>
   </message>
   <message>
-   <source>cameras hardly stand there</source>
-   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
-   <translation>dort stehen kaum Kameras</translation>
+   <source>moved</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>verschoben</translation>
   </message>
   <message>
-   <source>too few lines are in sight to tell</source>
-   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
-   <translation>zu wenige Linien sind zu sehen, um es zu sagen</translation>
+   <source>accepted suggestion</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>angenommener Vorschlag der Anpassung</translation>
   </message>
   <message>
-   <source>the lines in sight leave the camera open: {what}</source>
-   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
-   <translation>die sichtbaren Linien lassen die Kamera offen: {what}</translation>
+   <source>proposed</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>vorgeschlagen</translation>
   </message>
   <message>
-   <source>no camera suits the paint in this picture: of the best one {shares}</source>
-   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
-   <translation>keine Kamera passt zur Farbe in diesem Bild: bei der besten {shares}</translation>
+   <source>accepted proposal</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>angenommener Vorschlag</translation>
   </message>
   <message>
-   <source>is this {field}, and no other sport? {why}</source>
-   <extracomment>[procc_annotator/fit/from_picture/proposing.py]</extracomment>
-   <translation>ist dies {field} und keine andere Sportart? {why}</translation>
+   <source>unconfirmed by paint</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>nicht durch Farbe bestätigt</translation>
   </message>
   <message>
-   <source>look at it</source>
-   <extracomment>[procc_annotator/fit/labels/finding.py]</extracomment>
-   <translation>ansehen</translation>
+   <source>from the file</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>aus der Datei</translation>
   </message>
   <message>
-   <source>all labels fit with far and near exchanged</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>alle Klassen passen, wenn fern und nah vertauscht sind</translation>
+   <source>camera</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>Kamera</translation>
   </message>
   <message>
-   <source>all labels fit with left and right exchanged</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>alle Klassen passen, wenn links und rechts vertauscht sind</translation>
+   <source>annotation</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>Annotation</translation>
   </message>
   <message>
-   <source>look at point {number}</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py, procc_annotator/fit/labels/shape.py]</extracomment>
-   <translation>Punkt {number} ansehen</translation>
+   <source>fine</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>in Ordnung</translation>
   </message>
   <message>
-   <source>point {number} of {title} is {off:.0f} px off, its other points at most {rest:.1f} px</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>Punkt {number} von {title} liegt {off:.0f} px daneben, die anderen Punkte höchstens {rest:.1f} px</translation>
+   <source>camera fault</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>Fehler der Kamera</translation>
   </message>
   <message>
-   <source>elements are {after:.1f} px off on average, no camera fits the labels as they are</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>Elemente liegen im Mittel {after:.1f} px daneben; so, wie sie sind, passt keine Kamera</translation>
+   <source>annotation fault</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>Fehler der Annotation</translation>
   </message>
   <message>
-   <source>elements are {after:.1f} px off on average, {before:.1f} px as they are</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>Elemente liegen im Mittel {after:.1f} px daneben, so wie sie sind {before:.1f} px</translation>
+   <source>taken back</source>
+   <extracomment>[procc_annotator/dataset/saving.py, procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation>zurückgenommen</translation>
   </message>
   <message>
-   <source>{a} and {b} fit with each other's label</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>{a} und {b} passen mit der Klasse des jeweils anderen</translation>
+   <source>saved</source>
+   <extracomment>[procc_annotator/dataset/saving.py]</extracomment>
+   <translation>gespeichert</translation>
   </message>
   <message>
-   <source>{titles} fit with each other's labels</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>{titles} passen mit den Klassen der jeweils anderen</translation>
+   <source>as it was found</source>
+   <extracomment>[procc_annotator/dataset/saving.py, procc_annotator/dataset/workspace.py]</extracomment>
+   <translation>wie vorgefunden</translation>
   </message>
   <message>
-   <source>relabel {steps}</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>umbenennen: {steps}</translation>
+   <source>what was saved elsewhere</source>
+   <extracomment>[procc_annotator/dataset/workspace.py]</extracomment>
+   <translation>was anderswo gespeichert wurde</translation>
   </message>
   <message>
-   <source>remove point {number}</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py, procc_annotator/fit/labels/shape.py]</extracomment>
-   <translation>Punkt {number} entfernen</translation>
+   <source>overwritten</source>
+   <extracomment>[procc_annotator/dataset/workspace.py]</extracomment>
+   <translation>überschrieben</translation>
   </message>
   <message>
-   <source>point {number} of {title} is {off:.0f} px off, its other point at most {rest:.1f} px</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>Punkt {number} von {title} liegt {off:.0f} px daneben, der andere Punkt höchstens {rest:.1f} px</translation>
+   <source>fitted on these clicks</source>
+   <extracomment>[procc_annotator/formats/cameras/fit_record.py]</extracomment>
+   <translation>an diese Klicks angepasst</translation>
   </message>
   <message>
-   <source>{title} is up to {px:.0f} px from where the camera of the others shows it</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>{title} liegt bis zu {px:.0f} px von dort, wo die Kamera der anderen es zeigt</translation>
+   <source>fitted to another version of these annotations</source>
+   <extracomment>[procc_annotator/formats/cameras/fit_record.py]</extracomment>
+   <translation>an eine andere Fassung dieser Annotationen angepasst</translation>
   </message>
   <message>
-   <source>{title} is nowhere near where the camera of the others shows it</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>{title} liegt weit weg von dort, wo die Kamera der anderen es zeigt</translation>
+   <source>fitted on these clicks, or to another version of these annotations</source>
+   <extracomment>[procc_annotator/formats/cameras/fit_record.py]</extracomment>
+   <translation>an diese Klicks oder an eine andere Fassung dieser Annotationen angepasst</translation>
   </message>
   <message>
-   <source>without {titles} the others drop from {before:.1f} to {after:.1f} px</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>ohne {titles} fallen die anderen von {before:.1f} auf {after:.1f} px</translation>
-  </message>
-  <message>
-   <source>swap {a} and {b}</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py, procc_annotator/fit/labels/sides.py]</extracomment>
-   <translation>{a} und {b} tauschen</translation>
-  </message>
-  <message>
-   <source>{a} to {b}</source>
-   <comment>labels</comment>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>{a} in {b}</translation>
-  </message>
-  <message>
-   <source>it lies where {title} should be</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>es liegt, wo {title} sein müsste</translation>
-  </message>
-  <message>
-   <source>the others are {px:.1f} px off with and without it</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>die anderen liegen mit und ohne es {px:.1f} px daneben</translation>
-  </message>
-  <message>
-   <source>more than its own place is uncertain</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>mehr, als sein eigener Ort unsicher ist</translation>
-  </message>
-  <message>
-   <source>relabel to {title}</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py, procc_annotator/fit/labels/unknown.py]</extracomment>
-   <translation>in {title} umbenennen</translation>
-  </message>
-  <message>
-   <source>it lies on {title}, which is annotated as well</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>es liegt auf {title}, das ebenfalls annotiert ist</translation>
-  </message>
-  <message>
-   <source>{title} is up to {px:.0f} px from where the camera shows it; too few elements fit to say which are wrong</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>{title} liegt bis zu {px:.0f} px von dort, wo die Kamera es zeigt; zu wenige Elemente passen, um zu sagen, welche falsch sind</translation>
-  </message>
-  <message>
-   <source>no camera fits these labels together</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>keine Kamera passt zu diesen Klassen zusammen</translation>
-  </message>
-  <message>
-   <source>exchange far and near in the whole frame</source>
-   <extracomment>[procc_annotator/fit/labels/orientation.py]</extracomment>
-   <translation>fern und nah im ganzen Bild tauschen</translation>
-  </message>
-  <message>
-   <source>exchange left and right in the whole frame</source>
-   <extracomment>[procc_annotator/fit/labels/orientation.py]</extracomment>
-   <translation>links und rechts im ganzen Bild tauschen</translation>
-  </message>
-  <message>
-   <source>{a} and {b} lie on top of each other, less than {px:.0f} px apart: one line under two names?</source>
-   <extracomment>[procc_annotator/fit/labels/overlap.py]</extracomment>
-   <translation>{a} und {b} liegen aufeinander, weniger als {px:.0f} px auseinander: eine Linie unter zwei Namen?</translation>
-  </message>
-  <message>
-   <source>{title} is straight on the field, its points lie up to {px:.0f} px beside a line, more than any lens bends it</source>
-   <extracomment>[procc_annotator/fit/labels/shape.py]</extracomment>
-   <translation>{title} ist auf dem Feld gerade, seine Punkte liegen bis zu {px:.0f} px neben einer Geraden, mehr als ein Objektiv sie biegt</translation>
-  </message>
-  <message numerus="yes">
-   <source>{title} has {n} points, a line takes two</source>
-   <extracomment>{title} has {n} point, a line takes two / {title} has {n} points, a line takes two [procc_annotator/fit/labels/shape.py]</extracomment>
-   <translation>
-    <numerusform>{title} hat {n} Punkt, eine Linie braucht zwei</numerusform>
-    <numerusform>{title} hat {n} Punkte, eine Linie braucht zwei</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{title} has {n} points; a curve takes at least {least}</source>
-   <extracomment>{title} has {n} point; a curve takes at least {least} / {title} has {n} points; a curve takes at least {least} [procc_annotator/fit/labels/shape.py]</extracomment>
-   <translation>
-    <numerusform>{title} hat {n} Punkt; eine Kurve braucht mindestens {least}</numerusform>
-    <numerusform>{title} hat {n} Punkte; eine Kurve braucht mindestens {least}</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{title} has {n} points; fewer than {least} determine no ellipse</source>
-   <extracomment>{title} has {n} point; fewer than {least} determine no ellipse / {title} has {n} points; fewer than {least} determine no ellipse [procc_annotator/fit/labels/shape.py]</extracomment>
-   <translation>
-    <numerusform>{title} hat {n} Punkt; weniger als {least} bestimmen keine Ellipse</numerusform>
-    <numerusform>{title} hat {n} Punkte; weniger als {least} bestimmen keine Ellipse</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{title} is a single place, it has {count} points up to {px:.0f} px apart</source>
-   <extracomment>[procc_annotator/fit/labels/shape.py]</extracomment>
-   <translation>{title} ist ein einzelner Ort, hat aber {count} Punkte, die bis zu {px:.0f} px auseinanderliegen</translation>
-  </message>
-  <message>
-   <source>the points of {title} go back and forth instead of along it</source>
-   <extracomment>[procc_annotator/fit/labels/shape.py]</extracomment>
-   <translation>die Punkte von {title} gehen hin und her statt daran entlang</translation>
-  </message>
-  <message>
-   <source>the points of {title} go over the same stretch more than once: their course is {times:.1f} times as long as it need be</source>
-   <extracomment>[procc_annotator/fit/labels/shape.py]</extracomment>
-   <translation>die Punkte von {title} gehen mehrmals über denselben Abschnitt: ihr Weg ist {times:.1f}-mal so lang wie nötig</translation>
-  </message>
-  <message>
-   <source>its corner</source>
-   <comment>where a line ends</comment>
-   <extracomment>[procc_annotator/fit/labels/short.py]</extracomment>
-   <translation>seiner Ecke</translation>
-  </message>
-  <message>
-   <source>the picture's edge</source>
-   <comment>where a line ends</comment>
-   <extracomment>[procc_annotator/fit/labels/short.py]</extracomment>
-   <translation>dem Bildrand</translation>
-  </message>
-  <message>
-   <source>{title} stops {px:.0f} px short of {what}</source>
-   <extracomment>[procc_annotator/fit/labels/short.py]</extracomment>
-   <translation>{title} endet {px:.0f} px vor {what}</translation>
-  </message>
-  <message>
-   <source>{title} stops {px:.0f} px short of {what}, and {px_2:.0f} px short of {what_2} at its other end</source>
-   <extracomment>[procc_annotator/fit/labels/short.py]</extracomment>
-   <translation>{title} endet {px:.0f} px vor {what}, und am anderen Ende {px_2:.0f} px vor {what_2}</translation>
-  </message>
-  <message>
-   <source>everything lies the wrong way round: far and near, are exchanged</source>
-   <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
-   <translation>alles liegt verkehrt herum: fern und nah sind vertauscht</translation>
-  </message>
-  <message>
-   <source>everything lies the wrong way round: left and right, are exchanged</source>
-   <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
-   <translation>alles liegt verkehrt herum: links und rechts sind vertauscht</translation>
-  </message>
-  <message>
-   <source>everything lies the wrong way round: far and near, or left and right, are exchanged</source>
-   <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
-   <translation>alles liegt verkehrt herum: fern und nah, oder links und rechts, sind vertauscht</translation>
-  </message>
-  <message>
-   <source>{title} is on the wrong side of {others}</source>
-   <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
-   <translation>{title} liegt auf der falschen Seite von {others}</translation>
-  </message>
-  <message>
-   <source>{titles} lie on each other's side of the elements around them</source>
-   <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
-   <translation>{titles} liegen auf der Seite des jeweils anderen</translation>
-  </message>
-  <message>
-   <source>{titles} cannot lie this way round to each other, whatever the camera</source>
-   <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
-   <translation>{titles} können nicht so herum zueinander liegen, gleich bei welcher Kamera</translation>
-  </message>
-  <message>
-   <source>no such class: {name!r}, did you mean {title}?</source>
-   <extracomment>[procc_annotator/fit/labels/unknown.py]</extracomment>
-   <translation>keine solche Klasse: {name!r}, ist {title} gemeint?</translation>
-  </message>
-  <message>
-   <source>no such class: {name!r} fits no camera, and counts as missed where it is scored</source>
-   <extracomment>[procc_annotator/fit/labels/unknown.py]</extracomment>
-   <translation>keine solche Klasse: {name!r} passt zu keiner Kamera und zählt als verfehlt, wo bewertet wird</translation>
-  </message>
-  <message>
-   <source>That is annotated already</source>
-   <extracomment>[procc_annotator/fit/labels/unknown.py]</extracomment>
-   <translation>Das ist schon annotiert</translation>
-  </message>
-  <message>
-   <source>put its points along the paint</source>
-   <extracomment>[procc_annotator/fit/labels/unpainted.py]</extracomment>
-   <translation>seine Punkte auf die Farbe setzen</translation>
-  </message>
-  <message>
-   <source>{title} is straight between its clicks, its paint runs up to {px:.0f} px beside it: regularise it (R)</source>
-   <extracomment>[procc_annotator/fit/labels/unpainted.py]</extracomment>
-   <translation>{title} ist zwischen seinen Klicks gerade, seine Farbe verläuft bis zu {px:.0f} px daneben: begradigen (R)</translation>
-  </message>
-  <message>
-   <source>an end of {title} lies about {px:.0f} px beside its paint, which is seen on the way there: put that point on it</source>
-   <extracomment>[procc_annotator/fit/labels/unpainted.py]</extracomment>
-   <translation>ein Ende von {title} liegt etwa {px:.0f} px neben seiner Farbe, die auf dem Weg dorthin zu sehen ist: diesen Punkt darauf setzen</translation>
-  </message>
-  <message>
-   <source>no paint under {title} along {percent:.0f} % of it, at most {px:.0f} px on end</source>
-   <extracomment>[procc_annotator/fit/labels/unpainted.py]</extracomment>
-   <translation>keine Farbe unter {title} auf {percent:.0f} % davon, höchstens {px:.0f} px am Stück</translation>
-  </message>
-  <message>
-   <source>no paint under {title} towards one of its ends, under all the rest there is</source>
-   <extracomment>[procc_annotator/fit/labels/unpainted.py]</extracomment>
-   <translation>keine Farbe unter {title} gegen eines seiner Enden, unter dem ganzen Rest schon</translation>
-  </message>
-  <message>
-   <source>{name} lies {px:.0f} px beside its paint, as {more} more do theirs</source>
-   <extracomment>[procc_annotator/fit/on_paint/beside.py]</extracomment>
-   <translation>{name} liegt {px:.0f} px neben seiner Farbe, {more} weitere ebenso</translation>
-  </message>
-  <message>
-   <source>{name} lies {px:.0f} px beside its paint</source>
-   <extracomment>[procc_annotator/fit/on_paint/beside.py]</extracomment>
-   <translation>{name} liegt {px:.0f} px neben seiner Farbe</translation>
-  </message>
-  <message>
-   <source>no camera explains these elements together: the best one misses half of them by more than {px:.0f} px (are the labels right?)</source>
-   <extracomment>[procc_annotator/fit/one_model.py]</extracomment>
-   <translation>keine Kamera erklärt diese Elemente zusammen: die beste verfehlt die Hälfte davon um mehr als {px:.0f} px (sind die Klassen richtig?)</translation>
-  </message>
-  <message>
-   <source>only {share:.0%} of the lines in sight are on paint</source>
-   <extracomment>[procc_annotator/fit/pegged_on_paint.py, procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
-   <translation>nur {share:.0%} der sichtbaren Linien liegen auf Farbe</translation>
-  </message>
-  <message>
-   <source>there is too little paint</source>
-   <extracomment>[procc_annotator/fit/pegged_on_paint.py]</extracomment>
-   <translation>es gibt zu wenig Farbe</translation>
-  </message>
-  <message>
-   <source>the paint nearby would take a peg from its place</source>
-   <extracomment>[procc_annotator/fit/pegged_on_paint.py]</extracomment>
-   <translation>die Farbe in der Nähe nähme einem Pflock seinen Platz</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} elements, {needed} needed</source>
-   <extracomment>{n} element, {needed} needed / {n} elements, {needed} needed [procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>
-    <numerusform>{n} Element, {needed} nötig</numerusform>
-    <numerusform>{n} Elemente, {needed} nötig</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{points} points on {n} elements, two different ones on each of {needed} needed</source>
-   <extracomment>{points} points on {n} element, two different ones on each of {needed} needed / {points} points on {n} elements, two different ones on each of {needed} needed [procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>
-    <numerusform>{points} Punkte auf {n} Element, nötig sind je zwei verschiedene auf {needed}</numerusform>
-    <numerusform>{points} Punkte auf {n} Elementen, nötig sind je zwei verschiedene auf {needed}</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} elements on the ground, {needed} needed</source>
-   <extracomment>{n} element on the ground, {needed} needed / {n} elements on the ground, {needed} needed [procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>
-    <numerusform>{n} Element am Boden, {needed} nötig</numerusform>
-    <numerusform>{n} Elemente am Boden, {needed} nötig</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>all points lie in one place of the picture</source>
-   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>alle Punkte liegen an einer Stelle des Bildes</translation>
-  </message>
-  <message>
-   <source>all points lie on one line of the picture</source>
-   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>alle Punkte liegen auf einer Linie des Bildes</translation>
-  </message>
-  <message>
-   <source>not a plausible pose: the fit did not settle</source>
-   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>keine plausible Pose: die Anpassung kam nicht zur Ruhe</translation>
-  </message>
-  <message>
-   <source>not a plausible pose: on the ground</source>
-   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>keine plausible Pose: auf dem Boden</translation>
-  </message>
-  <message>
-   <source>not a plausible pose: {metres:.1f} m below the ground</source>
-   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>keine plausible Pose: {metres:.1f} m unter dem Boden</translation>
-  </message>
-  <message>
-   <source>not a plausible pose: only {metres:.1f} m above the ground</source>
-   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>keine plausible Pose: nur {metres:.1f} m über dem Boden</translation>
-  </message>
-  <message>
-   <source>not a plausible pose: {metres:.0f} m from the field's centre</source>
-   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>keine plausible Pose: {metres:.0f} m von der Feldmitte</translation>
-  </message>
-  <message>
-   <source>not a plausible pose: rolled by {degrees:.0f} degrees</source>
-   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>keine plausible Pose: um {degrees:.0f} Grad gerollt</translation>
-  </message>
-  <message>
-   <source>not a plausible pose: focal length {px:.0f} px at 960 px width</source>
-   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>keine plausible Pose: Brennweite {px:.0f} px bei 960 px Breite</translation>
-  </message>
-  <message>
-   <source>too little paint in sight</source>
-   <extracomment>[procc_annotator/fit/through_shot/stepping.py]</extracomment>
-   <translation>zu wenig Farbe in Sicht</translation>
-  </message>
-  <message>
-   <source>too little of what should be in sight was found</source>
-   <extracomment>[procc_annotator/fit/through_shot/stepping.py]</extracomment>
-   <translation>zu wenig davon gefunden, was zu sehen sein müsste</translation>
-  </message>
-  <message>
-   <source>the paint that was found would move the camera too far</source>
-   <extracomment>[procc_annotator/fit/through_shot/stepping.py]</extracomment>
-   <translation>die gefundene Farbe würde die Kamera zu weit verschieben</translation>
-  </message>
-  <message>
-   <source>even with the position known: {why}</source>
-   <extracomment>[procc_annotator/fit/together/tripod.py]</extracomment>
-   <translation>selbst mit bekannter Position: {why}</translation>
-  </message>
-  <message>
-   <source>{count} positions, and nothing tells which is its</source>
-   <extracomment>[procc_annotator/fit/together/tripod.py]</extracomment>
-   <translation>{count} Positionen, und nichts sagt, welche die seine ist</translation>
-  </message>
-  <message>
-   <source>{count} of {total} clicks lie where the camera shows nothing</source>
-   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
-   <translation>{count} von {total} Klicks liegen, wo die Kamera nichts zeigt</translation>
-  </message>
-  <message>
-   <source>the views look at it from nearly the same direction ({degrees:.2f} degrees apart, at least {least:g} are needed)</source>
-   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
-   <translation>die Ansichten sehen es aus fast derselben Richtung ({degrees:.2f} Grad auseinander, nötig sind mindestens {least:g})</translation>
-  </message>
-  <message>
-   <source>clicked in no view that has a camera</source>
-   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
-   <translation>in keiner Ansicht geklickt, die eine Kamera hat</translation>
-  </message>
-  <message>
-   <source>cameras that know only the ground (homographies) tell no place in space</source>
-   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
-   <translation>Kameras, die nur den Boden kennen (Homographien), bestimmen keinen Ort im Raum</translation>
-  </message>
-  <message>
-   <source>the lines of sight meet behind the camera of {names}</source>
-   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
-   <translation>die Sichtlinien treffen sich hinter der Kamera von {names}</translation>
-  </message>
-  <message>
-   <source>clicked in one view only</source>
-   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
-   <translation>nur in einer Ansicht geklickt</translation>
-  </message>
-  <message>
-   <source>would be farther than {metres:g} m from the field</source>
-   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
-   <translation>läge weiter als {metres:g} m vom Feld entfernt</translation>
-  </message>
-  <message>
-   <source>the views do not agree: {far} px off (is it the same place in all of them, and are the cameras right?)</source>
-   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
-   <translation>die Ansichten stimmen nicht überein: {far} px daneben (ist es in allen derselbe Ort, und sind die Kameras richtig?)</translation>
-  </message>
-  <message>
-   <source>turn the labels by half a turn</source>
-   <extracomment>[procc_annotator/fit/which_side.py]</extracomment>
-   <translation>die Klassen um eine halbe Drehung drehen</translation>
-  </message>
-  <message numerus="yes">
-   <source>the camera stands on a side of the field where hardly any other of {n} frames does: a camera of its own, or labels turned by half a turn</source>
-   <extracomment>the camera stands on a side of the field where hardly any other of {n} frame does: a camera of its own, or labels turned by half a turn / the camera stands on a side of the field where hardly any other of {n} frames does: a camera of its own, or labels turned by half a turn [procc_annotator/fit/which_side.py]</extracomment>
-   <translation>
-    <numerusform>die Kamera steht auf einer Seite des Feldes, auf der kaum eine andere von {n} Bild steht: eine eigene Kamera, oder um eine halbe Drehung gedrehte Klassen</numerusform>
-    <numerusform>die Kamera steht auf einer Seite des Feldes, auf der kaum eine andere von {n} Bildern steht: eine eigene Kamera, oder um eine halbe Drehung gedrehte Klassen</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>the camera stands on the other side of the field from the rest; with its labels turned by half a turn it stands where that of {n} frames does</source>
-   <extracomment>the camera stands on the other side of the field from the rest; with its labels turned by half a turn it stands where that of {n} frame does / the camera stands on the other side of the field from the rest; with its labels turned by half a turn it stands where that of {n} frames does [procc_annotator/fit/which_side.py]</extracomment>
-   <translation>
-    <numerusform>die Kamera steht auf der anderen Seite des Feldes als die übrigen; mit um eine halbe Drehung gedrehten Klassen steht sie, wo die von {n} Bild steht</numerusform>
-    <numerusform>die Kamera steht auf der anderen Seite des Feldes als die übrigen; mit um eine halbe Drehung gedrehten Klassen steht sie, wo die von {n} Bildern stehen</numerusform>
-   </translation>
+   <source>by file type and content</source>
+   <extracomment>[procc_annotator/formats/cameras/registry.py]</extracomment>
+   <translation>nach Dateityp und Inhalt</translation>
   </message>
   <message>
    <source>File</source>
@@ -3097,7 +2700,7 @@ Open a folder of pictures first.</source>
   </message>
   <message>
    <source>Esc puts it back</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py, procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/gui/picture/camera_hand.py, procc_annotator/interaction/hints.py]</extracomment>
    <translation>Esc legt es zurück</translation>
   </message>
   <message numerus="yes">
@@ -3173,7 +2776,7 @@ Open a folder of pictures first.</source>
   </message>
   <message>
    <source>click and Enter do nothing</source>
-   <extracomment>[procc_annotator/gui/picture/canvas.py, procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/gui/picture/canvas.py, procc_annotator/interaction/hints.py]</extracomment>
    <translation>Klick und Eingabe tun nichts</translation>
   </message>
   <message>
@@ -3310,7 +2913,7 @@ Open a folder of pictures first.</source>
   </message>
   <message>
    <source>next: {title}</source>
-   <extracomment>[procc_annotator/gui/picture/ghost_layer.py, procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/gui/picture/ghost_layer.py, procc_annotator/interaction/hints.py]</extracomment>
    <translation>als Nächstes: {title}</translation>
   </message>
   <message>
@@ -4421,27 +4024,9 @@ Laden oder zeigen Sie eine weitere.</translation>
    </translation>
   </message>
   <message>
-   <source>regularise {what}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>{what} begradigen</translation>
-  </message>
-  <message>
-   <source>copy from {frame}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>von {frame} kopieren</translation>
-  </message>
-  <message>
    <source>choose an annotated element first</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
    <translation>wählen Sie zuerst ein annotiertes Element</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} elements</source>
-   <extracomment>{n} element / {n} elements [procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/review/label_check.py, procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{n} Element</numerusform>
-    <numerusform>{n} Elemente</numerusform>
-   </translation>
   </message>
   <message numerus="yes">
    <source>regularised {what}: {n} points</source>
@@ -4449,6 +4034,14 @@ Laden oder zeigen Sie eine weitere.</translation>
    <translation>
     <numerusform>{what} begradigt: {n} Punkt</numerusform>
     <numerusform>{what} begradigt: {n} Punkte</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} elements</source>
+   <extracomment>{n} element / {n} elements [procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/review/label_check.py, procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
+   <translation>
+    <numerusform>{n} Element</numerusform>
+    <numerusform>{n} Elemente</numerusform>
    </translation>
   </message>
   <message>
@@ -4490,27 +4083,6 @@ Laden oder zeigen Sie eine weitere.</translation>
    <source>merge {element} into {other}</source>
    <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
    <translation>{element} mit {other} vereinen</translation>
-  </message>
-  <message>
-   <source>close gaps</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>Lücken schließen</translation>
-  </message>
-  <message numerus="yes">
-   <source>confirm {n} elements</source>
-   <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>{n} Element bestätigen</numerusform>
-    <numerusform>{n} Elemente bestätigen</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>drop {n} unconfirmed elements</source>
-   <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>{n} unbestätigtes Element verwerfen</numerusform>
-    <numerusform>{n} unbestätigte Elemente verwerfen</numerusform>
-   </translation>
   </message>
   <message>
    <source>{element} is its own symmetric element</source>
@@ -4611,19 +4183,6 @@ Laden oder zeigen Sie eine weitere.</translation>
    <source>the camera is another one meanwhile</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
    <translation>die Kamera ist inzwischen eine andere</translation>
-  </message>
-  <message>
-   <source>accept {what}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>{what} annehmen</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} ghosts</source>
-   <extracomment>{n} ghost / {n} ghosts [procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>
-    <numerusform>{n} Geist</numerusform>
-    <numerusform>{n} Geister</numerusform>
-   </translation>
   </message>
   <message>
    <source>{n} of {total} ghosts</source>
@@ -4843,11 +4402,6 @@ Laden oder zeigen Sie eine weitere.</translation>
    <source>that was the last ghost</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
    <translation>das war der letzte Geist</translation>
-  </message>
-  <message>
-   <source>taken back</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py, procc_annotator/session/dataset/frame_state.py]</extracomment>
-   <translation>zurückgenommen</translation>
   </message>
   <message>
    <source>go to a ghost first (Tab)</source>
@@ -5530,12 +5084,6 @@ Verliert {loses}.</translation>
     <numerusform>{n:,} Bilder enthalten bereits dasselbe.</numerusform>
    </translation>
   </message>
-  <message>
-   <source>import</source>
-   <comment>a step</comment>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>Importieren</translation>
-  </message>
   <message numerus="yes">
    <source>{edited} of {n:,} frames imported</source>
    <extracomment>{edited} of {n:,} frame imported / {edited} of {n:,} frames imported [procc_annotator/gui/tasks/files/importing.py]</extracomment>
@@ -5912,14 +5460,6 @@ Verliert {loses}.</translation>
    <translation>kein Befund ist so sicher, wie der Bereich Befunde eingestellt ist</translation>
   </message>
   <message numerus="yes">
-   <source>relabelled {n} elements</source>
-   <extracomment>relabelled {n} element / relabelled {n} elements [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>{n} Element umbenannt</numerusform>
-    <numerusform>{n} Elemente umbenannt</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
    <source>checked {n:,} frames, camera model {model}: {found}</source>
    <extracomment>checked {n:,} frame, camera model {model}: {found} / checked {n:,} frames, camera model {model}: {found} [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
    <translation>
@@ -5956,21 +5496,6 @@ Verliert {loses}.</translation>
    <translation>{done}; Strg+Z nimmt es zurück</translation>
   </message>
   <message>
-   <source>removed point {n} of {element}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>Punkt {n} von {element} entfernt</translation>
-  </message>
-  <message>
-   <source>swapped {element} and {other}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>{element} und {other} getauscht</translation>
-  </message>
-  <message>
-   <source>relabelled {element} to {other}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>{element} in {other} umbenannt</translation>
-  </message>
-  <message>
    <source>ignored until {elements} changes; the Check panel brings it back</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
    <translation>übergangen, bis sich {elements} ändert; der Bereich Befunde holt es zurück</translation>
@@ -6005,11 +5530,6 @@ Verliert {loses}.</translation>
    <source>the elements have changed since: checked again</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
    <translation>die Elemente haben sich seither geändert: neu geprüft</translation>
-  </message>
-  <message>
-   <source>removed point of {element}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>Punkt von {element} entfernt</translation>
   </message>
   <message>
    <source>go to a finding first (F10)</source>
@@ -6128,11 +5648,6 @@ Verliert {loses}.</translation>
    <source>{source} is worked out here: a verdict is on a camera that was loaded</source>
    <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
    <translation>{source} entsteht hier: ein Urteil gilt einer geladenen Kamera</translation>
-  </message>
-  <message>
-   <source>restore an earlier version</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
-   <translation>eine frühere Fassung zurückholen</translation>
   </message>
   <message>
    <source>the earlier version is back; undo takes it away again</source>
@@ -6354,16 +5869,6 @@ Verliert {loses}.</translation>
    <source>no frame was accepted: {why}</source>
    <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
    <translation>kein Bild angenommen: {why}</translation>
-  </message>
-  <message>
-   <source>accept the track</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>Spur annehmen</translation>
-  </message>
-  <message>
-   <source>take back the track</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>Spur zurücknehmen</translation>
   </message>
   <message>
    <source>nothing was accepted that could be taken back</source>
@@ -7161,156 +6666,116 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <translation>unerwarteter Fehler ({what})</translation>
   </message>
   <message>
-   <source>passes</source>
-   <extracomment>[procc_annotator/interact/corner_legend.py, procc_annotator/interact/palette.py]</extracomment>
-   <translation>besteht</translation>
+   <source>Disagreement</source>
+   <extracomment>[procc_annotator/interaction/camera_view.py, the action disagreement]</extracomment>
+   <translation>Abweichung</translation>
   </message>
   <message>
-   <source>too far</source>
-   <extracomment>[procc_annotator/interact/corner_legend.py, procc_annotator/interact/palette.py]</extracomment>
-   <translation>zu weit</translation>
-  </message>
-  <message>
-   <source>annotated, not projected</source>
-   <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
-   <translation>annotiert, nicht projiziert</translation>
-  </message>
-  <message>
-   <source>projected, not annotated</source>
-   <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
-   <translation>projiziert, nicht annotiert</translation>
-  </message>
-  <message>
-   <source>ghost of an unsure camera</source>
-   <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
-   <translation>Geist einer unsicheren Kamera</translation>
-  </message>
-  <message>
-   <source>ghost: expected here</source>
-   <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
-   <translation>Geist: hier erwartet</translation>
-  </message>
-  <message>
-   <source>annotated, in its class's colour</source>
-   <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
-   <translation>annotiert, in der Farbe seiner Klasse</translation>
-  </message>
-  <message>
-   <source>copied, to be confirmed</source>
-   <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
-   <translation>kopiert, zu bestätigen</translation>
-  </message>
-  <message>
-   <source>projection</source>
-   <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
-   <translation>Projektion</translation>
-  </message>
-  <message>
-   <source>second annotator</source>
-   <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
-   <translation>zweiter Annotator</translation>
-  </message>
-  <message>
-   <source>choose an element first: field map, list, or its key</source>
-   <extracomment>[procc_annotator/interact/draw_tool.py]</extracomment>
-   <translation>wählen Sie zuerst ein Element: Feldkarte, Liste oder Taste</translation>
-  </message>
-  <message>
-   <source>{title} is pinned, so that a slip does not move it: drag its points, or unpin elements (Ctrl+P, menu Element) to drag it as a whole</source>
-   <extracomment>[procc_annotator/interact/edit_tool.py]</extracomment>
-   <translation>{title} ist festgehalten, damit kein Ausrutscher es bewegt: ziehen Sie seine Punkte, oder lösen Sie die Elemente (Strg+P, Menü Element), um es im Ganzen zu ziehen</translation>
+   <source>Uncertainty</source>
+   <extracomment>[procc_annotator/interaction/camera_view.py]</extracomment>
+   <translation>Unsicherheit</translation>
   </message>
   <message numerus="yes">
    <source>{n} to go</source>
-   <extracomment>{n} to go / {n} to go [procc_annotator/interact/hand.py]</extracomment>
+   <extracomment>{n} to go / {n} to go [procc_annotator/interaction/draw_tool.py]</extracomment>
    <translation>
     <numerusform>noch {n}</numerusform>
     <numerusform>noch {n}</numerusform>
    </translation>
   </message>
   <message>
+   <source>choose an element first: field map, list, or its key</source>
+   <extracomment>[procc_annotator/interaction/draw_tool.py]</extracomment>
+   <translation>wählen Sie zuerst ein Element: Feldkarte, Liste oder Taste</translation>
+  </message>
+  <message>
+   <source>{title} is pinned, so that a slip does not move it: drag its points, or unpin elements (Ctrl+P, menu Element) to drag it as a whole</source>
+   <extracomment>[procc_annotator/interaction/edit_tool.py]</extracomment>
+   <translation>{title} ist festgehalten, damit kein Ausrutscher es bewegt: ziehen Sie seine Punkte, oder lösen Sie die Elemente (Strg+P, Menü Element), um es im Ganzen zu ziehen</translation>
+  </message>
+  <message>
    <source>click, Enter and Esc do nothing yet</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Klick, Eingabe und Esc tun noch nichts</translation>
   </message>
   <message>
    <source>click begins a line that is named after</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Klick beginnt eine Linie, die danach benannt wird</translation>
   </message>
   <message>
    <source>choose an element: field map, list, its key or /</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>ein Element wählen: Feldkarte, Liste, Taste oder /</translation>
   </message>
   <message>
    <source>Backspace takes back the last point</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Rücktaste nimmt den letzten Punkt zurück</translation>
   </message>
   <message>
    <source>click marks it and goes on to {title}</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Klick markiert es und geht weiter zu {title}</translation>
   </message>
   <message>
    <source>Enter does nothing</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Eingabe tut nichts</translation>
   </message>
   <message>
    <source>release drops it here</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Loslassen legt es hier ab</translation>
   </message>
   <message>
    <source>click or drag a point, drag on empty ground to choose several</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>einen Punkt klicken oder ziehen, auf freiem Grund ziehen, um mehrere zu wählen</translation>
   </message>
   <message>
    <source>arrows nudge {step:g} px, with Shift {fine:g} px, Ctrl {far:g} px</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Pfeiltasten rücken {step:g} px, mit Umschalt {fine:g} px, Strg {far:g} px</translation>
   </message>
   <message>
    <source>Drop a folder of pictures here, or open one with Ctrl+O</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Einen Ordner mit Bildern hierher ziehen, oder mit Strg+O öffnen</translation>
   </message>
   <message>
    <source>Ctrl+Enter commits the frame and shows the projection</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Strg+Eingabe gibt das Bild ab und zeigt die Projektion</translation>
   </message>
   <message>
    <source>GHOST {title}</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>GEIST {title}</translation>
   </message>
   <message>
    <source>GHOST the next one comes</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>GEIST der nächste kommt</translation>
   </message>
   <message>
    <source>Esc goes back</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Esc geht zurück</translation>
   </message>
   <message>
    <source>Tab goes on</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Tab geht weiter</translation>
   </message>
   <message>
    <source>GHOST the next one comes in a moment</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>GEIST der nächste kommt gleich</translation>
   </message>
   <message numerus="yes">
    <source>Tab: next of {n} ghosts</source>
-   <extracomment>Tab: next of {n} ghost / Tab: next of {n} ghosts [procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>Tab: next of {n} ghost / Tab: next of {n} ghosts [procc_annotator/interaction/hints.py]</extracomment>
    <translation>
     <numerusform>Tab: nächster von {n} Geist</numerusform>
     <numerusform>Tab: nächster von {n} Geistern</numerusform>
@@ -7318,7 +6783,7 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
   </message>
   <message numerus="yes">
    <source>Tab: first of {n} ghosts</source>
-   <extracomment>Tab: first of {n} ghost / Tab: first of {n} ghosts [procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>Tab: first of {n} ghost / Tab: first of {n} ghosts [procc_annotator/interaction/hints.py]</extracomment>
    <translation>
     <numerusform>Tab: erster von {n} Geist</numerusform>
     <numerusform>Tab: erster von {n} Geistern</numerusform>
@@ -7326,32 +6791,32 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
   </message>
   <message>
    <source>Enter accepts it</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Eingabe nimmt ihn an</translation>
   </message>
   <message>
    <source>. not visible here</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>. hier nicht sichtbar</translation>
   </message>
   <message>
    <source>Shift+Enter: all</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Umschalt+Eingabe: alle</translation>
   </message>
   <message>
    <source>or choose its element first: field map, list, its key or /</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>oder zuerst sein Element wählen: Feldkarte, Liste, Taste oder /</translation>
   </message>
   <message>
    <source>DRAW</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>ZEICHNEN</translation>
   </message>
   <message numerus="yes">
    <source>DRAW a line, {n} points</source>
-   <extracomment>DRAW a line, {n} point / DRAW a line, {n} points [procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>DRAW a line, {n} point / DRAW a line, {n} points [procc_annotator/interaction/hints.py]</extracomment>
    <translation>
     <numerusform>ZEICHNEN eine Linie, {n} Punkt</numerusform>
     <numerusform>ZEICHNEN eine Linie, {n} Punkte</numerusform>
@@ -7359,12 +6824,12 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
   </message>
   <message>
    <source>Enter or double-click finishes and asks its name</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Eingabe oder Doppelklick beendet und fragt nach dem Namen</translation>
   </message>
   <message numerus="yes">
    <source>DRAW {title}, {n} points</source>
-   <extracomment>DRAW {title}, {n} point / DRAW {title}, {n} points [procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>DRAW {title}, {n} point / DRAW {title}, {n} points [procc_annotator/interaction/hints.py]</extracomment>
    <translation>
     <numerusform>ZEICHNEN {title}, {n} Punkt</numerusform>
     <numerusform>ZEICHNEN {title}, {n} Punkte</numerusform>
@@ -7372,47 +6837,47 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
   </message>
   <message>
    <source>Enter or double-click finishes</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Eingabe oder Doppelklick beendet</translation>
   </message>
   <message>
    <source>click adds the second point and finishes</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Klick setzt den zweiten Punkt und beendet</translation>
   </message>
   <message>
    <source>click adds a point</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Klick setzt einen Punkt</translation>
   </message>
   <message>
    <source>DRAW {title}, unconfirmed</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>ZEICHNEN {title}, unbestätigt</translation>
   </message>
   <message>
    <source>DRAW {title}</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>ZEICHNEN {title}</translation>
   </message>
   <message>
    <source>Enter does nothing yet</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Eingabe tut noch nichts</translation>
   </message>
   <message>
    <source>Enter confirms it</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Eingabe bestätigt es</translation>
   </message>
   <message>
    <source>choose it again, then clicks continue it</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>erneut wählen, dann setzen Klicks es fort</translation>
   </message>
   <message numerus="yes">
    <source>click continues it after its {n} points</source>
-   <extracomment>click continues it after its {n} point / click continues it after its {n} points [procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>click continues it after its {n} point / click continues it after its {n} points [procc_annotator/interaction/hints.py]</extracomment>
    <translation>
     <numerusform>Klick setzt es nach seinem {n} Punkt fort</numerusform>
     <numerusform>Klick setzt es nach seinen {n} Punkten fort</numerusform>
@@ -7420,22 +6885,22 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
   </message>
   <message>
    <source>click begins it</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Klick beginnt es</translation>
   </message>
   <message>
    <source>click moves it here and goes on to {title}</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Klick verschiebt es hierher und geht weiter zu {title}</translation>
   </message>
   <message>
    <source>Enter confirms {title}</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Eingabe bestätigt {title}</translation>
   </message>
   <message numerus="yes">
    <source>Esc lets go of {n} points</source>
-   <extracomment>Esc lets go of the point / Esc lets go of {n} points [procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>Esc lets go of the point / Esc lets go of {n} points [procc_annotator/interaction/hints.py]</extracomment>
    <translation>
     <numerusform>Esc lässt den Punkt los</numerusform>
     <numerusform>Esc lässt {n} Punkte los</numerusform>
@@ -7443,52 +6908,52 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
   </message>
   <message>
    <source>EDIT</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>BEARBEITEN</translation>
   </message>
   <message>
    <source>release chooses all points inside</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Loslassen wählt alle Punkte darin</translation>
   </message>
   <message>
    <source>EDIT point {number} of {title}</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>BEARBEITEN Punkt {number} von {title}</translation>
   </message>
   <message>
    <source>release selects the element, which is pinned</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Loslassen wählt das Element, das festgehalten ist</translation>
   </message>
   <message>
    <source>EDIT the element</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>BEARBEITEN das Element</translation>
   </message>
   <message>
    <source>drag moves point {number} of {title}, Alt+Shift+click removes it</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Ziehen bewegt Punkt {number} von {title}, Alt+Umschalt+Klick entfernt ihn</translation>
   </message>
   <message>
    <source>click selects {title}, Alt+click inserts a point</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Klick wählt {title}, Alt+Klick fügt einen Punkt ein</translation>
   </message>
   <message>
    <source>click does nothing: there are no points to edit, draw an element first</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Klick tut nichts: es gibt keine Punkte zu bearbeiten, zeichnen Sie zuerst ein Element</translation>
   </message>
   <message>
    <source>click a point to drag it, beside it to let go</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>einen Punkt klicken, um ihn zu ziehen, daneben, um loszulassen</translation>
   </message>
   <message numerus="yes">
    <source>Delete removes {n} points</source>
-   <extracomment>Delete removes the point / Delete removes {n} points [procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>Delete removes the point / Delete removes {n} points [procc_annotator/interaction/hints.py]</extracomment>
    <translation>
     <numerusform>Entf entfernt den Punkt</numerusform>
     <numerusform>Entf entfernt {n} Punkte</numerusform>
@@ -7496,17 +6961,17 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
   </message>
   <message>
    <source>click begins it by hand</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Klick beginnt es von Hand</translation>
   </message>
   <message>
    <source>BLIND</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>BLIND</translation>
   </message>
   <message numerus="yes">
    <source>Enter accepts {n} points</source>
-   <extracomment>Enter accepts {n} point / Enter accepts {n} points [procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>Enter accepts {n} point / Enter accepts {n} points [procc_annotator/interaction/hints.py]</extracomment>
    <translation>
     <numerusform>Eingabe nimmt {n} Punkt an</numerusform>
     <numerusform>Eingabe nimmt {n} Punkte an</numerusform>
@@ -7514,62 +6979,62 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
   </message>
   <message>
    <source>Enter does nothing: no line is found along it</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Eingabe tut nichts: keine Linie wird darauf gefunden</translation>
   </message>
   <message>
    <source>Enter and Esc do nothing yet</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Eingabe und Esc tun noch nichts</translation>
   </message>
   <message>
    <source>an element's key names it</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>die Taste eines Elements benennt sie</translation>
   </message>
   <message>
    <source>Enter or double-click finishes and goes on to {title}</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Eingabe oder Doppelklick beendet und geht weiter zu {title}</translation>
   </message>
   <message>
    <source>Esc cancels</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Esc bricht ab</translation>
   </message>
   <message>
    <source>Esc deselects</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Esc hebt die Auswahl auf</translation>
   </message>
   <message>
    <source>click moves it here</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Klick verschiebt es hierher</translation>
   </message>
   <message>
    <source>click marks it</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Klick markiert es</translation>
   </message>
   <message>
    <source>hold Ctrl to click beside the line</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Strg halten, um neben die Linie zu klicken</translation>
   </message>
   <message>
    <source>Delete removes {title}</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Entf entfernt {title}</translation>
   </message>
   <message>
    <source>EDIT choosing points</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>BEARBEITEN Punkte wählen</translation>
   </message>
   <message numerus="yes">
    <source>EDIT {n} points</source>
-   <extracomment>EDIT {n} point / EDIT {n} points [procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>EDIT {n} point / EDIT {n} points [procc_annotator/interaction/hints.py]</extracomment>
    <translation>
     <numerusform>BEARBEITEN {n} Punkt</numerusform>
     <numerusform>BEARBEITEN {n} Punkte</numerusform>
@@ -7577,407 +7042,148 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
   </message>
   <message>
    <source>Esc takes the new point away</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Esc nimmt den neuen Punkt weg</translation>
   </message>
   <message>
    <source>READ ONLY</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>NUR LESEN</translation>
   </message>
   <message>
    <source>Shift+Enter finishes and stays</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Umschalt+Eingabe beendet und bleibt</translation>
   </message>
   <message>
    <source>Enter and Esc do nothing</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Eingabe und Esc tun nichts</translation>
   </message>
   <message>
    <source>Esc gives up</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Esc gibt auf</translation>
   </message>
   <message>
    <source>Esc lets go</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Esc lässt los</translation>
   </message>
   <message>
    <source>Shift+Enter: accept all</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Umschalt+Eingabe: alle annehmen</translation>
   </message>
   <message>
-   <source>Disagreement</source>
-   <extracomment>[procc_annotator/interact/map_looks.py, the action disagreement]</extracomment>
-   <translation>Abweichung</translation>
+   <source>passes</source>
+   <extracomment>[procc_annotator/interaction/legend.py, procc_annotator/interaction/palette.py]</extracomment>
+   <translation>besteht</translation>
   </message>
   <message>
-   <source>Uncertainty</source>
-   <extracomment>[procc_annotator/interact/map_looks.py]</extracomment>
-   <translation>Unsicherheit</translation>
+   <source>too far</source>
+   <extracomment>[procc_annotator/interaction/legend.py, procc_annotator/interaction/palette.py]</extracomment>
+   <translation>zu weit</translation>
+  </message>
+  <message>
+   <source>annotated, not projected</source>
+   <extracomment>[procc_annotator/interaction/legend.py]</extracomment>
+   <translation>annotiert, nicht projiziert</translation>
+  </message>
+  <message>
+   <source>projected, not annotated</source>
+   <extracomment>[procc_annotator/interaction/legend.py]</extracomment>
+   <translation>projiziert, nicht annotiert</translation>
+  </message>
+  <message>
+   <source>ghost of an unsure camera</source>
+   <extracomment>[procc_annotator/interaction/legend.py]</extracomment>
+   <translation>Geist einer unsicheren Kamera</translation>
+  </message>
+  <message>
+   <source>ghost: expected here</source>
+   <extracomment>[procc_annotator/interaction/legend.py]</extracomment>
+   <translation>Geist: hier erwartet</translation>
+  </message>
+  <message>
+   <source>annotated, in its class's colour</source>
+   <extracomment>[procc_annotator/interaction/legend.py]</extracomment>
+   <translation>annotiert, in der Farbe seiner Klasse</translation>
+  </message>
+  <message>
+   <source>copied, to be confirmed</source>
+   <extracomment>[procc_annotator/interaction/legend.py]</extracomment>
+   <translation>kopiert, zu bestätigen</translation>
+  </message>
+  <message>
+   <source>projection</source>
+   <extracomment>[procc_annotator/interaction/legend.py]</extracomment>
+   <translation>Projektion</translation>
+  </message>
+  <message>
+   <source>second annotator</source>
+   <extracomment>[procc_annotator/interaction/legend.py]</extracomment>
+   <translation>zweiter Annotator</translation>
+  </message>
+  <message>
+   <source>no distance</source>
+   <extracomment>[procc_annotator/interaction/overlay_primitives.py]</extracomment>
+   <translation>kein Abstand</translation>
   </message>
   <message>
    <source>not annotated</source>
-   <extracomment>[procc_annotator/interact/palette.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/palette.py]</extracomment>
    <translation>nicht annotiert</translation>
   </message>
   <message>
    <source>missed</source>
-   <extracomment>[procc_annotator/interact/palette.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/palette.py]</extracomment>
    <translation>verfehlt</translation>
   </message>
   <message>
-   <source>draw {title}</source>
-   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
-   <translation>{title} zeichnen</translation>
-  </message>
-  <message>
-   <source>confirm {title}</source>
-   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
-   <translation>{title} bestätigen</translation>
-  </message>
-  <message>
-   <source>move {title}</source>
-   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
-   <translation>{title} verschieben</translation>
-  </message>
-  <message>
-   <source>move all of {title}</source>
-   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
-   <translation>{title} ganz verschieben</translation>
-  </message>
-  <message numerus="yes">
-   <source>move {n} points</source>
-   <extracomment>move {n} point / move {n} points [procc_annotator/interact/step_names.py]</extracomment>
-   <translation>
-    <numerusform>{n} Punkt verschieben</numerusform>
-    <numerusform>{n} Punkte verschieben</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>nudge {title}</source>
-   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
-   <translation>{title} rücken</translation>
-  </message>
-  <message numerus="yes">
-   <source>nudge {n} points</source>
-   <extracomment>nudge {n} point / nudge {n} points [procc_annotator/interact/step_names.py]</extracomment>
-   <translation>
-    <numerusform>{n} Punkt rücken</numerusform>
-    <numerusform>{n} Punkte rücken</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>insert a point in {title}</source>
-   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
-   <translation>einen Punkt in {title} einfügen</translation>
-  </message>
-  <message>
-   <source>delete {title}</source>
-   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
-   <translation>{title} löschen</translation>
-  </message>
-  <message>
-   <source>delete point {number} of {title}</source>
-   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
-   <translation>Punkt {number} von {title} löschen</translation>
-  </message>
-  <message numerus="yes">
-   <source>delete {n} points</source>
-   <extracomment>delete {n} point / delete {n} points [procc_annotator/interact/step_names.py]</extracomment>
-   <translation>
-    <numerusform>{n} Punkt löschen</numerusform>
-    <numerusform>{n} Punkte löschen</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>continue {title}</source>
-   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
-   <translation>{title} fortsetzen</translation>
-  </message>
-  <message>
-   <source>no distance</source>
-   <extracomment>[procc_annotator/interact/verdicts.py]</extracomment>
-   <translation>kein Abstand</translation>
-  </message>
-  <message>
-   <source>fitted on these clicks</source>
-   <extracomment>[procc_annotator/io/camera_files/fitted_on.py]</extracomment>
-   <translation>an diese Klicks angepasst</translation>
-  </message>
-  <message>
-   <source>fitted to another version of these annotations</source>
-   <extracomment>[procc_annotator/io/camera_files/fitted_on.py]</extracomment>
-   <translation>an eine andere Fassung dieser Annotationen angepasst</translation>
-  </message>
-  <message>
-   <source>fitted on these clicks, or to another version of these annotations</source>
-   <extracomment>[procc_annotator/io/camera_files/fitted_on.py]</extracomment>
-   <translation>an diese Klicks oder an eine andere Fassung dieser Annotationen angepasst</translation>
-  </message>
-  <message>
-   <source>by file type and content</source>
-   <extracomment>[procc_annotator/io/camera_files/registry.py]</extracomment>
-   <translation>nach Dateityp und Inhalt</translation>
-  </message>
-  <message>
    <source>{element} agrees: its farthest point, {number}, is {px} px off; it passes at tau &gt; {px}.</source>
-   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
    <translation>{element} stimmt: sein fernster Punkt, {number}, liegt {px} px daneben; es besteht bei tau &gt; {px}.</translation>
   </message>
   <message>
    <source>{element} is too far: point {number} is {px} px off; it passes at tau &gt; {px}.</source>
-   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
    <translation>{element} ist zu weit: Punkt {number} liegt {px} px daneben; es besteht bei tau &gt; {px}.</translation>
   </message>
   <message>
    <source>{title} (judged as {other}, labels mirrored)</source>
-   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
    <translation>{title} (beurteilt als {other}, Klassen gespiegelt)</translation>
   </message>
   <message>
    <source>{element} is missed: it is annotated, but the camera does not show it in the picture.</source>
-   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
    <translation>{element} ist verfehlt: es ist annotiert, aber die Kamera zeigt es nicht im Bild.</translation>
   </message>
   <message>
    <source>{element} is not annotated, but the camera shows it: a false positive.</source>
-   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
    <translation>{element} ist nicht annotiert, aber die Kamera zeigt es: falsch positiv.</translation>
   </message>
   <message>
    <source>{element} is too far: point {number} has no distance, because the projection has coinciding samples there; it passes at no tau.</source>
-   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
    <translation>{element} ist zu weit: Punkt {number} hat keinen Abstand, weil die Projektion dort zusammenfallende Stützpunkte hat; es besteht bei keinem tau.</translation>
   </message>
   <message>
    <source>As it goes on beyond the picture it is at most {px} px off, but soccernet measures to what is in the picture alone.</source>
-   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
    <translation>So, wie es jenseits des Bildes weitergeht, liegt es höchstens {px} px daneben, aber soccernet misst nur bis zu dem, was im Bild ist.</translation>
   </message>
   <message>
    <source>{element} is missed: it is annotated, but the field has no such element to project.</source>
-   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
    <translation>{element} ist verfehlt: es ist annotiert, aber das Feld hat kein solches Element zu projizieren.</translation>
   </message>
   <message>
    <source>{element} is missed: it is annotated, but it leaves the ground, and the camera knows only the ground.</source>
-   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
    <translation>{element} ist verfehlt: es ist annotiert, aber es verlässt den Boden, und die Kamera kennt nur den Boden.</translation>
-  </message>
-  <message>
-   <source>Fitted to the clicks of each frame; nothing of it is in a file</source>
-   <extracomment>[procc_annotator/session/dataset/fitted_cameras.py]</extracomment>
-   <translation>An die Klicks jedes Bildes angepasst; nichts davon ist in einer Datei</translation>
-  </message>
-  <message>
-   <source>no fit of {frame} yet</source>
-   <extracomment>[procc_annotator/session/dataset/fitted_cameras.py]</extracomment>
-   <translation>noch keine Anpassung von {frame}</translation>
-  </message>
-  <message>
-   <source>as it was found</source>
-   <extracomment>[procc_annotator/session/dataset/frame_memory.py, procc_annotator/session/dataset/putting_back.py]</extracomment>
-   <translation>wie vorgefunden</translation>
-  </message>
-  <message>
-   <source>saved</source>
-   <extracomment>[procc_annotator/session/dataset/frame_state.py]</extracomment>
-   <translation>gespeichert</translation>
-  </message>
-  <message>
-   <source>the paint is {px:.1f} px from the lines</source>
-   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
-   <translation>die Farbe liegt {px:.1f} px neben den Linien</translation>
-  </message>
-  <message>
-   <source>Followed through the shot; nothing of it is in a file</source>
-   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
-   <translation>Durch die Einstellung verfolgt; nichts davon ist in einer Datei</translation>
-  </message>
-  <message>
-   <source>no track here: {why}</source>
-   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
-   <translation>hier keine Spur: {why}</translation>
-  </message>
-  <message>
-   <source>no camera was found</source>
-   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py, procc_annotator/session/landmarks/landmark_views.py]</extracomment>
-   <translation>keine Kamera wurde gefunden</translation>
-  </message>
-  <message>
-   <source>carried over by the picture's motion, not measured on paint</source>
-   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
-   <translation>durch die Bewegung des Bildes weitergeführt, nicht auf Farbe gemessen</translation>
-  </message>
-  <message>
-   <source>not followed so far</source>
-   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
-   <translation>bisher nicht verfolgt</translation>
-  </message>
-  <message>
-   <source>what was saved elsewhere</source>
-   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
-   <translation>was anderswo gespeichert wurde</translation>
-  </message>
-  <message>
-   <source>overwritten</source>
-   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
-   <translation>überschrieben</translation>
-  </message>
-  <message>
-   <source>untouched</source>
-   <comment>a frame</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>unberührt</translation>
-  </message>
-  <message>
-   <source>in progress</source>
-   <comment>a frame</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>in Arbeit</translation>
-  </message>
-  <message>
-   <source>done</source>
-   <comment>a frame</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>fertig</translation>
-  </message>
-  <message>
-   <source>approved</source>
-   <comment>a frame</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>freigegeben</translation>
-  </message>
-  <message>
-   <source>rejected</source>
-   <comment>a frame</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>abgelehnt</translation>
-  </message>
-  <message>
-   <source>clicked</source>
-   <comment>points</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>geklickt</translation>
-  </message>
-  <message>
-   <source>snapped</source>
-   <comment>points</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>eingerastet</translation>
-  </message>
-  <message>
-   <source>regularised</source>
-   <comment>points</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>begradigt</translation>
-  </message>
-  <message>
-   <source>copied</source>
-   <comment>points</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>kopiert</translation>
-  </message>
-  <message>
-   <source>moved</source>
-   <comment>points</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>verschoben</translation>
-  </message>
-  <message>
-   <source>accepted suggestion</source>
-   <comment>points</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>angenommener Vorschlag der Anpassung</translation>
-  </message>
-  <message>
-   <source>proposed</source>
-   <comment>points</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>vorgeschlagen</translation>
-  </message>
-  <message>
-   <source>accepted proposal</source>
-   <comment>points</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>angenommener Vorschlag</translation>
-  </message>
-  <message>
-   <source>unconfirmed by paint</source>
-   <comment>points</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>nicht durch Farbe bestätigt</translation>
-  </message>
-  <message>
-   <source>from the file</source>
-   <comment>points</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>aus der Datei</translation>
-  </message>
-  <message>
-   <source>camera</source>
-   <comment>a verdict</comment>
-   <extracomment>[procc_annotator/session/facts/verdict.py]</extracomment>
-   <translation>Kamera</translation>
-  </message>
-  <message>
-   <source>annotation</source>
-   <comment>a verdict</comment>
-   <extracomment>[procc_annotator/session/facts/verdict.py]</extracomment>
-   <translation>Annotation</translation>
-  </message>
-  <message>
-   <source>fine</source>
-   <comment>a verdict</comment>
-   <extracomment>[procc_annotator/session/facts/verdict.py]</extracomment>
-   <translation>in Ordnung</translation>
-  </message>
-  <message>
-   <source>camera fault</source>
-   <comment>a verdict</comment>
-   <extracomment>[procc_annotator/session/facts/verdict.py]</extracomment>
-   <translation>Fehler der Kamera</translation>
-  </message>
-  <message>
-   <source>annotation fault</source>
-   <comment>a verdict</comment>
-   <extracomment>[procc_annotator/session/facts/verdict.py]</extracomment>
-   <translation>Fehler der Annotation</translation>
-  </message>
-  <message>
-   <source>{title} was surveyed: its position stays as it is</source>
-   <extracomment>[procc_annotator/session/landmarks/landmark_clicks.py]</extracomment>
-   <translation>{title} wurde vermessen: der Ort bleibt, wie er ist</translation>
-  </message>
-  <message>
-   <source>{title} moves: its positions hold for an instant each</source>
-   <extracomment>[procc_annotator/session/landmarks/landmark_clicks.py]</extracomment>
-   <translation>{title} bewegt sich: seine Orte gelten je für einen Augenblick</translation>
-  </message>
-  <message>
-   <source>its camera is hardly determined: {what}</source>
-   <extracomment>[procc_annotator/session/landmarks/landmark_views.py]</extracomment>
-   <translation>seine Kamera ist kaum bestimmt: {what}</translation>
-  </message>
-  <message>
-   <source>no camera in {frame} ({why}), and {count} more</source>
-   <extracomment>[procc_annotator/session/landmarks/landmark_views.py]</extracomment>
-   <translation>keine Kamera in {frame} ({why}), und {count} weiteren</translation>
-  </message>
-  <message>
-   <source>no camera in {frame} ({why})</source>
-   <extracomment>[procc_annotator/session/landmarks/landmark_views.py]</extracomment>
-   <translation>keine Kamera in {frame} ({why})</translation>
-  </message>
-  <message>
-   <source>surveyed: kept as it is</source>
-   <extracomment>[procc_annotator/session/landmarks/landmark_views.py]</extracomment>
-   <translation>vermessen: bleibt, wie sie ist</translation>
   </message>
   <message>
    <source>Annotate all pictures of a folder</source>

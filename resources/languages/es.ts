@@ -4,581 +4,184 @@
  <context>
   <name>procc</name>
   <message>
-   <source>the principal point is far from the centre of the picture, which seems cut out of a larger one</source>
-   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
-   <translation>el punto principal está lejos del centro de la imagen, que parece recortada de otra mayor</translation>
-  </message>
-  <message>
-   <source>with aspect ratio and principal point {px} px: not clearly better</source>
-   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
-   <translation>con relación de aspecto y punto principal {px} px: no claramente mejor</translation>
-  </message>
-  <message>
-   <source>without lens distortion the points are {without} px off, with it {with_it} px: not clearly better</source>
-   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
-   <translation>sin distorsión de lente los puntos están a {without} px, con ella a {with_it} px: no claramente mejor</translation>
-  </message>
-  <message>
-   <source>aspect ratio and principal point bring the points from {before} to {after} px, more than three parameters would by chance</source>
-   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
-   <translation>la relación de aspecto y el punto principal llevan los puntos de {before} a {after} px, más de lo que harían tres parámetros por azar</translation>
-  </message>
-  <message>
-   <source>lens distortion brings the points from {before} to {after} px</source>
-   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
-   <translation>la distorsión de lente lleva los puntos de {before} a {after} px</translation>
-  </message>
-  <message>
-   <source>the points show lens distortion clearly and are {px} px off</source>
-   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
-   <translation>los puntos muestran claramente distorsión de lente y están a {px} px</translation>
-  </message>
-  <message>
-   <source>pan, tilt or roll ± more than {degrees:g}°, position ± more than {way:g} % of the way to the field's centre, or focal length ± more than {focal:g} %, or clicks that are the same from the other end</source>
-   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
-   <translation>giro, inclinación o alabeo ± más de {degrees:g}°, posición ± más del {way:g} % del camino al centro del campo, o distancia focal ± más del {focal:g} %, o clics que son iguales desde el otro extremo</translation>
-  </message>
-  <message>
    <source>pan ± {degrees:.1f}°</source>
-   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <extracomment>[procc_annotator/calibration/result.py]</extracomment>
    <translation>giro ± {degrees:.1f}°</translation>
   </message>
   <message>
    <source>tilt ± {degrees:.1f}°</source>
-   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <extracomment>[procc_annotator/calibration/result.py]</extracomment>
    <translation>inclinación ± {degrees:.1f}°</translation>
   </message>
   <message>
    <source>roll ± {degrees:.1f}°</source>
-   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <extracomment>[procc_annotator/calibration/result.py]</extracomment>
    <translation>alabeo ± {degrees:.1f}°</translation>
   </message>
   <message>
-   <source>position ± {metres:.0f} m</source>
-   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
-   <translation>posición ± {metres:.0f} m</translation>
+   <source>untouched</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>sin tocar</translation>
   </message>
   <message>
-   <source>focal length ± {percent:.0f} %</source>
-   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
-   <translation>distancia focal ± {percent:.0f} %</translation>
+   <source>in progress</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>en curso</translation>
   </message>
   <message>
-   <source>the same from the other end</source>
-   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
-   <translation>igual desde el otro extremo</translation>
+   <source>done</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>terminada</translation>
   </message>
   <message>
-   <source>coordinates look like pixels, expected 0 to 1 (x = {x:g}, y = {y:g})</source>
-   <extracomment>[procc_annotator/fit/fitting.py]</extracomment>
-   <translation>las coordenadas parecen píxeles, se esperaba de 0 a 1 (x = {x:g}, y = {y:g})</translation>
+   <source>approved</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>aprobada</translation>
   </message>
   <message>
-   <source>another camera that shows other lines suits the picture nearly as well</source>
-   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
-   <translation>otra cámara que muestra otras líneas encaja casi igual de bien con la imagen</translation>
+   <source>rejected</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>rechazada</translation>
   </message>
   <message>
-   <source>{lines:.0f} % of the lines in sight lie on paint, which explains {paint:.0f} % of the paint on the ground</source>
-   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
-   <translation>el {lines:.0f} % de las líneas a la vista está sobre pintura, lo que explica el {paint:.0f} % de la pintura del suelo</translation>
+   <source>clicked</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>marcados</translation>
   </message>
   <message>
-   <source>the picture is nearly square, as a squeezed one is: its pixels may not be square</source>
-   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
-   <translation>la imagen es casi cuadrada, como una comprimida: sus píxeles quizá no sean cuadrados</translation>
+   <source>snapped</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>ajustados a línea</translation>
   </message>
   <message>
-   <source>lines are missing that should be in sight</source>
-   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
-   <translation>faltan líneas que deberían verse</translation>
+   <source>regularised</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>regularizados</translation>
   </message>
   <message>
-   <source>there is paint where the field has none</source>
-   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
-   <translation>hay pintura donde el campo no la tiene</translation>
+   <source>copied</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>copiados</translation>
   </message>
   <message>
-   <source>cameras hardly stand there</source>
-   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
-   <translation>allí apenas hay cámaras</translation>
+   <source>moved</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>movidos</translation>
   </message>
   <message>
-   <source>too few lines are in sight to tell</source>
-   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
-   <translation>se ven demasiado pocas líneas para decirlo</translation>
+   <source>accepted suggestion</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>sugerencias aceptadas</translation>
   </message>
   <message>
-   <source>the lines in sight leave the camera open: {what}</source>
-   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
-   <translation>las líneas a la vista dejan abierta la cámara: {what}</translation>
+   <source>proposed</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>propuestos</translation>
   </message>
   <message>
-   <source>no camera suits the paint in this picture: of the best one {shares}</source>
-   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
-   <translation>ninguna cámara encaja con la pintura de esta imagen: en la mejor {shares}</translation>
+   <source>accepted proposal</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>propuestas aceptadas</translation>
   </message>
   <message>
-   <source>is this {field}, and no other sport? {why}</source>
-   <extracomment>[procc_annotator/fit/from_picture/proposing.py]</extracomment>
-   <translation>¿es esto {field} y no otro deporte? {why}</translation>
+   <source>unconfirmed by paint</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>sin confirmar por la pintura</translation>
   </message>
   <message>
-   <source>look at it</source>
-   <extracomment>[procc_annotator/fit/labels/finding.py]</extracomment>
-   <translation>mirarlo</translation>
+   <source>from the file</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>del archivo</translation>
   </message>
   <message>
-   <source>all labels fit with far and near exchanged</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>todas las clases encajan con lejos y cerca intercambiados</translation>
+   <source>camera</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>cámara</translation>
   </message>
   <message>
-   <source>all labels fit with left and right exchanged</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>todas las clases encajan con izquierda y derecha intercambiadas</translation>
+   <source>annotation</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>anotación</translation>
   </message>
   <message>
-   <source>look at point {number}</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py, procc_annotator/fit/labels/shape.py]</extracomment>
-   <translation>mirar el punto {number}</translation>
+   <source>fine</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>correcto</translation>
   </message>
   <message>
-   <source>point {number} of {title} is {off:.0f} px off, its other points at most {rest:.1f} px</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>el punto {number} de {title} está a {off:.0f} px, sus otros puntos a lo sumo a {rest:.1f} px</translation>
+   <source>camera fault</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>fallo de la cámara</translation>
   </message>
   <message>
-   <source>elements are {after:.1f} px off on average, no camera fits the labels as they are</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>los elementos están de media a {after:.1f} px, ninguna cámara encaja con las clases tal como están</translation>
+   <source>annotation fault</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>fallo de la anotación</translation>
   </message>
   <message>
-   <source>elements are {after:.1f} px off on average, {before:.1f} px as they are</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>los elementos están de media a {after:.1f} px, a {before:.1f} px tal como están</translation>
+   <source>taken back</source>
+   <extracomment>[procc_annotator/dataset/saving.py, procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation>retirado</translation>
   </message>
   <message>
-   <source>{a} and {b} fit with each other's label</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>{a} y {b} encajan con la clase del otro</translation>
+   <source>saved</source>
+   <extracomment>[procc_annotator/dataset/saving.py]</extracomment>
+   <translation>guardado</translation>
   </message>
   <message>
-   <source>{titles} fit with each other's labels</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>{titles} encajan con las clases de los otros</translation>
+   <source>as it was found</source>
+   <extracomment>[procc_annotator/dataset/saving.py, procc_annotator/dataset/workspace.py]</extracomment>
+   <translation>como se encontró</translation>
   </message>
   <message>
-   <source>relabel {steps}</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>cambiar la clase: {steps}</translation>
+   <source>what was saved elsewhere</source>
+   <extracomment>[procc_annotator/dataset/workspace.py]</extracomment>
+   <translation>lo que se guardó en otra parte</translation>
   </message>
   <message>
-   <source>remove point {number}</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py, procc_annotator/fit/labels/shape.py]</extracomment>
-   <translation>quitar el punto {number}</translation>
+   <source>overwritten</source>
+   <extracomment>[procc_annotator/dataset/workspace.py]</extracomment>
+   <translation>sobrescrito</translation>
   </message>
   <message>
-   <source>point {number} of {title} is {off:.0f} px off, its other point at most {rest:.1f} px</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>el punto {number} de {title} está a {off:.0f} px, su otro punto a lo sumo a {rest:.1f} px</translation>
+   <source>fitted on these clicks</source>
+   <extracomment>[procc_annotator/formats/cameras/fit_record.py]</extracomment>
+   <translation>ajustada a estos clics</translation>
   </message>
   <message>
-   <source>{title} is up to {px:.0f} px from where the camera of the others shows it</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>{title} está hasta a {px:.0f} px de donde lo muestra la cámara de los demás</translation>
+   <source>fitted to another version of these annotations</source>
+   <extracomment>[procc_annotator/formats/cameras/fit_record.py]</extracomment>
+   <translation>ajustada a otra versión de estas anotaciones</translation>
   </message>
   <message>
-   <source>{title} is nowhere near where the camera of the others shows it</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>{title} está lejos de donde lo muestra la cámara de los demás</translation>
+   <source>fitted on these clicks, or to another version of these annotations</source>
+   <extracomment>[procc_annotator/formats/cameras/fit_record.py]</extracomment>
+   <translation>ajustada a estos clics o a otra versión de estas anotaciones</translation>
   </message>
   <message>
-   <source>without {titles} the others drop from {before:.1f} to {after:.1f} px</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>sin {titles} los demás bajan de {before:.1f} a {after:.1f} px</translation>
-  </message>
-  <message>
-   <source>swap {a} and {b}</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py, procc_annotator/fit/labels/sides.py]</extracomment>
-   <translation>intercambiar {a} y {b}</translation>
-  </message>
-  <message>
-   <source>{a} to {b}</source>
-   <comment>labels</comment>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>{a} a {b}</translation>
-  </message>
-  <message>
-   <source>it lies where {title} should be</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>está donde debería estar {title}</translation>
-  </message>
-  <message>
-   <source>the others are {px:.1f} px off with and without it</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>los demás están a {px:.1f} px con él y sin él</translation>
-  </message>
-  <message>
-   <source>more than its own place is uncertain</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>más de lo que es incierto su propio lugar</translation>
-  </message>
-  <message>
-   <source>relabel to {title}</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py, procc_annotator/fit/labels/unknown.py]</extracomment>
-   <translation>cambiar la clase a {title}</translation>
-  </message>
-  <message>
-   <source>it lies on {title}, which is annotated as well</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>está sobre {title}, que también está anotado</translation>
-  </message>
-  <message>
-   <source>{title} is up to {px:.0f} px from where the camera shows it; too few elements fit to say which are wrong</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>{title} está hasta a {px:.0f} px de donde lo muestra la cámara; encajan demasiado pocos elementos para decir cuáles están mal</translation>
-  </message>
-  <message>
-   <source>no camera fits these labels together</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>ninguna cámara encaja con todas estas clases</translation>
-  </message>
-  <message>
-   <source>exchange far and near in the whole frame</source>
-   <extracomment>[procc_annotator/fit/labels/orientation.py]</extracomment>
-   <translation>intercambiar lejos y cerca en toda la imagen</translation>
-  </message>
-  <message>
-   <source>exchange left and right in the whole frame</source>
-   <extracomment>[procc_annotator/fit/labels/orientation.py]</extracomment>
-   <translation>intercambiar izquierda y derecha en toda la imagen</translation>
-  </message>
-  <message>
-   <source>{a} and {b} lie on top of each other, less than {px:.0f} px apart: one line under two names?</source>
-   <extracomment>[procc_annotator/fit/labels/overlap.py]</extracomment>
-   <translation>{a} y {b} están uno sobre otro, a menos de {px:.0f} px: ¿una línea con dos nombres?</translation>
-  </message>
-  <message>
-   <source>{title} is straight on the field, its points lie up to {px:.0f} px beside a line, more than any lens bends it</source>
-   <extracomment>[procc_annotator/fit/labels/shape.py]</extracomment>
-   <translation>{title} es recto en el campo, sus puntos se apartan hasta {px:.0f} px de una recta, más de lo que la curva cualquier lente</translation>
-  </message>
-  <message numerus="yes">
-   <source>{title} has {n} points, a line takes two</source>
-   <extracomment>{title} has {n} point, a line takes two / {title} has {n} points, a line takes two [procc_annotator/fit/labels/shape.py]</extracomment>
-   <translation>
-    <numerusform>{title} tiene {n} punto, una línea necesita dos</numerusform>
-    <numerusform>{title} tiene {n} puntos, una línea necesita dos</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{title} has {n} points; a curve takes at least {least}</source>
-   <extracomment>{title} has {n} point; a curve takes at least {least} / {title} has {n} points; a curve takes at least {least} [procc_annotator/fit/labels/shape.py]</extracomment>
-   <translation>
-    <numerusform>{title} tiene {n} punto; una curva necesita al menos {least}</numerusform>
-    <numerusform>{title} tiene {n} puntos; una curva necesita al menos {least}</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{title} has {n} points; fewer than {least} determine no ellipse</source>
-   <extracomment>{title} has {n} point; fewer than {least} determine no ellipse / {title} has {n} points; fewer than {least} determine no ellipse [procc_annotator/fit/labels/shape.py]</extracomment>
-   <translation>
-    <numerusform>{title} tiene {n} punto; menos de {least} no determinan una elipse</numerusform>
-    <numerusform>{title} tiene {n} puntos; menos de {least} no determinan una elipse</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{title} is a single place, it has {count} points up to {px:.0f} px apart</source>
-   <extracomment>[procc_annotator/fit/labels/shape.py]</extracomment>
-   <translation>{title} es un solo lugar, tiene {count} puntos separados hasta {px:.0f} px</translation>
-  </message>
-  <message>
-   <source>the points of {title} go back and forth instead of along it</source>
-   <extracomment>[procc_annotator/fit/labels/shape.py]</extracomment>
-   <translation>los puntos de {title} van y vienen en vez de seguirlo</translation>
-  </message>
-  <message>
-   <source>the points of {title} go over the same stretch more than once: their course is {times:.1f} times as long as it need be</source>
-   <extracomment>[procc_annotator/fit/labels/shape.py]</extracomment>
-   <translation>los puntos de {title} pasan más de una vez por el mismo tramo: su recorrido es {times:.1f} veces más largo de lo necesario</translation>
-  </message>
-  <message>
-   <source>its corner</source>
-   <comment>where a line ends</comment>
-   <extracomment>[procc_annotator/fit/labels/short.py]</extracomment>
-   <translation>su esquina</translation>
-  </message>
-  <message>
-   <source>the picture's edge</source>
-   <comment>where a line ends</comment>
-   <extracomment>[procc_annotator/fit/labels/short.py]</extracomment>
-   <translation>el borde de la imagen</translation>
-  </message>
-  <message>
-   <source>{title} stops {px:.0f} px short of {what}</source>
-   <extracomment>[procc_annotator/fit/labels/short.py]</extracomment>
-   <translation>a {title} le faltan {px:.0f} px para llegar a {what}</translation>
-  </message>
-  <message>
-   <source>{title} stops {px:.0f} px short of {what}, and {px_2:.0f} px short of {what_2} at its other end</source>
-   <extracomment>[procc_annotator/fit/labels/short.py]</extracomment>
-   <translation>a {title} le faltan {px:.0f} px para llegar a {what}, y {px_2:.0f} px para llegar a {what_2} en el otro extremo</translation>
-  </message>
-  <message>
-   <source>everything lies the wrong way round: far and near, are exchanged</source>
-   <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
-   <translation>todo está al revés: lejos y cerca están intercambiados</translation>
-  </message>
-  <message>
-   <source>everything lies the wrong way round: left and right, are exchanged</source>
-   <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
-   <translation>todo está al revés: izquierda y derecha están intercambiadas</translation>
-  </message>
-  <message>
-   <source>everything lies the wrong way round: far and near, or left and right, are exchanged</source>
-   <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
-   <translation>todo está al revés: lejos y cerca, o izquierda y derecha, están intercambiados</translation>
-  </message>
-  <message>
-   <source>{title} is on the wrong side of {others}</source>
-   <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
-   <translation>{title} está en el lado equivocado de {others}</translation>
-  </message>
-  <message>
-   <source>{titles} lie on each other's side of the elements around them</source>
-   <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
-   <translation>{titles} están cada uno en el lado del otro respecto a los elementos de alrededor</translation>
-  </message>
-  <message>
-   <source>{titles} cannot lie this way round to each other, whatever the camera</source>
-   <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
-   <translation>{titles} no pueden estar así uno respecto al otro, sea cual sea la cámara</translation>
-  </message>
-  <message>
-   <source>no such class: {name!r}, did you mean {title}?</source>
-   <extracomment>[procc_annotator/fit/labels/unknown.py]</extracomment>
-   <translation>no existe esa clase: {name!r}, ¿quiso decir {title}?</translation>
-  </message>
-  <message>
-   <source>no such class: {name!r} fits no camera, and counts as missed where it is scored</source>
-   <extracomment>[procc_annotator/fit/labels/unknown.py]</extracomment>
-   <translation>no existe esa clase: {name!r} no encaja con ninguna cámara y cuenta como fallada donde se puntúa</translation>
-  </message>
-  <message>
-   <source>That is annotated already</source>
-   <extracomment>[procc_annotator/fit/labels/unknown.py]</extracomment>
-   <translation>Eso ya está anotado</translation>
-  </message>
-  <message>
-   <source>put its points along the paint</source>
-   <extracomment>[procc_annotator/fit/labels/unpainted.py]</extracomment>
-   <translation>poner sus puntos a lo largo de la pintura</translation>
-  </message>
-  <message>
-   <source>{title} is straight between its clicks, its paint runs up to {px:.0f} px beside it: regularise it (R)</source>
-   <extracomment>[procc_annotator/fit/labels/unpainted.py]</extracomment>
-   <translation>{title} es recto entre sus clics, su pintura pasa hasta a {px:.0f} px: regularícelo (R)</translation>
-  </message>
-  <message>
-   <source>an end of {title} lies about {px:.0f} px beside its paint, which is seen on the way there: put that point on it</source>
-   <extracomment>[procc_annotator/fit/labels/unpainted.py]</extracomment>
-   <translation>un extremo de {title} está a unos {px:.0f} px de su pintura, que se ve en el camino hasta allí: ponga ese punto sobre ella</translation>
-  </message>
-  <message>
-   <source>no paint under {title} along {percent:.0f} % of it, at most {px:.0f} px on end</source>
-   <extracomment>[procc_annotator/fit/labels/unpainted.py]</extracomment>
-   <translation>no hay pintura bajo {title} en un {percent:.0f} % de él, a lo sumo {px:.0f} px seguidos</translation>
-  </message>
-  <message>
-   <source>no paint under {title} towards one of its ends, under all the rest there is</source>
-   <extracomment>[procc_annotator/fit/labels/unpainted.py]</extracomment>
-   <translation>no hay pintura bajo {title} hacia uno de sus extremos, bajo todo el resto sí</translation>
-  </message>
-  <message>
-   <source>{name} lies {px:.0f} px beside its paint, as {more} more do theirs</source>
-   <extracomment>[procc_annotator/fit/on_paint/beside.py]</extracomment>
-   <translation>{name} está a {px:.0f} px de su pintura, y otros {more} también</translation>
-  </message>
-  <message>
-   <source>{name} lies {px:.0f} px beside its paint</source>
-   <extracomment>[procc_annotator/fit/on_paint/beside.py]</extracomment>
-   <translation>{name} está a {px:.0f} px de su pintura</translation>
-  </message>
-  <message>
-   <source>no camera explains these elements together: the best one misses half of them by more than {px:.0f} px (are the labels right?)</source>
-   <extracomment>[procc_annotator/fit/one_model.py]</extracomment>
-   <translation>ninguna cámara explica estos elementos juntos: la mejor falla la mitad por más de {px:.0f} px (¿son correctas las clases?)</translation>
-  </message>
-  <message>
-   <source>only {share:.0%} of the lines in sight are on paint</source>
-   <extracomment>[procc_annotator/fit/pegged_on_paint.py, procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
-   <translation>solo el {share:.0%} de las líneas a la vista está sobre pintura</translation>
-  </message>
-  <message>
-   <source>there is too little paint</source>
-   <extracomment>[procc_annotator/fit/pegged_on_paint.py]</extracomment>
-   <translation>hay demasiado poca pintura</translation>
-  </message>
-  <message>
-   <source>the paint nearby would take a peg from its place</source>
-   <extracomment>[procc_annotator/fit/pegged_on_paint.py]</extracomment>
-   <translation>la pintura cercana quitaría una estaca de su sitio</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} elements, {needed} needed</source>
-   <extracomment>{n} element, {needed} needed / {n} elements, {needed} needed [procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>
-    <numerusform>{n} elemento, se necesitan {needed}</numerusform>
-    <numerusform>{n} elementos, se necesitan {needed}</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{points} points on {n} elements, two different ones on each of {needed} needed</source>
-   <extracomment>{points} points on {n} element, two different ones on each of {needed} needed / {points} points on {n} elements, two different ones on each of {needed} needed [procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>
-    <numerusform>{points} puntos en {n} elemento, se necesitan dos distintos en cada uno de {needed}</numerusform>
-    <numerusform>{points} puntos en {n} elementos, se necesitan dos distintos en cada uno de {needed}</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} elements on the ground, {needed} needed</source>
-   <extracomment>{n} element on the ground, {needed} needed / {n} elements on the ground, {needed} needed [procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>
-    <numerusform>{n} elemento en el suelo, se necesitan {needed}</numerusform>
-    <numerusform>{n} elementos en el suelo, se necesitan {needed}</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>all points lie in one place of the picture</source>
-   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>todos los puntos están en un mismo lugar de la imagen</translation>
-  </message>
-  <message>
-   <source>all points lie on one line of the picture</source>
-   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>todos los puntos están en una misma línea de la imagen</translation>
-  </message>
-  <message>
-   <source>not a plausible pose: the fit did not settle</source>
-   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>pose no plausible: el ajuste no se estabilizó</translation>
-  </message>
-  <message>
-   <source>not a plausible pose: on the ground</source>
-   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>pose no plausible: en el suelo</translation>
-  </message>
-  <message>
-   <source>not a plausible pose: {metres:.1f} m below the ground</source>
-   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>pose no plausible: {metres:.1f} m bajo el suelo</translation>
-  </message>
-  <message>
-   <source>not a plausible pose: only {metres:.1f} m above the ground</source>
-   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>pose no plausible: solo {metres:.1f} m sobre el suelo</translation>
-  </message>
-  <message>
-   <source>not a plausible pose: {metres:.0f} m from the field's centre</source>
-   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>pose no plausible: a {metres:.0f} m del centro del campo</translation>
-  </message>
-  <message>
-   <source>not a plausible pose: rolled by {degrees:.0f} degrees</source>
-   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>pose no plausible: alabeo de {degrees:.0f} grados</translation>
-  </message>
-  <message>
-   <source>not a plausible pose: focal length {px:.0f} px at 960 px width</source>
-   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>pose no plausible: distancia focal {px:.0f} px a 960 px de ancho</translation>
-  </message>
-  <message>
-   <source>too little paint in sight</source>
-   <extracomment>[procc_annotator/fit/through_shot/stepping.py]</extracomment>
-   <translation>demasiado poca pintura a la vista</translation>
-  </message>
-  <message>
-   <source>too little of what should be in sight was found</source>
-   <extracomment>[procc_annotator/fit/through_shot/stepping.py]</extracomment>
-   <translation>se halló demasiado poco de lo que debería verse</translation>
-  </message>
-  <message>
-   <source>the paint that was found would move the camera too far</source>
-   <extracomment>[procc_annotator/fit/through_shot/stepping.py]</extracomment>
-   <translation>la pintura hallada movería demasiado la cámara</translation>
-  </message>
-  <message>
-   <source>even with the position known: {why}</source>
-   <extracomment>[procc_annotator/fit/together/tripod.py]</extracomment>
-   <translation>incluso con la posición conocida: {why}</translation>
-  </message>
-  <message>
-   <source>{count} positions, and nothing tells which is its</source>
-   <extracomment>[procc_annotator/fit/together/tripod.py]</extracomment>
-   <translation>{count} posiciones, y nada dice cuál es la suya</translation>
-  </message>
-  <message>
-   <source>{count} of {total} clicks lie where the camera shows nothing</source>
-   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
-   <translation>{count} de {total} clics están donde la cámara no muestra nada</translation>
-  </message>
-  <message>
-   <source>the views look at it from nearly the same direction ({degrees:.2f} degrees apart, at least {least:g} are needed)</source>
-   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
-   <translation>las vistas lo miran casi desde la misma dirección (separadas {degrees:.2f} grados, se necesitan al menos {least:g})</translation>
-  </message>
-  <message>
-   <source>clicked in no view that has a camera</source>
-   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
-   <translation>no marcado en ninguna vista con cámara</translation>
-  </message>
-  <message>
-   <source>cameras that know only the ground (homographies) tell no place in space</source>
-   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
-   <translation>las cámaras que solo conocen el suelo (homografías) no dan ningún lugar en el espacio</translation>
-  </message>
-  <message>
-   <source>the lines of sight meet behind the camera of {names}</source>
-   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
-   <translation>las líneas de visión se cruzan detrás de la cámara de {names}</translation>
-  </message>
-  <message>
-   <source>clicked in one view only</source>
-   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
-   <translation>marcado en una sola vista</translation>
-  </message>
-  <message>
-   <source>would be farther than {metres:g} m from the field</source>
-   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
-   <translation>estaría a más de {metres:g} m del campo</translation>
-  </message>
-  <message>
-   <source>the views do not agree: {far} px off (is it the same place in all of them, and are the cameras right?)</source>
-   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
-   <translation>las vistas no concuerdan: {far} px (¿es el mismo lugar en todas, y son correctas las cámaras?)</translation>
-  </message>
-  <message>
-   <source>turn the labels by half a turn</source>
-   <extracomment>[procc_annotator/fit/which_side.py]</extracomment>
-   <translation>girar las clases media vuelta</translation>
-  </message>
-  <message numerus="yes">
-   <source>the camera stands on a side of the field where hardly any other of {n} frames does: a camera of its own, or labels turned by half a turn</source>
-   <extracomment>the camera stands on a side of the field where hardly any other of {n} frame does: a camera of its own, or labels turned by half a turn / the camera stands on a side of the field where hardly any other of {n} frames does: a camera of its own, or labels turned by half a turn [procc_annotator/fit/which_side.py]</extracomment>
-   <translation>
-    <numerusform>la cámara está en un lado del campo en que casi ninguna otra de {n} imagen lo está: una cámara aparte, o clases giradas media vuelta</numerusform>
-    <numerusform>la cámara está en un lado del campo en que casi ninguna otra de {n} imágenes lo está: una cámara aparte, o clases giradas media vuelta</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>the camera stands on the other side of the field from the rest; with its labels turned by half a turn it stands where that of {n} frames does</source>
-   <extracomment>the camera stands on the other side of the field from the rest; with its labels turned by half a turn it stands where that of {n} frame does / the camera stands on the other side of the field from the rest; with its labels turned by half a turn it stands where that of {n} frames does [procc_annotator/fit/which_side.py]</extracomment>
-   <translation>
-    <numerusform>la cámara está al otro lado del campo que el resto; con sus clases giradas media vuelta está donde la de {n} imagen</numerusform>
-    <numerusform>la cámara está al otro lado del campo que el resto; con sus clases giradas media vuelta está donde la de {n} imágenes</numerusform>
-   </translation>
+   <source>by file type and content</source>
+   <extracomment>[procc_annotator/formats/cameras/registry.py]</extracomment>
+   <translation>según el tipo y el contenido del archivo</translation>
   </message>
   <message>
    <source>File</source>
@@ -3097,7 +2700,7 @@ Abra primero una carpeta de imágenes.</translation>
   </message>
   <message>
    <source>Esc puts it back</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py, procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/gui/picture/camera_hand.py, procc_annotator/interaction/hints.py]</extracomment>
    <translation>Esc lo devuelve</translation>
   </message>
   <message numerus="yes">
@@ -3173,7 +2776,7 @@ Abra primero una carpeta de imágenes.</translation>
   </message>
   <message>
    <source>click and Enter do nothing</source>
-   <extracomment>[procc_annotator/gui/picture/canvas.py, procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/gui/picture/canvas.py, procc_annotator/interaction/hints.py]</extracomment>
    <translation>clic e Intro no hacen nada</translation>
   </message>
   <message>
@@ -3310,7 +2913,7 @@ Abra primero una carpeta de imágenes.</translation>
   </message>
   <message>
    <source>next: {title}</source>
-   <extracomment>[procc_annotator/gui/picture/ghost_layer.py, procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/gui/picture/ghost_layer.py, procc_annotator/interaction/hints.py]</extracomment>
    <translation>siguiente: {title}</translation>
   </message>
   <message>
@@ -4421,27 +4024,9 @@ Cargue o muestre otra.</translation>
    </translation>
   </message>
   <message>
-   <source>regularise {what}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>regularizar {what}</translation>
-  </message>
-  <message>
-   <source>copy from {frame}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>copiar de {frame}</translation>
-  </message>
-  <message>
    <source>choose an annotated element first</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
    <translation>elija primero un elemento anotado</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} elements</source>
-   <extracomment>{n} element / {n} elements [procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/review/label_check.py, procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{n} elemento</numerusform>
-    <numerusform>{n} elementos</numerusform>
-   </translation>
   </message>
   <message numerus="yes">
    <source>regularised {what}: {n} points</source>
@@ -4449,6 +4034,14 @@ Cargue o muestre otra.</translation>
    <translation>
     <numerusform>{what} regularizado: {n} punto</numerusform>
     <numerusform>{what} regularizado: {n} puntos</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} elements</source>
+   <extracomment>{n} element / {n} elements [procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/review/label_check.py, procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
+   <translation>
+    <numerusform>{n} elemento</numerusform>
+    <numerusform>{n} elementos</numerusform>
    </translation>
   </message>
   <message>
@@ -4490,27 +4083,6 @@ Cargue o muestre otra.</translation>
    <source>merge {element} into {other}</source>
    <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
    <translation>unir {element} con {other}</translation>
-  </message>
-  <message>
-   <source>close gaps</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>cerrar huecos</translation>
-  </message>
-  <message numerus="yes">
-   <source>confirm {n} elements</source>
-   <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>confirmar {n} elemento</numerusform>
-    <numerusform>confirmar {n} elementos</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>drop {n} unconfirmed elements</source>
-   <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>descartar {n} elemento sin confirmar</numerusform>
-    <numerusform>descartar {n} elementos sin confirmar</numerusform>
-   </translation>
   </message>
   <message>
    <source>{element} is its own symmetric element</source>
@@ -4611,19 +4183,6 @@ Cargue o muestre otra.</translation>
    <source>the camera is another one meanwhile</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
    <translation>la cámara es otra entretanto</translation>
-  </message>
-  <message>
-   <source>accept {what}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>aceptar {what}</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} ghosts</source>
-   <extracomment>{n} ghost / {n} ghosts [procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>
-    <numerusform>{n} fantasma</numerusform>
-    <numerusform>{n} fantasmas</numerusform>
-   </translation>
   </message>
   <message>
    <source>{n} of {total} ghosts</source>
@@ -4843,11 +4402,6 @@ Cargue o muestre otra.</translation>
    <source>that was the last ghost</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
    <translation>ese era el último fantasma</translation>
-  </message>
-  <message>
-   <source>taken back</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py, procc_annotator/session/dataset/frame_state.py]</extracomment>
-   <translation>retirado</translation>
   </message>
   <message>
    <source>go to a ghost first (Tab)</source>
@@ -5530,12 +5084,6 @@ Pierde {loses}.</translation>
     <numerusform>{n:,} imágenes ya contienen lo mismo.</numerusform>
    </translation>
   </message>
-  <message>
-   <source>import</source>
-   <comment>a step</comment>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>importar</translation>
-  </message>
   <message numerus="yes">
    <source>{edited} of {n:,} frames imported</source>
    <extracomment>{edited} of {n:,} frame imported / {edited} of {n:,} frames imported [procc_annotator/gui/tasks/files/importing.py]</extracomment>
@@ -5912,14 +5460,6 @@ Pierde {loses}.</translation>
    <translation>ningún hallazgo es tan seguro como pide el panel Comprobación</translation>
   </message>
   <message numerus="yes">
-   <source>relabelled {n} elements</source>
-   <extracomment>relabelled {n} element / relabelled {n} elements [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>{n} elemento con otra clase</numerusform>
-    <numerusform>{n} elementos con otra clase</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
    <source>checked {n:,} frames, camera model {model}: {found}</source>
    <extracomment>checked {n:,} frame, camera model {model}: {found} / checked {n:,} frames, camera model {model}: {found} [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
    <translation>
@@ -5956,21 +5496,6 @@ Pierde {loses}.</translation>
    <translation>{done}; Ctrl+Z lo retira</translation>
   </message>
   <message>
-   <source>removed point {n} of {element}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>punto {n} de {element} quitado</translation>
-  </message>
-  <message>
-   <source>swapped {element} and {other}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>{element} y {other} intercambiados</translation>
-  </message>
-  <message>
-   <source>relabelled {element} to {other}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>{element} pasado a {other}</translation>
-  </message>
-  <message>
    <source>ignored until {elements} changes; the Check panel brings it back</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
    <translation>ignorado hasta que cambie {elements}; el panel Comprobación lo devuelve</translation>
@@ -6005,11 +5530,6 @@ Pierde {loses}.</translation>
    <source>the elements have changed since: checked again</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
    <translation>los elementos han cambiado desde entonces: revisados de nuevo</translation>
-  </message>
-  <message>
-   <source>removed point of {element}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>punto de {element} quitado</translation>
   </message>
   <message>
    <source>go to a finding first (F10)</source>
@@ -6128,11 +5648,6 @@ Pierde {loses}.</translation>
    <source>{source} is worked out here: a verdict is on a camera that was loaded</source>
    <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
    <translation>{source} se calcula aquí: un veredicto es sobre una cámara que se cargó</translation>
-  </message>
-  <message>
-   <source>restore an earlier version</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
-   <translation>recuperar una versión anterior</translation>
   </message>
   <message>
    <source>the earlier version is back; undo takes it away again</source>
@@ -6354,16 +5869,6 @@ Pierde {loses}.</translation>
    <source>no frame was accepted: {why}</source>
    <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
    <translation>no se aceptó ninguna imagen: {why}</translation>
-  </message>
-  <message>
-   <source>accept the track</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>aceptar el seguimiento</translation>
-  </message>
-  <message>
-   <source>take back the track</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>retirar el seguimiento</translation>
   </message>
   <message>
    <source>nothing was accepted that could be taken back</source>
@@ -7161,156 +6666,116 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
    <translation>error inesperado ({what})</translation>
   </message>
   <message>
-   <source>passes</source>
-   <extracomment>[procc_annotator/interact/corner_legend.py, procc_annotator/interact/palette.py]</extracomment>
-   <translation>pasa</translation>
+   <source>Disagreement</source>
+   <extracomment>[procc_annotator/interaction/camera_view.py, the action disagreement]</extracomment>
+   <translation>Desacuerdo</translation>
   </message>
   <message>
-   <source>too far</source>
-   <extracomment>[procc_annotator/interact/corner_legend.py, procc_annotator/interact/palette.py]</extracomment>
-   <translation>demasiado lejos</translation>
-  </message>
-  <message>
-   <source>annotated, not projected</source>
-   <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
-   <translation>anotado, no proyectado</translation>
-  </message>
-  <message>
-   <source>projected, not annotated</source>
-   <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
-   <translation>proyectado, no anotado</translation>
-  </message>
-  <message>
-   <source>ghost of an unsure camera</source>
-   <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
-   <translation>fantasma de una cámara insegura</translation>
-  </message>
-  <message>
-   <source>ghost: expected here</source>
-   <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
-   <translation>fantasma: se espera aquí</translation>
-  </message>
-  <message>
-   <source>annotated, in its class's colour</source>
-   <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
-   <translation>anotado, en el color de su clase</translation>
-  </message>
-  <message>
-   <source>copied, to be confirmed</source>
-   <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
-   <translation>copiado, por confirmar</translation>
-  </message>
-  <message>
-   <source>projection</source>
-   <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
-   <translation>proyección</translation>
-  </message>
-  <message>
-   <source>second annotator</source>
-   <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
-   <translation>segundo anotador</translation>
-  </message>
-  <message>
-   <source>choose an element first: field map, list, or its key</source>
-   <extracomment>[procc_annotator/interact/draw_tool.py]</extracomment>
-   <translation>elija primero un elemento: mapa del campo, lista o su tecla</translation>
-  </message>
-  <message>
-   <source>{title} is pinned, so that a slip does not move it: drag its points, or unpin elements (Ctrl+P, menu Element) to drag it as a whole</source>
-   <extracomment>[procc_annotator/interact/edit_tool.py]</extracomment>
-   <translation>{title} está fijado para que un descuido no lo mueva: arrastre sus puntos, o suelte los elementos (Ctrl+P, menú Elemento) para arrastrarlo entero</translation>
+   <source>Uncertainty</source>
+   <extracomment>[procc_annotator/interaction/camera_view.py]</extracomment>
+   <translation>Incertidumbre</translation>
   </message>
   <message numerus="yes">
    <source>{n} to go</source>
-   <extracomment>{n} to go / {n} to go [procc_annotator/interact/hand.py]</extracomment>
+   <extracomment>{n} to go / {n} to go [procc_annotator/interaction/draw_tool.py]</extracomment>
    <translation>
     <numerusform>falta {n}</numerusform>
     <numerusform>faltan {n}</numerusform>
    </translation>
   </message>
   <message>
+   <source>choose an element first: field map, list, or its key</source>
+   <extracomment>[procc_annotator/interaction/draw_tool.py]</extracomment>
+   <translation>elija primero un elemento: mapa del campo, lista o su tecla</translation>
+  </message>
+  <message>
+   <source>{title} is pinned, so that a slip does not move it: drag its points, or unpin elements (Ctrl+P, menu Element) to drag it as a whole</source>
+   <extracomment>[procc_annotator/interaction/edit_tool.py]</extracomment>
+   <translation>{title} está fijado para que un descuido no lo mueva: arrastre sus puntos, o suelte los elementos (Ctrl+P, menú Elemento) para arrastrarlo entero</translation>
+  </message>
+  <message>
    <source>click, Enter and Esc do nothing yet</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>clic, Intro y Esc aún no hacen nada</translation>
   </message>
   <message>
    <source>click begins a line that is named after</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>un clic empieza una línea que se nombra después</translation>
   </message>
   <message>
    <source>choose an element: field map, list, its key or /</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>elija un elemento: mapa del campo, lista, su tecla o /</translation>
   </message>
   <message>
    <source>Backspace takes back the last point</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Retroceso retira el último punto</translation>
   </message>
   <message>
    <source>click marks it and goes on to {title}</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>un clic lo marca y pasa a {title}</translation>
   </message>
   <message>
    <source>Enter does nothing</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Intro no hace nada</translation>
   </message>
   <message>
    <source>release drops it here</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>al soltar queda aquí</translation>
   </message>
   <message>
    <source>click or drag a point, drag on empty ground to choose several</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>clic o arrastre en un punto; arrastre en un lugar vacío para elegir varios</translation>
   </message>
   <message>
    <source>arrows nudge {step:g} px, with Shift {fine:g} px, Ctrl {far:g} px</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>las flechas mueven {step:g} px, con Mayús {fine:g} px, Ctrl {far:g} px</translation>
   </message>
   <message>
    <source>Drop a folder of pictures here, or open one with Ctrl+O</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Suelte aquí una carpeta de imágenes, o ábrala con Ctrl+O</translation>
   </message>
   <message>
    <source>Ctrl+Enter commits the frame and shows the projection</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Ctrl+Intro entrega la imagen y muestra la proyección</translation>
   </message>
   <message>
    <source>GHOST {title}</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>FANTASMA {title}</translation>
   </message>
   <message>
    <source>GHOST the next one comes</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>FANTASMA llega el siguiente</translation>
   </message>
   <message>
    <source>Esc goes back</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Esc vuelve</translation>
   </message>
   <message>
    <source>Tab goes on</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Tab sigue</translation>
   </message>
   <message>
    <source>GHOST the next one comes in a moment</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>FANTASMA el siguiente llega en un momento</translation>
   </message>
   <message numerus="yes">
    <source>Tab: next of {n} ghosts</source>
-   <extracomment>Tab: next of {n} ghost / Tab: next of {n} ghosts [procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>Tab: next of {n} ghost / Tab: next of {n} ghosts [procc_annotator/interaction/hints.py]</extracomment>
    <translation>
     <numerusform>Tab: siguiente de {n} fantasma</numerusform>
     <numerusform>Tab: siguiente de {n} fantasmas</numerusform>
@@ -7318,7 +6783,7 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
   </message>
   <message numerus="yes">
    <source>Tab: first of {n} ghosts</source>
-   <extracomment>Tab: first of {n} ghost / Tab: first of {n} ghosts [procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>Tab: first of {n} ghost / Tab: first of {n} ghosts [procc_annotator/interaction/hints.py]</extracomment>
    <translation>
     <numerusform>Tab: primero de {n} fantasma</numerusform>
     <numerusform>Tab: primero de {n} fantasmas</numerusform>
@@ -7326,32 +6791,32 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
   </message>
   <message>
    <source>Enter accepts it</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Intro lo acepta</translation>
   </message>
   <message>
    <source>. not visible here</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>. no visible aquí</translation>
   </message>
   <message>
    <source>Shift+Enter: all</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Mayús+Intro: todos</translation>
   </message>
   <message>
    <source>or choose its element first: field map, list, its key or /</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>o elija antes su elemento: mapa del campo, lista, su tecla o /</translation>
   </message>
   <message>
    <source>DRAW</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>DIBUJAR</translation>
   </message>
   <message numerus="yes">
    <source>DRAW a line, {n} points</source>
-   <extracomment>DRAW a line, {n} point / DRAW a line, {n} points [procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>DRAW a line, {n} point / DRAW a line, {n} points [procc_annotator/interaction/hints.py]</extracomment>
    <translation>
     <numerusform>DIBUJAR una línea, {n} punto</numerusform>
     <numerusform>DIBUJAR una línea, {n} puntos</numerusform>
@@ -7359,12 +6824,12 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
   </message>
   <message>
    <source>Enter or double-click finishes and asks its name</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Intro o doble clic termina y pregunta el nombre</translation>
   </message>
   <message numerus="yes">
    <source>DRAW {title}, {n} points</source>
-   <extracomment>DRAW {title}, {n} point / DRAW {title}, {n} points [procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>DRAW {title}, {n} point / DRAW {title}, {n} points [procc_annotator/interaction/hints.py]</extracomment>
    <translation>
     <numerusform>DIBUJAR {title}, {n} punto</numerusform>
     <numerusform>DIBUJAR {title}, {n} puntos</numerusform>
@@ -7372,47 +6837,47 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
   </message>
   <message>
    <source>Enter or double-click finishes</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Intro o doble clic termina</translation>
   </message>
   <message>
    <source>click adds the second point and finishes</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>un clic pone el segundo punto y termina</translation>
   </message>
   <message>
    <source>click adds a point</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>un clic pone un punto</translation>
   </message>
   <message>
    <source>DRAW {title}, unconfirmed</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>DIBUJAR {title}, sin confirmar</translation>
   </message>
   <message>
    <source>DRAW {title}</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>DIBUJAR {title}</translation>
   </message>
   <message>
    <source>Enter does nothing yet</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Intro aún no hace nada</translation>
   </message>
   <message>
    <source>Enter confirms it</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Intro lo confirma</translation>
   </message>
   <message>
    <source>choose it again, then clicks continue it</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>elíjalo de nuevo y los clics lo continúan</translation>
   </message>
   <message numerus="yes">
    <source>click continues it after its {n} points</source>
-   <extracomment>click continues it after its {n} point / click continues it after its {n} points [procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>click continues it after its {n} point / click continues it after its {n} points [procc_annotator/interaction/hints.py]</extracomment>
    <translation>
     <numerusform>un clic lo continúa tras su {n} punto</numerusform>
     <numerusform>un clic lo continúa tras sus {n} puntos</numerusform>
@@ -7420,22 +6885,22 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
   </message>
   <message>
    <source>click begins it</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>un clic lo empieza</translation>
   </message>
   <message>
    <source>click moves it here and goes on to {title}</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>un clic lo mueve aquí y pasa a {title}</translation>
   </message>
   <message>
    <source>Enter confirms {title}</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Intro confirma {title}</translation>
   </message>
   <message numerus="yes">
    <source>Esc lets go of {n} points</source>
-   <extracomment>Esc lets go of the point / Esc lets go of {n} points [procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>Esc lets go of the point / Esc lets go of {n} points [procc_annotator/interaction/hints.py]</extracomment>
    <translation>
     <numerusform>Esc suelta el punto</numerusform>
     <numerusform>Esc suelta {n} puntos</numerusform>
@@ -7443,52 +6908,52 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
   </message>
   <message>
    <source>EDIT</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>EDITAR</translation>
   </message>
   <message>
    <source>release chooses all points inside</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>al soltar se eligen todos los puntos de dentro</translation>
   </message>
   <message>
    <source>EDIT point {number} of {title}</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>EDITAR el punto {number} de {title}</translation>
   </message>
   <message>
    <source>release selects the element, which is pinned</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>al soltar se selecciona el elemento, que está fijado</translation>
   </message>
   <message>
    <source>EDIT the element</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>EDITAR el elemento</translation>
   </message>
   <message>
    <source>drag moves point {number} of {title}, Alt+Shift+click removes it</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>arrastrar mueve el punto {number} de {title}, Alt+Mayús+clic lo quita</translation>
   </message>
   <message>
    <source>click selects {title}, Alt+click inserts a point</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>un clic selecciona {title}, Alt+clic inserta un punto</translation>
   </message>
   <message>
    <source>click does nothing: there are no points to edit, draw an element first</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>un clic no hace nada: no hay puntos que editar, dibuje antes un elemento</translation>
   </message>
   <message>
    <source>click a point to drag it, beside it to let go</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>clic en un punto para arrastrarlo, al lado para soltarlo</translation>
   </message>
   <message numerus="yes">
    <source>Delete removes {n} points</source>
-   <extracomment>Delete removes the point / Delete removes {n} points [procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>Delete removes the point / Delete removes {n} points [procc_annotator/interaction/hints.py]</extracomment>
    <translation>
     <numerusform>Supr quita el punto</numerusform>
     <numerusform>Supr quita {n} puntos</numerusform>
@@ -7496,17 +6961,17 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
   </message>
   <message>
    <source>click begins it by hand</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>un clic lo empieza a mano</translation>
   </message>
   <message>
    <source>BLIND</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>CIEGO</translation>
   </message>
   <message numerus="yes">
    <source>Enter accepts {n} points</source>
-   <extracomment>Enter accepts {n} point / Enter accepts {n} points [procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>Enter accepts {n} point / Enter accepts {n} points [procc_annotator/interaction/hints.py]</extracomment>
    <translation>
     <numerusform>Intro acepta {n} punto</numerusform>
     <numerusform>Intro acepta {n} puntos</numerusform>
@@ -7514,62 +6979,62 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
   </message>
   <message>
    <source>Enter does nothing: no line is found along it</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Intro no hace nada: no se halla ninguna línea en él</translation>
   </message>
   <message>
    <source>Enter and Esc do nothing yet</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Intro y Esc aún no hacen nada</translation>
   </message>
   <message>
    <source>an element's key names it</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>la tecla de un elemento la nombra</translation>
   </message>
   <message>
    <source>Enter or double-click finishes and goes on to {title}</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Intro o doble clic termina y pasa a {title}</translation>
   </message>
   <message>
    <source>Esc cancels</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Esc cancela</translation>
   </message>
   <message>
    <source>Esc deselects</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Esc deselecciona</translation>
   </message>
   <message>
    <source>click moves it here</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>un clic lo mueve aquí</translation>
   </message>
   <message>
    <source>click marks it</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>un clic lo marca</translation>
   </message>
   <message>
    <source>hold Ctrl to click beside the line</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>mantenga Ctrl para marcar junto a la línea</translation>
   </message>
   <message>
    <source>Delete removes {title}</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Supr quita {title}</translation>
   </message>
   <message>
    <source>EDIT choosing points</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>EDITAR eligiendo puntos</translation>
   </message>
   <message numerus="yes">
    <source>EDIT {n} points</source>
-   <extracomment>EDIT {n} point / EDIT {n} points [procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>EDIT {n} point / EDIT {n} points [procc_annotator/interaction/hints.py]</extracomment>
    <translation>
     <numerusform>EDITAR {n} punto</numerusform>
     <numerusform>EDITAR {n} puntos</numerusform>
@@ -7577,407 +7042,148 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
   </message>
   <message>
    <source>Esc takes the new point away</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Esc quita el punto nuevo</translation>
   </message>
   <message>
    <source>READ ONLY</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>SOLO LECTURA</translation>
   </message>
   <message>
    <source>Shift+Enter finishes and stays</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Mayús+Intro termina y se queda</translation>
   </message>
   <message>
    <source>Enter and Esc do nothing</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Intro y Esc no hacen nada</translation>
   </message>
   <message>
    <source>Esc gives up</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Esc abandona</translation>
   </message>
   <message>
    <source>Esc lets go</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Esc suelta</translation>
   </message>
   <message>
    <source>Shift+Enter: accept all</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Mayús+Intro: aceptar todos</translation>
   </message>
   <message>
-   <source>Disagreement</source>
-   <extracomment>[procc_annotator/interact/map_looks.py, the action disagreement]</extracomment>
-   <translation>Desacuerdo</translation>
+   <source>passes</source>
+   <extracomment>[procc_annotator/interaction/legend.py, procc_annotator/interaction/palette.py]</extracomment>
+   <translation>pasa</translation>
   </message>
   <message>
-   <source>Uncertainty</source>
-   <extracomment>[procc_annotator/interact/map_looks.py]</extracomment>
-   <translation>Incertidumbre</translation>
+   <source>too far</source>
+   <extracomment>[procc_annotator/interaction/legend.py, procc_annotator/interaction/palette.py]</extracomment>
+   <translation>demasiado lejos</translation>
+  </message>
+  <message>
+   <source>annotated, not projected</source>
+   <extracomment>[procc_annotator/interaction/legend.py]</extracomment>
+   <translation>anotado, no proyectado</translation>
+  </message>
+  <message>
+   <source>projected, not annotated</source>
+   <extracomment>[procc_annotator/interaction/legend.py]</extracomment>
+   <translation>proyectado, no anotado</translation>
+  </message>
+  <message>
+   <source>ghost of an unsure camera</source>
+   <extracomment>[procc_annotator/interaction/legend.py]</extracomment>
+   <translation>fantasma de una cámara insegura</translation>
+  </message>
+  <message>
+   <source>ghost: expected here</source>
+   <extracomment>[procc_annotator/interaction/legend.py]</extracomment>
+   <translation>fantasma: se espera aquí</translation>
+  </message>
+  <message>
+   <source>annotated, in its class's colour</source>
+   <extracomment>[procc_annotator/interaction/legend.py]</extracomment>
+   <translation>anotado, en el color de su clase</translation>
+  </message>
+  <message>
+   <source>copied, to be confirmed</source>
+   <extracomment>[procc_annotator/interaction/legend.py]</extracomment>
+   <translation>copiado, por confirmar</translation>
+  </message>
+  <message>
+   <source>projection</source>
+   <extracomment>[procc_annotator/interaction/legend.py]</extracomment>
+   <translation>proyección</translation>
+  </message>
+  <message>
+   <source>second annotator</source>
+   <extracomment>[procc_annotator/interaction/legend.py]</extracomment>
+   <translation>segundo anotador</translation>
+  </message>
+  <message>
+   <source>no distance</source>
+   <extracomment>[procc_annotator/interaction/overlay_primitives.py]</extracomment>
+   <translation>sin distancia</translation>
   </message>
   <message>
    <source>not annotated</source>
-   <extracomment>[procc_annotator/interact/palette.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/palette.py]</extracomment>
    <translation>sin anotar</translation>
   </message>
   <message>
    <source>missed</source>
-   <extracomment>[procc_annotator/interact/palette.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/palette.py]</extracomment>
    <translation>fallado</translation>
   </message>
   <message>
-   <source>draw {title}</source>
-   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
-   <translation>dibujar {title}</translation>
-  </message>
-  <message>
-   <source>confirm {title}</source>
-   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
-   <translation>confirmar {title}</translation>
-  </message>
-  <message>
-   <source>move {title}</source>
-   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
-   <translation>mover {title}</translation>
-  </message>
-  <message>
-   <source>move all of {title}</source>
-   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
-   <translation>mover {title} entero</translation>
-  </message>
-  <message numerus="yes">
-   <source>move {n} points</source>
-   <extracomment>move {n} point / move {n} points [procc_annotator/interact/step_names.py]</extracomment>
-   <translation>
-    <numerusform>mover {n} punto</numerusform>
-    <numerusform>mover {n} puntos</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>nudge {title}</source>
-   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
-   <translation>desplazar {title}</translation>
-  </message>
-  <message numerus="yes">
-   <source>nudge {n} points</source>
-   <extracomment>nudge {n} point / nudge {n} points [procc_annotator/interact/step_names.py]</extracomment>
-   <translation>
-    <numerusform>desplazar {n} punto</numerusform>
-    <numerusform>desplazar {n} puntos</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>insert a point in {title}</source>
-   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
-   <translation>insertar un punto en {title}</translation>
-  </message>
-  <message>
-   <source>delete {title}</source>
-   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
-   <translation>borrar {title}</translation>
-  </message>
-  <message>
-   <source>delete point {number} of {title}</source>
-   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
-   <translation>borrar el punto {number} de {title}</translation>
-  </message>
-  <message numerus="yes">
-   <source>delete {n} points</source>
-   <extracomment>delete {n} point / delete {n} points [procc_annotator/interact/step_names.py]</extracomment>
-   <translation>
-    <numerusform>borrar {n} punto</numerusform>
-    <numerusform>borrar {n} puntos</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>continue {title}</source>
-   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
-   <translation>continuar {title}</translation>
-  </message>
-  <message>
-   <source>no distance</source>
-   <extracomment>[procc_annotator/interact/verdicts.py]</extracomment>
-   <translation>sin distancia</translation>
-  </message>
-  <message>
-   <source>fitted on these clicks</source>
-   <extracomment>[procc_annotator/io/camera_files/fitted_on.py]</extracomment>
-   <translation>ajustada a estos clics</translation>
-  </message>
-  <message>
-   <source>fitted to another version of these annotations</source>
-   <extracomment>[procc_annotator/io/camera_files/fitted_on.py]</extracomment>
-   <translation>ajustada a otra versión de estas anotaciones</translation>
-  </message>
-  <message>
-   <source>fitted on these clicks, or to another version of these annotations</source>
-   <extracomment>[procc_annotator/io/camera_files/fitted_on.py]</extracomment>
-   <translation>ajustada a estos clics o a otra versión de estas anotaciones</translation>
-  </message>
-  <message>
-   <source>by file type and content</source>
-   <extracomment>[procc_annotator/io/camera_files/registry.py]</extracomment>
-   <translation>según el tipo y el contenido del archivo</translation>
-  </message>
-  <message>
    <source>{element} agrees: its farthest point, {number}, is {px} px off; it passes at tau &gt; {px}.</source>
-   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
    <translation>{element} concuerda: su punto más lejano, el {number}, está a {px} px; pasa con tau &gt; {px}.</translation>
   </message>
   <message>
    <source>{element} is too far: point {number} is {px} px off; it passes at tau &gt; {px}.</source>
-   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
    <translation>{element} está demasiado lejos: el punto {number} está a {px} px; pasa con tau &gt; {px}.</translation>
   </message>
   <message>
    <source>{title} (judged as {other}, labels mirrored)</source>
-   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
    <translation>{title} (juzgado como {other}, clases reflejadas)</translation>
   </message>
   <message>
    <source>{element} is missed: it is annotated, but the camera does not show it in the picture.</source>
-   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
    <translation>{element} se pierde: está anotado, pero la cámara no lo muestra en la imagen.</translation>
   </message>
   <message>
    <source>{element} is not annotated, but the camera shows it: a false positive.</source>
-   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
    <translation>{element} no está anotado, pero la cámara lo muestra: un falso positivo.</translation>
   </message>
   <message>
    <source>{element} is too far: point {number} has no distance, because the projection has coinciding samples there; it passes at no tau.</source>
-   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
    <translation>{element} está demasiado lejos: el punto {number} no tiene distancia, porque la proyección tiene allí muestras coincidentes; no pasa con ningún tau.</translation>
   </message>
   <message>
    <source>As it goes on beyond the picture it is at most {px} px off, but soccernet measures to what is in the picture alone.</source>
-   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
    <translation>Tal como sigue más allá de la imagen está a lo sumo a {px} px, pero soccernet mide solo hasta lo que hay en la imagen.</translation>
   </message>
   <message>
    <source>{element} is missed: it is annotated, but the field has no such element to project.</source>
-   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
    <translation>{element} se pierde: está anotado, pero el campo no tiene tal elemento que proyectar.</translation>
   </message>
   <message>
    <source>{element} is missed: it is annotated, but it leaves the ground, and the camera knows only the ground.</source>
-   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
    <translation>{element} se pierde: está anotado, pero sale del suelo, y la cámara solo conoce el suelo.</translation>
-  </message>
-  <message>
-   <source>Fitted to the clicks of each frame; nothing of it is in a file</source>
-   <extracomment>[procc_annotator/session/dataset/fitted_cameras.py]</extracomment>
-   <translation>Ajustada a los clics de cada imagen; nada de ello está en un archivo</translation>
-  </message>
-  <message>
-   <source>no fit of {frame} yet</source>
-   <extracomment>[procc_annotator/session/dataset/fitted_cameras.py]</extracomment>
-   <translation>aún no hay ajuste de {frame}</translation>
-  </message>
-  <message>
-   <source>as it was found</source>
-   <extracomment>[procc_annotator/session/dataset/frame_memory.py, procc_annotator/session/dataset/putting_back.py]</extracomment>
-   <translation>como se encontró</translation>
-  </message>
-  <message>
-   <source>saved</source>
-   <extracomment>[procc_annotator/session/dataset/frame_state.py]</extracomment>
-   <translation>guardado</translation>
-  </message>
-  <message>
-   <source>the paint is {px:.1f} px from the lines</source>
-   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
-   <translation>la pintura está a {px:.1f} px de las líneas</translation>
-  </message>
-  <message>
-   <source>Followed through the shot; nothing of it is in a file</source>
-   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
-   <translation>Seguida a lo largo del plano; nada de ello está en un archivo</translation>
-  </message>
-  <message>
-   <source>no track here: {why}</source>
-   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
-   <translation>aquí no hay seguimiento: {why}</translation>
-  </message>
-  <message>
-   <source>no camera was found</source>
-   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py, procc_annotator/session/landmarks/landmark_views.py]</extracomment>
-   <translation>no se halló ninguna cámara</translation>
-  </message>
-  <message>
-   <source>carried over by the picture's motion, not measured on paint</source>
-   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
-   <translation>llevada por el movimiento de la imagen, no medida sobre pintura</translation>
-  </message>
-  <message>
-   <source>not followed so far</source>
-   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
-   <translation>no seguida hasta ahora</translation>
-  </message>
-  <message>
-   <source>what was saved elsewhere</source>
-   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
-   <translation>lo que se guardó en otra parte</translation>
-  </message>
-  <message>
-   <source>overwritten</source>
-   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
-   <translation>sobrescrito</translation>
-  </message>
-  <message>
-   <source>untouched</source>
-   <comment>a frame</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>sin tocar</translation>
-  </message>
-  <message>
-   <source>in progress</source>
-   <comment>a frame</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>en curso</translation>
-  </message>
-  <message>
-   <source>done</source>
-   <comment>a frame</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>terminada</translation>
-  </message>
-  <message>
-   <source>approved</source>
-   <comment>a frame</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>aprobada</translation>
-  </message>
-  <message>
-   <source>rejected</source>
-   <comment>a frame</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>rechazada</translation>
-  </message>
-  <message>
-   <source>clicked</source>
-   <comment>points</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>marcados</translation>
-  </message>
-  <message>
-   <source>snapped</source>
-   <comment>points</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>ajustados a línea</translation>
-  </message>
-  <message>
-   <source>regularised</source>
-   <comment>points</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>regularizados</translation>
-  </message>
-  <message>
-   <source>copied</source>
-   <comment>points</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>copiados</translation>
-  </message>
-  <message>
-   <source>moved</source>
-   <comment>points</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>movidos</translation>
-  </message>
-  <message>
-   <source>accepted suggestion</source>
-   <comment>points</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>sugerencias aceptadas</translation>
-  </message>
-  <message>
-   <source>proposed</source>
-   <comment>points</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>propuestos</translation>
-  </message>
-  <message>
-   <source>accepted proposal</source>
-   <comment>points</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>propuestas aceptadas</translation>
-  </message>
-  <message>
-   <source>unconfirmed by paint</source>
-   <comment>points</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>sin confirmar por la pintura</translation>
-  </message>
-  <message>
-   <source>from the file</source>
-   <comment>points</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>del archivo</translation>
-  </message>
-  <message>
-   <source>camera</source>
-   <comment>a verdict</comment>
-   <extracomment>[procc_annotator/session/facts/verdict.py]</extracomment>
-   <translation>cámara</translation>
-  </message>
-  <message>
-   <source>annotation</source>
-   <comment>a verdict</comment>
-   <extracomment>[procc_annotator/session/facts/verdict.py]</extracomment>
-   <translation>anotación</translation>
-  </message>
-  <message>
-   <source>fine</source>
-   <comment>a verdict</comment>
-   <extracomment>[procc_annotator/session/facts/verdict.py]</extracomment>
-   <translation>correcto</translation>
-  </message>
-  <message>
-   <source>camera fault</source>
-   <comment>a verdict</comment>
-   <extracomment>[procc_annotator/session/facts/verdict.py]</extracomment>
-   <translation>fallo de la cámara</translation>
-  </message>
-  <message>
-   <source>annotation fault</source>
-   <comment>a verdict</comment>
-   <extracomment>[procc_annotator/session/facts/verdict.py]</extracomment>
-   <translation>fallo de la anotación</translation>
-  </message>
-  <message>
-   <source>{title} was surveyed: its position stays as it is</source>
-   <extracomment>[procc_annotator/session/landmarks/landmark_clicks.py]</extracomment>
-   <translation>{title} se midió en el terreno: su posición queda como está</translation>
-  </message>
-  <message>
-   <source>{title} moves: its positions hold for an instant each</source>
-   <extracomment>[procc_annotator/session/landmarks/landmark_clicks.py]</extracomment>
-   <translation>{title} se mueve: cada una de sus posiciones vale para un instante</translation>
-  </message>
-  <message>
-   <source>its camera is hardly determined: {what}</source>
-   <extracomment>[procc_annotator/session/landmarks/landmark_views.py]</extracomment>
-   <translation>su cámara está apenas determinada: {what}</translation>
-  </message>
-  <message>
-   <source>no camera in {frame} ({why}), and {count} more</source>
-   <extracomment>[procc_annotator/session/landmarks/landmark_views.py]</extracomment>
-   <translation>sin cámara en {frame} ({why}), y {count} más</translation>
-  </message>
-  <message>
-   <source>no camera in {frame} ({why})</source>
-   <extracomment>[procc_annotator/session/landmarks/landmark_views.py]</extracomment>
-   <translation>sin cámara en {frame} ({why})</translation>
-  </message>
-  <message>
-   <source>surveyed: kept as it is</source>
-   <extracomment>[procc_annotator/session/landmarks/landmark_views.py]</extracomment>
-   <translation>medida en el terreno: queda como está</translation>
   </message>
   <message>
    <source>Annotate all pictures of a folder</source>

@@ -4,573 +4,184 @@
  <context>
   <name>procc</name>
   <message>
-   <source>the principal point is far from the centre of the picture, which seems cut out of a larger one</source>
-   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
-   <translation>主点远离图片中心，图片似乎是从更大的图片裁剪而来</translation>
-  </message>
-  <message>
-   <source>with aspect ratio and principal point {px} px: not clearly better</source>
-   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
-   <translation>加入像素宽高比和主点后为 {px} px：没有明显改善</translation>
-  </message>
-  <message>
-   <source>without lens distortion the points are {without} px off, with it {with_it} px: not clearly better</source>
-   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
-   <translation>不含镜头畸变时点偏离 {without} px，含畸变时 {with_it} px：没有明显改善</translation>
-  </message>
-  <message>
-   <source>aspect ratio and principal point bring the points from {before} to {after} px, more than three parameters would by chance</source>
-   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
-   <translation>像素宽高比和主点使点从 {before} 降到 {after} px，超过三个参数偶然所能达到的</translation>
-  </message>
-  <message>
-   <source>lens distortion brings the points from {before} to {after} px</source>
-   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
-   <translation>镜头畸变使点从 {before} 降到 {after} px</translation>
-  </message>
-  <message>
-   <source>the points show lens distortion clearly and are {px} px off</source>
-   <extracomment>[procc_annotator/fit/choose.py]</extracomment>
-   <translation>点明显显示镜头畸变，偏离 {px} px</translation>
-  </message>
-  <message>
-   <source>pan, tilt or roll ± more than {degrees:g}°, position ± more than {way:g} % of the way to the field's centre, or focal length ± more than {focal:g} %, or clicks that are the same from the other end</source>
-   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
-   <translation>水平转动、俯仰或横滚 ± 超过 {degrees:g}°，位置 ± 超过到场地中心距离的 {way:g} %，或焦距 ± 超过 {focal:g} %，或从另一端看相同的点击</translation>
-  </message>
-  <message>
    <source>pan ± {degrees:.1f}°</source>
-   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <extracomment>[procc_annotator/calibration/result.py]</extracomment>
    <translation>水平转动 ± {degrees:.1f}°</translation>
   </message>
   <message>
    <source>tilt ± {degrees:.1f}°</source>
-   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <extracomment>[procc_annotator/calibration/result.py]</extracomment>
    <translation>俯仰 ± {degrees:.1f}°</translation>
   </message>
   <message>
    <source>roll ± {degrees:.1f}°</source>
-   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
+   <extracomment>[procc_annotator/calibration/result.py]</extracomment>
    <translation>横滚 ± {degrees:.1f}°</translation>
   </message>
   <message>
-   <source>position ± {metres:.0f} m</source>
-   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
-   <translation>位置 ± {metres:.0f} m</translation>
+   <source>untouched</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>未动</translation>
   </message>
   <message>
-   <source>focal length ± {percent:.0f} %</source>
-   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
-   <translation>焦距 ± {percent:.0f} %</translation>
+   <source>in progress</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>进行中</translation>
   </message>
   <message>
-   <source>the same from the other end</source>
-   <extracomment>[procc_annotator/fit/determined.py]</extracomment>
-   <translation>从另一端看相同</translation>
+   <source>done</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>完成</translation>
   </message>
   <message>
-   <source>coordinates look like pixels, expected 0 to 1 (x = {x:g}, y = {y:g})</source>
-   <extracomment>[procc_annotator/fit/fitting.py]</extracomment>
-   <translation>坐标看起来像像素，应为 0 到 1（x = {x:g}，y = {y:g}）</translation>
+   <source>approved</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>已批准</translation>
   </message>
   <message>
-   <source>another camera that shows other lines suits the picture nearly as well</source>
-   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
-   <translation>另一个显示其他线的相机与图片几乎同样吻合</translation>
+   <source>rejected</source>
+   <comment>a frame</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>已退回</translation>
   </message>
   <message>
-   <source>{lines:.0f} % of the lines in sight lie on paint, which explains {paint:.0f} % of the paint on the ground</source>
-   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
-   <translation>可见线的 {lines:.0f} % 落在画线上，解释了地面画线的 {paint:.0f} %</translation>
+   <source>clicked</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>点击</translation>
   </message>
   <message>
-   <source>the picture is nearly square, as a squeezed one is: its pixels may not be square</source>
-   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
-   <translation>画面接近正方形，可能被压缩过：其像素可能不是正方形</translation>
+   <source>snapped</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>吸附</translation>
   </message>
   <message>
-   <source>lines are missing that should be in sight</source>
-   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
-   <translation>缺少本应可见的线</translation>
+   <source>regularised</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>规整</translation>
   </message>
   <message>
-   <source>there is paint where the field has none</source>
-   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
-   <translation>在场地没有画线之处有画线</translation>
+   <source>copied</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>复制</translation>
   </message>
   <message>
-   <source>cameras hardly stand there</source>
-   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
-   <translation>相机很少位于该处</translation>
+   <source>moved</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>移动</translation>
   </message>
   <message>
-   <source>too few lines are in sight to tell</source>
-   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
-   <translation>可见的线太少，无法判断</translation>
+   <source>accepted suggestion</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>接受的建议</translation>
   </message>
   <message>
-   <source>the lines in sight leave the camera open: {what}</source>
-   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
-   <translation>可见的线无法确定相机：{what}</translation>
+   <source>proposed</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>提议</translation>
   </message>
   <message>
-   <source>no camera suits the paint in this picture: of the best one {shares}</source>
-   <extracomment>[procc_annotator/fit/from_picture/deciding.py]</extracomment>
-   <translation>没有相机与此图片的画线吻合：最好的为{shares}</translation>
+   <source>accepted proposal</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>接受的提议</translation>
   </message>
   <message>
-   <source>is this {field}, and no other sport? {why}</source>
-   <extracomment>[procc_annotator/fit/from_picture/proposing.py]</extracomment>
-   <translation>这是 {field}，而不是其他运动吗？{why}</translation>
+   <source>unconfirmed by paint</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>未得到画线证实</translation>
   </message>
   <message>
-   <source>look at it</source>
-   <extracomment>[procc_annotator/fit/labels/finding.py]</extracomment>
-   <translation>查看</translation>
+   <source>from the file</source>
+   <comment>points</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>来自文件</translation>
   </message>
   <message>
-   <source>all labels fit with far and near exchanged</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>远近互换后所有类别都吻合</translation>
+   <source>camera</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>相机</translation>
   </message>
   <message>
-   <source>all labels fit with left and right exchanged</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>左右互换后所有类别都吻合</translation>
+   <source>annotation</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>标注</translation>
   </message>
   <message>
-   <source>look at point {number}</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py, procc_annotator/fit/labels/shape.py]</extracomment>
-   <translation>查看第 {number} 点</translation>
+   <source>fine</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>无误</translation>
   </message>
   <message>
-   <source>point {number} of {title} is {off:.0f} px off, its other points at most {rest:.1f} px</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>{title} 的第 {number} 点偏离 {off:.0f} px，其他点最多 {rest:.1f} px</translation>
+   <source>camera fault</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>相机错误</translation>
   </message>
   <message>
-   <source>elements are {after:.1f} px off on average, no camera fits the labels as they are</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>元素平均偏离 {after:.1f} px，按现有类别没有吻合的相机</translation>
+   <source>annotation fault</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/dataset/records.py]</extracomment>
+   <translation>标注错误</translation>
   </message>
   <message>
-   <source>elements are {after:.1f} px off on average, {before:.1f} px as they are</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>元素平均偏离 {after:.1f} px，按现状为 {before:.1f} px</translation>
+   <source>taken back</source>
+   <extracomment>[procc_annotator/dataset/saving.py, procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
+   <translation>已撤回</translation>
   </message>
   <message>
-   <source>{a} and {b} fit with each other's label</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>{a} 和 {b} 互换类别后吻合</translation>
+   <source>saved</source>
+   <extracomment>[procc_annotator/dataset/saving.py]</extracomment>
+   <translation>已保存</translation>
   </message>
   <message>
-   <source>{titles} fit with each other's labels</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>{titles} 互换类别后吻合</translation>
+   <source>as it was found</source>
+   <extracomment>[procc_annotator/dataset/saving.py, procc_annotator/dataset/workspace.py]</extracomment>
+   <translation>原始状态</translation>
   </message>
   <message>
-   <source>relabel {steps}</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>更改类别：{steps}</translation>
+   <source>what was saved elsewhere</source>
+   <extracomment>[procc_annotator/dataset/workspace.py]</extracomment>
+   <translation>在别处保存的内容</translation>
   </message>
   <message>
-   <source>remove point {number}</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py, procc_annotator/fit/labels/shape.py]</extracomment>
-   <translation>移除第 {number} 点</translation>
+   <source>overwritten</source>
+   <extracomment>[procc_annotator/dataset/workspace.py]</extracomment>
+   <translation>已覆盖</translation>
   </message>
   <message>
-   <source>point {number} of {title} is {off:.0f} px off, its other point at most {rest:.1f} px</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>{title} 的第 {number} 点偏离 {off:.0f} px，另一点最多 {rest:.1f} px</translation>
+   <source>fitted on these clicks</source>
+   <extracomment>[procc_annotator/formats/cameras/fit_record.py]</extracomment>
+   <translation>根据这些点击拟合</translation>
   </message>
   <message>
-   <source>{title} is up to {px:.0f} px from where the camera of the others shows it</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>{title} 与其他元素所得相机的位置最多相差 {px:.0f} px</translation>
+   <source>fitted to another version of these annotations</source>
+   <extracomment>[procc_annotator/formats/cameras/fit_record.py]</extracomment>
+   <translation>由这些标注的另一版本拟合</translation>
   </message>
   <message>
-   <source>{title} is nowhere near where the camera of the others shows it</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>{title} 远离其他元素所得相机显示的位置</translation>
+   <source>fitted on these clicks, or to another version of these annotations</source>
+   <extracomment>[procc_annotator/formats/cameras/fit_record.py]</extracomment>
+   <translation>由这些点击或这些标注的另一版本拟合</translation>
   </message>
   <message>
-   <source>without {titles} the others drop from {before:.1f} to {after:.1f} px</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>去掉 {titles} 后，其余从 {before:.1f} 降到 {after:.1f} px</translation>
-  </message>
-  <message>
-   <source>swap {a} and {b}</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py, procc_annotator/fit/labels/sides.py]</extracomment>
-   <translation>互换 {a} 和 {b}</translation>
-  </message>
-  <message>
-   <source>{a} to {b}</source>
-   <comment>labels</comment>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>{a} 改为 {b}</translation>
-  </message>
-  <message>
-   <source>it lies where {title} should be</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>它位于 {title} 应在之处</translation>
-  </message>
-  <message>
-   <source>the others are {px:.1f} px off with and without it</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>有无它，其余都偏离 {px:.1f} px</translation>
-  </message>
-  <message>
-   <source>more than its own place is uncertain</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>超过其自身位置的不确定度</translation>
-  </message>
-  <message>
-   <source>relabel to {title}</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py, procc_annotator/fit/labels/unknown.py]</extracomment>
-   <translation>类别改为 {title}</translation>
-  </message>
-  <message>
-   <source>it lies on {title}, which is annotated as well</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>它位于 {title} 上，后者也已标注</translation>
-  </message>
-  <message>
-   <source>{title} is up to {px:.0f} px from where the camera shows it; too few elements fit to say which are wrong</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>{title} 与相机显示的位置最多相差 {px:.0f} px；吻合的元素太少，无法判断哪些有误</translation>
-  </message>
-  <message>
-   <source>no camera fits these labels together</source>
-   <extracomment>[procc_annotator/fit/labels/mistakes.py]</extracomment>
-   <translation>没有相机同时吻合这些类别</translation>
-  </message>
-  <message>
-   <source>exchange far and near in the whole frame</source>
-   <extracomment>[procc_annotator/fit/labels/orientation.py]</extracomment>
-   <translation>整帧互换远近</translation>
-  </message>
-  <message>
-   <source>exchange left and right in the whole frame</source>
-   <extracomment>[procc_annotator/fit/labels/orientation.py]</extracomment>
-   <translation>整帧互换左右</translation>
-  </message>
-  <message>
-   <source>{a} and {b} lie on top of each other, less than {px:.0f} px apart: one line under two names?</source>
-   <extracomment>[procc_annotator/fit/labels/overlap.py]</extracomment>
-   <translation>{a} 和 {b} 重叠，相距不到 {px:.0f} px：同一条线用了两个名称？</translation>
-  </message>
-  <message>
-   <source>{title} is straight on the field, its points lie up to {px:.0f} px beside a line, more than any lens bends it</source>
-   <extracomment>[procc_annotator/fit/labels/shape.py]</extracomment>
-   <translation>{title} 在场地上是直的，但其点偏离直线最多 {px:.0f} px，超出任何镜头的弯曲</translation>
-  </message>
-  <message numerus="yes">
-   <source>{title} has {n} points, a line takes two</source>
-   <extracomment>{title} has {n} point, a line takes two / {title} has {n} points, a line takes two [procc_annotator/fit/labels/shape.py]</extracomment>
-   <translation>
-    <numerusform>{title} 有 {n} 个点，一条线需要两个</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{title} has {n} points; a curve takes at least {least}</source>
-   <extracomment>{title} has {n} point; a curve takes at least {least} / {title} has {n} points; a curve takes at least {least} [procc_annotator/fit/labels/shape.py]</extracomment>
-   <translation>
-    <numerusform>{title} 有 {n} 个点；曲线至少需要 {least} 个</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{title} has {n} points; fewer than {least} determine no ellipse</source>
-   <extracomment>{title} has {n} point; fewer than {least} determine no ellipse / {title} has {n} points; fewer than {least} determine no ellipse [procc_annotator/fit/labels/shape.py]</extracomment>
-   <translation>
-    <numerusform>{title} 有 {n} 个点；少于 {least} 个无法确定椭圆</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>{title} is a single place, it has {count} points up to {px:.0f} px apart</source>
-   <extracomment>[procc_annotator/fit/labels/shape.py]</extracomment>
-   <translation>{title} 是单个位置，却有 {count} 个点，相距最多 {px:.0f} px</translation>
-  </message>
-  <message>
-   <source>the points of {title} go back and forth instead of along it</source>
-   <extracomment>[procc_annotator/fit/labels/shape.py]</extracomment>
-   <translation>{title} 的点来回往返，而非沿其排列</translation>
-  </message>
-  <message>
-   <source>the points of {title} go over the same stretch more than once: their course is {times:.1f} times as long as it need be</source>
-   <extracomment>[procc_annotator/fit/labels/shape.py]</extracomment>
-   <translation>{title} 的点多次经过同一区段：其路径长度是所需的 {times:.1f} 倍</translation>
-  </message>
-  <message>
-   <source>its corner</source>
-   <comment>where a line ends</comment>
-   <extracomment>[procc_annotator/fit/labels/short.py]</extracomment>
-   <translation>其角点</translation>
-  </message>
-  <message>
-   <source>the picture's edge</source>
-   <comment>where a line ends</comment>
-   <extracomment>[procc_annotator/fit/labels/short.py]</extracomment>
-   <translation>图片边缘</translation>
-  </message>
-  <message>
-   <source>{title} stops {px:.0f} px short of {what}</source>
-   <extracomment>[procc_annotator/fit/labels/short.py]</extracomment>
-   <translation>{title} 离{what}还差 {px:.0f} px</translation>
-  </message>
-  <message>
-   <source>{title} stops {px:.0f} px short of {what}, and {px_2:.0f} px short of {what_2} at its other end</source>
-   <extracomment>[procc_annotator/fit/labels/short.py]</extracomment>
-   <translation>{title} 离{what}还差 {px:.0f} px，另一端离{what_2}还差 {px_2:.0f} px</translation>
-  </message>
-  <message>
-   <source>everything lies the wrong way round: far and near, are exchanged</source>
-   <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
-   <translation>整体方向相反：远近颠倒</translation>
-  </message>
-  <message>
-   <source>everything lies the wrong way round: left and right, are exchanged</source>
-   <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
-   <translation>整体方向相反：左右颠倒</translation>
-  </message>
-  <message>
-   <source>everything lies the wrong way round: far and near, or left and right, are exchanged</source>
-   <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
-   <translation>整体方向相反：远近或左右颠倒</translation>
-  </message>
-  <message>
-   <source>{title} is on the wrong side of {others}</source>
-   <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
-   <translation>{title} 位于 {others} 的错误一侧</translation>
-  </message>
-  <message>
-   <source>{titles} lie on each other's side of the elements around them</source>
-   <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
-   <translation>{titles} 相对周围元素互处对方的一侧</translation>
-  </message>
-  <message>
-   <source>{titles} cannot lie this way round to each other, whatever the camera</source>
-   <extracomment>[procc_annotator/fit/labels/sides.py]</extracomment>
-   <translation>{titles} 不可能以这种方向相对，无论何种相机</translation>
-  </message>
-  <message>
-   <source>no such class: {name!r}, did you mean {title}?</source>
-   <extracomment>[procc_annotator/fit/labels/unknown.py]</extracomment>
-   <translation>没有此类别：{name!r}，是否指 {title}？</translation>
-  </message>
-  <message>
-   <source>no such class: {name!r} fits no camera, and counts as missed where it is scored</source>
-   <extracomment>[procc_annotator/fit/labels/unknown.py]</extracomment>
-   <translation>没有此类别：{name!r} 不吻合任何相机，评分时计为未命中</translation>
-  </message>
-  <message>
-   <source>That is annotated already</source>
-   <extracomment>[procc_annotator/fit/labels/unknown.py]</extracomment>
-   <translation>该类别已标注</translation>
-  </message>
-  <message>
-   <source>put its points along the paint</source>
-   <extracomment>[procc_annotator/fit/labels/unpainted.py]</extracomment>
-   <translation>将其点放到画线上</translation>
-  </message>
-  <message>
-   <source>{title} is straight between its clicks, its paint runs up to {px:.0f} px beside it: regularise it (R)</source>
-   <extracomment>[procc_annotator/fit/labels/unpainted.py]</extracomment>
-   <translation>{title} 在点击之间是直的，画线偏离最多 {px:.0f} px：请规整（R）</translation>
-  </message>
-  <message>
-   <source>an end of {title} lies about {px:.0f} px beside its paint, which is seen on the way there: put that point on it</source>
-   <extracomment>[procc_annotator/fit/labels/unpainted.py]</extracomment>
-   <translation>{title} 的一端偏离其画线约 {px:.0f} px，而沿途可见画线：请将该点放到画线上</translation>
-  </message>
-  <message>
-   <source>no paint under {title} along {percent:.0f} % of it, at most {px:.0f} px on end</source>
-   <extracomment>[procc_annotator/fit/labels/unpainted.py]</extracomment>
-   <translation>{title} 有 {percent:.0f} % 之下没有画线，最长连续 {px:.0f} px</translation>
-  </message>
-  <message>
-   <source>no paint under {title} towards one of its ends, under all the rest there is</source>
-   <extracomment>[procc_annotator/fit/labels/unpainted.py]</extracomment>
-   <translation>{title} 靠近一端之下没有画线，其余部分都有</translation>
-  </message>
-  <message>
-   <source>{name} lies {px:.0f} px beside its paint, as {more} more do theirs</source>
-   <extracomment>[procc_annotator/fit/on_paint/beside.py]</extracomment>
-   <translation>{name}偏离其画线 {px:.0f} px，另有 {more} 个也如此</translation>
-  </message>
-  <message>
-   <source>{name} lies {px:.0f} px beside its paint</source>
-   <extracomment>[procc_annotator/fit/on_paint/beside.py]</extracomment>
-   <translation>{name} 偏离其画线 {px:.0f} px</translation>
-  </message>
-  <message>
-   <source>no camera explains these elements together: the best one misses half of them by more than {px:.0f} px (are the labels right?)</source>
-   <extracomment>[procc_annotator/fit/one_model.py]</extracomment>
-   <translation>没有相机能同时解释这些元素：最好的也有一半偏离超过 {px:.0f} px（类别是否正确？）</translation>
-  </message>
-  <message>
-   <source>only {share:.0%} of the lines in sight are on paint</source>
-   <extracomment>[procc_annotator/fit/pegged_on_paint.py, procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
-   <translation>只有 {share:.0%} 的可见线落在画线上</translation>
-  </message>
-  <message>
-   <source>there is too little paint</source>
-   <extracomment>[procc_annotator/fit/pegged_on_paint.py]</extracomment>
-   <translation>画线太少</translation>
-  </message>
-  <message>
-   <source>the paint nearby would take a peg from its place</source>
-   <extracomment>[procc_annotator/fit/pegged_on_paint.py]</extracomment>
-   <translation>附近的画线会使固定桩偏离原位</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} elements, {needed} needed</source>
-   <extracomment>{n} element, {needed} needed / {n} elements, {needed} needed [procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>
-    <numerusform>{n} 个元素，需要 {needed} 个</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{points} points on {n} elements, two different ones on each of {needed} needed</source>
-   <extracomment>{points} points on {n} element, two different ones on each of {needed} needed / {points} points on {n} elements, two different ones on each of {needed} needed [procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>
-    <numerusform>{n} 个元素上共 {points} 个点，需要 {needed} 个元素各有两个不同的点</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} elements on the ground, {needed} needed</source>
-   <extracomment>{n} element on the ground, {needed} needed / {n} elements on the ground, {needed} needed [procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>
-    <numerusform>{n} 个地面元素，需要 {needed} 个</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>all points lie in one place of the picture</source>
-   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>所有点都在图片的同一处</translation>
-  </message>
-  <message>
-   <source>all points lie on one line of the picture</source>
-   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>所有点都在图片的一条直线上</translation>
-  </message>
-  <message>
-   <source>not a plausible pose: the fit did not settle</source>
-   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>位姿不合理：拟合未收敛</translation>
-  </message>
-  <message>
-   <source>not a plausible pose: on the ground</source>
-   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>位姿不合理：在地面上</translation>
-  </message>
-  <message>
-   <source>not a plausible pose: {metres:.1f} m below the ground</source>
-   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>位姿不合理：在地面以下 {metres:.1f} m</translation>
-  </message>
-  <message>
-   <source>not a plausible pose: only {metres:.1f} m above the ground</source>
-   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>位姿不合理：仅高出地面 {metres:.1f} m</translation>
-  </message>
-  <message>
-   <source>not a plausible pose: {metres:.0f} m from the field's centre</source>
-   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>位姿不合理：距场地中心 {metres:.0f} m</translation>
-  </message>
-  <message>
-   <source>not a plausible pose: rolled by {degrees:.0f} degrees</source>
-   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>位姿不合理：横滚 {degrees:.0f} 度</translation>
-  </message>
-  <message>
-   <source>not a plausible pose: focal length {px:.0f} px at 960 px width</source>
-   <extracomment>[procc_annotator/fit/solving/plausible.py]</extracomment>
-   <translation>位姿不合理：宽 960 px 时焦距为 {px:.0f} px</translation>
-  </message>
-  <message>
-   <source>too little paint in sight</source>
-   <extracomment>[procc_annotator/fit/through_shot/stepping.py]</extracomment>
-   <translation>可见画线太少</translation>
-  </message>
-  <message>
-   <source>too little of what should be in sight was found</source>
-   <extracomment>[procc_annotator/fit/through_shot/stepping.py]</extracomment>
-   <translation>本应可见的内容找到得太少</translation>
-  </message>
-  <message>
-   <source>the paint that was found would move the camera too far</source>
-   <extracomment>[procc_annotator/fit/through_shot/stepping.py]</extracomment>
-   <translation>找到的画线会使相机移动过多</translation>
-  </message>
-  <message>
-   <source>even with the position known: {why}</source>
-   <extracomment>[procc_annotator/fit/together/tripod.py]</extracomment>
-   <translation>即使位置已知：{why}</translation>
-  </message>
-  <message>
-   <source>{count} positions, and nothing tells which is its</source>
-   <extracomment>[procc_annotator/fit/together/tripod.py]</extracomment>
-   <translation>有 {count} 个位置，无法判断哪个属于它</translation>
-  </message>
-  <message>
-   <source>{count} of {total} clicks lie where the camera shows nothing</source>
-   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
-   <translation>{total} 次点击中有 {count} 次位于相机没有显示内容之处</translation>
-  </message>
-  <message>
-   <source>the views look at it from nearly the same direction ({degrees:.2f} degrees apart, at least {least:g} are needed)</source>
-   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
-   <translation>各视图几乎从同一方向看它（相差 {degrees:.2f} 度，至少需要 {least:g} 度）</translation>
-  </message>
-  <message>
-   <source>clicked in no view that has a camera</source>
-   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
-   <translation>未在任何有相机的视图中点击</translation>
-  </message>
-  <message>
-   <source>cameras that know only the ground (homographies) tell no place in space</source>
-   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
-   <translation>只知道地面的相机（单应矩阵）无法给出空间位置</translation>
-  </message>
-  <message>
-   <source>the lines of sight meet behind the camera of {names}</source>
-   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
-   <translation>视线相交于 {names} 的相机之后</translation>
-  </message>
-  <message>
-   <source>clicked in one view only</source>
-   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
-   <translation>只在一个视图中点击</translation>
-  </message>
-  <message>
-   <source>would be farther than {metres:g} m from the field</source>
-   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
-   <translation>会距场地超过 {metres:g} m</translation>
-  </message>
-  <message>
-   <source>the views do not agree: {far} px off (is it the same place in all of them, and are the cameras right?)</source>
-   <extracomment>[procc_annotator/fit/triangulation.py]</extracomment>
-   <translation>各视图不一致：相差 {far} px（所有视图中是同一位置吗？相机正确吗？）</translation>
-  </message>
-  <message>
-   <source>turn the labels by half a turn</source>
-   <extracomment>[procc_annotator/fit/which_side.py]</extracomment>
-   <translation>将类别旋转半圈</translation>
-  </message>
-  <message numerus="yes">
-   <source>the camera stands on a side of the field where hardly any other of {n} frames does: a camera of its own, or labels turned by half a turn</source>
-   <extracomment>the camera stands on a side of the field where hardly any other of {n} frame does: a camera of its own, or labels turned by half a turn / the camera stands on a side of the field where hardly any other of {n} frames does: a camera of its own, or labels turned by half a turn [procc_annotator/fit/which_side.py]</extracomment>
-   <translation>
-    <numerusform>相机位于场地的一侧，而 {n} 帧中几乎没有其他帧在该侧：可能是另一台相机，或类别旋转了半圈</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>the camera stands on the other side of the field from the rest; with its labels turned by half a turn it stands where that of {n} frames does</source>
-   <extracomment>the camera stands on the other side of the field from the rest; with its labels turned by half a turn it stands where that of {n} frame does / the camera stands on the other side of the field from the rest; with its labels turned by half a turn it stands where that of {n} frames does [procc_annotator/fit/which_side.py]</extracomment>
-   <translation>
-    <numerusform>相机与其余的帧分处场地两侧；将类别旋转半圈后，它与 {n} 帧的相机位置一致</numerusform>
-   </translation>
+   <source>by file type and content</source>
+   <extracomment>[procc_annotator/formats/cameras/registry.py]</extracomment>
+   <translation>按文件类型和内容</translation>
   </message>
   <message>
    <source>File</source>
@@ -3052,7 +2663,7 @@ Open a folder of pictures first.</source>
   </message>
   <message>
    <source>Esc puts it back</source>
-   <extracomment>[procc_annotator/gui/picture/camera_hand.py, procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/gui/picture/camera_hand.py, procc_annotator/interaction/hints.py]</extracomment>
    <translation>Esc 放回原处</translation>
   </message>
   <message numerus="yes">
@@ -3126,7 +2737,7 @@ Open a folder of pictures first.</source>
   </message>
   <message>
    <source>click and Enter do nothing</source>
-   <extracomment>[procc_annotator/gui/picture/canvas.py, procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/gui/picture/canvas.py, procc_annotator/interaction/hints.py]</extracomment>
    <translation>点击和回车不起作用</translation>
   </message>
   <message>
@@ -3259,7 +2870,7 @@ Open a folder of pictures first.</source>
   </message>
   <message>
    <source>next: {title}</source>
-   <extracomment>[procc_annotator/gui/picture/ghost_layer.py, procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/gui/picture/ghost_layer.py, procc_annotator/interaction/hints.py]</extracomment>
    <translation>下一个：{title}</translation>
   </message>
   <message>
@@ -4365,32 +3976,22 @@ Load or show another one.</source>
    </translation>
   </message>
   <message>
-   <source>regularise {what}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>规整 {what}</translation>
-  </message>
-  <message>
-   <source>copy from {frame}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>从 {frame} 复制</translation>
-  </message>
-  <message>
    <source>choose an annotated element first</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
    <translation>请先选择已标注的元素</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} elements</source>
-   <extracomment>{n} element / {n} elements [procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/review/label_check.py, procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
-   <translation>
-    <numerusform>{n} 个元素</numerusform>
-   </translation>
   </message>
   <message numerus="yes">
    <source>regularised {what}: {n} points</source>
    <extracomment>regularised {what}: {n} point / regularised {what}: {n} points [procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
    <translation>
     <numerusform>已规整 {what}：{n} 个点</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} elements</source>
+   <extracomment>{n} element / {n} elements [procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/review/label_check.py, procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
+   <translation>
+    <numerusform>{n} 个元素</numerusform>
    </translation>
   </message>
   <message>
@@ -4432,25 +4033,6 @@ Load or show another one.</source>
    <source>merge {element} into {other}</source>
    <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
    <translation>将 {element} 并入 {other}</translation>
-  </message>
-  <message>
-   <source>close gaps</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>闭合间隙</translation>
-  </message>
-  <message numerus="yes">
-   <source>confirm {n} elements</source>
-   <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>确认 {n} 个元素</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
-   <source>drop {n} unconfirmed elements</source>
-   <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
-   <translation>
-    <numerusform>丢弃 {n} 个未确认的元素</numerusform>
-   </translation>
   </message>
   <message>
    <source>{element} is its own symmetric element</source>
@@ -4546,18 +4128,6 @@ Load or show another one.</source>
    <source>the camera is another one meanwhile</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
    <translation>相机此时已不同</translation>
-  </message>
-  <message>
-   <source>accept {what}</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>接受 {what}</translation>
-  </message>
-  <message numerus="yes">
-   <source>{n} ghosts</source>
-   <extracomment>{n} ghost / {n} ghosts [procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
-   <translation>
-    <numerusform>{n} 个虚影</numerusform>
-   </translation>
   </message>
   <message>
    <source>{n} of {total} ghosts</source>
@@ -4774,11 +4344,6 @@ Load or show another one.</source>
    <source>that was the last ghost</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py]</extracomment>
    <translation>那是最后一个虚影</translation>
-  </message>
-  <message>
-   <source>taken back</source>
-   <extracomment>[procc_annotator/gui/tasks/elements/ghosts.py, procc_annotator/session/dataset/frame_state.py]</extracomment>
-   <translation>已撤回</translation>
   </message>
   <message>
    <source>go to a ghost first (Tab)</source>
@@ -5443,12 +5008,6 @@ Loses {loses}.</source>
     <numerusform>{n:,} 帧已含相同内容。</numerusform>
    </translation>
   </message>
-  <message>
-   <source>import</source>
-   <comment>a step</comment>
-   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
-   <translation>导入</translation>
-  </message>
   <message numerus="yes">
    <source>{edited} of {n:,} frames imported</source>
    <extracomment>{edited} of {n:,} frame imported / {edited} of {n:,} frames imported [procc_annotator/gui/tasks/files/importing.py]</extracomment>
@@ -5822,13 +5381,6 @@ Loses {loses}.</source>
    <translation>没有达到“检查”面板所设确定程度的结果</translation>
   </message>
   <message numerus="yes">
-   <source>relabelled {n} elements</source>
-   <extracomment>relabelled {n} element / relabelled {n} elements [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>
-    <numerusform>已更改 {n} 个元素的类别</numerusform>
-   </translation>
-  </message>
-  <message numerus="yes">
    <source>checked {n:,} frames, camera model {model}: {found}</source>
    <extracomment>checked {n:,} frame, camera model {model}: {found} / checked {n:,} frames, camera model {model}: {found} [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
    <translation>
@@ -5863,21 +5415,6 @@ Loses {loses}.</source>
    <translation>{done}；Ctrl+Z 撤回</translation>
   </message>
   <message>
-   <source>removed point {n} of {element}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>已移除 {element} 的第 {n} 点</translation>
-  </message>
-  <message>
-   <source>swapped {element} and {other}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>已互换 {element} 和 {other}</translation>
-  </message>
-  <message>
-   <source>relabelled {element} to {other}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>已将 {element} 改为 {other}</translation>
-  </message>
-  <message>
    <source>ignored until {elements} changes; the Check panel brings it back</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
    <translation>在 {elements} 更改之前忽略；可从“检查”面板恢复</translation>
@@ -5910,11 +5447,6 @@ Loses {loses}.</source>
    <source>the elements have changed since: checked again</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
    <translation>元素此后已更改：已重新检查</translation>
-  </message>
-  <message>
-   <source>removed point of {element}</source>
-   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
-   <translation>已移除 {element} 的点</translation>
   </message>
   <message>
    <source>go to a finding first (F10)</source>
@@ -6032,11 +5564,6 @@ Loses {loses}.</source>
    <source>{source} is worked out here: a verdict is on a camera that was loaded</source>
    <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
    <translation>{source} 在此计算得出：判定针对加载的相机</translation>
-  </message>
-  <message>
-   <source>restore an earlier version</source>
-   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
-   <translation>恢复早期版本</translation>
   </message>
   <message>
    <source>the earlier version is back; undo takes it away again</source>
@@ -6255,16 +5782,6 @@ Loses {loses}.</source>
    <source>no frame was accepted: {why}</source>
    <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
    <translation>未接受任何帧：{why}</translation>
-  </message>
-  <message>
-   <source>accept the track</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>接受跟踪</translation>
-  </message>
-  <message>
-   <source>take back the track</source>
-   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
-   <translation>撤回跟踪</translation>
   </message>
   <message>
    <source>nothing was accepted that could be taken back</source>
@@ -7059,810 +6576,514 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <translation>意外错误（{what}）</translation>
   </message>
   <message>
-   <source>passes</source>
-   <extracomment>[procc_annotator/interact/corner_legend.py, procc_annotator/interact/palette.py]</extracomment>
-   <translation>通过</translation>
+   <source>Disagreement</source>
+   <extracomment>[procc_annotator/interaction/camera_view.py, the action disagreement]</extracomment>
+   <translation>分歧</translation>
   </message>
   <message>
-   <source>too far</source>
-   <extracomment>[procc_annotator/interact/corner_legend.py, procc_annotator/interact/palette.py]</extracomment>
-   <translation>过远</translation>
-  </message>
-  <message>
-   <source>annotated, not projected</source>
-   <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
-   <translation>已标注，未投影</translation>
-  </message>
-  <message>
-   <source>projected, not annotated</source>
-   <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
-   <translation>已投影，未标注</translation>
-  </message>
-  <message>
-   <source>ghost of an unsure camera</source>
-   <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
-   <translation>存疑相机的虚影</translation>
-  </message>
-  <message>
-   <source>ghost: expected here</source>
-   <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
-   <translation>虚影：预期在此</translation>
-  </message>
-  <message>
-   <source>annotated, in its class's colour</source>
-   <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
-   <translation>已标注，以其类别的颜色</translation>
-  </message>
-  <message>
-   <source>copied, to be confirmed</source>
-   <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
-   <translation>复制所得，待确认</translation>
-  </message>
-  <message>
-   <source>projection</source>
-   <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
-   <translation>投影</translation>
-  </message>
-  <message>
-   <source>second annotator</source>
-   <extracomment>[procc_annotator/interact/corner_legend.py]</extracomment>
-   <translation>第二位标注者</translation>
-  </message>
-  <message>
-   <source>choose an element first: field map, list, or its key</source>
-   <extracomment>[procc_annotator/interact/draw_tool.py]</extracomment>
-   <translation>请先选择元素：场地图、列表或其按键</translation>
-  </message>
-  <message>
-   <source>{title} is pinned, so that a slip does not move it: drag its points, or unpin elements (Ctrl+P, menu Element) to drag it as a whole</source>
-   <extracomment>[procc_annotator/interact/edit_tool.py]</extracomment>
-   <translation>{title} 已固定，以防误动：请拖动其点，或取消固定元素（Ctrl+P，“元素”菜单）后整体拖动</translation>
+   <source>Uncertainty</source>
+   <extracomment>[procc_annotator/interaction/camera_view.py]</extracomment>
+   <translation>不确定度</translation>
   </message>
   <message numerus="yes">
    <source>{n} to go</source>
-   <extracomment>{n} to go / {n} to go [procc_annotator/interact/hand.py]</extracomment>
+   <extracomment>{n} to go / {n} to go [procc_annotator/interaction/draw_tool.py]</extracomment>
    <translation>
     <numerusform>还差 {n} 个</numerusform>
    </translation>
   </message>
   <message>
+   <source>choose an element first: field map, list, or its key</source>
+   <extracomment>[procc_annotator/interaction/draw_tool.py]</extracomment>
+   <translation>请先选择元素：场地图、列表或其按键</translation>
+  </message>
+  <message>
+   <source>{title} is pinned, so that a slip does not move it: drag its points, or unpin elements (Ctrl+P, menu Element) to drag it as a whole</source>
+   <extracomment>[procc_annotator/interaction/edit_tool.py]</extracomment>
+   <translation>{title} 已固定，以防误动：请拖动其点，或取消固定元素（Ctrl+P，“元素”菜单）后整体拖动</translation>
+  </message>
+  <message>
    <source>click, Enter and Esc do nothing yet</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>点击、回车和 Esc 尚不起作用</translation>
   </message>
   <message>
    <source>click begins a line that is named after</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>点击开始一条线，之后命名</translation>
   </message>
   <message>
    <source>choose an element: field map, list, its key or /</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>选择元素：场地图、列表、其按键或 /</translation>
   </message>
   <message>
    <source>Backspace takes back the last point</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>退格撤回最后一点</translation>
   </message>
   <message>
    <source>click marks it and goes on to {title}</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>点击标记它并进入 {title}</translation>
   </message>
   <message>
    <source>Enter does nothing</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>回车不起作用</translation>
   </message>
   <message>
    <source>release drops it here</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>松开即放在此处</translation>
   </message>
   <message>
    <source>click or drag a point, drag on empty ground to choose several</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>点击或拖动点；在空白处拖动可选择多个</translation>
   </message>
   <message>
    <source>arrows nudge {step:g} px, with Shift {fine:g} px, Ctrl {far:g} px</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>方向键微移 {step:g} px，加 Shift {fine:g} px，加 Ctrl {far:g} px</translation>
   </message>
   <message>
    <source>Drop a folder of pictures here, or open one with Ctrl+O</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>将图片文件夹拖放到此处，或用 Ctrl+O 打开</translation>
   </message>
   <message>
    <source>Ctrl+Enter commits the frame and shows the projection</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Ctrl+回车提交本帧并显示投影</translation>
   </message>
   <message>
    <source>GHOST {title}</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>虚影 {title}</translation>
   </message>
   <message>
    <source>GHOST the next one comes</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>虚影：下一个来了</translation>
   </message>
   <message>
    <source>Esc goes back</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Esc 返回</translation>
   </message>
   <message>
    <source>Tab goes on</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Tab 继续</translation>
   </message>
   <message>
    <source>GHOST the next one comes in a moment</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>虚影：下一个马上就来</translation>
   </message>
   <message numerus="yes">
    <source>Tab: next of {n} ghosts</source>
-   <extracomment>Tab: next of {n} ghost / Tab: next of {n} ghosts [procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>Tab: next of {n} ghost / Tab: next of {n} ghosts [procc_annotator/interaction/hints.py]</extracomment>
    <translation>
     <numerusform>Tab：{n} 个虚影中的下一个</numerusform>
    </translation>
   </message>
   <message numerus="yes">
    <source>Tab: first of {n} ghosts</source>
-   <extracomment>Tab: first of {n} ghost / Tab: first of {n} ghosts [procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>Tab: first of {n} ghost / Tab: first of {n} ghosts [procc_annotator/interaction/hints.py]</extracomment>
    <translation>
     <numerusform>Tab：{n} 个虚影中的第一个</numerusform>
    </translation>
   </message>
   <message>
    <source>Enter accepts it</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>回车接受</translation>
   </message>
   <message>
    <source>. not visible here</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>. 此处不可见</translation>
   </message>
   <message>
    <source>Shift+Enter: all</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Shift+回车：全部</translation>
   </message>
   <message>
    <source>or choose its element first: field map, list, its key or /</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>或先选择其元素：场地图、列表、其按键或 /</translation>
   </message>
   <message>
    <source>DRAW</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>绘制</translation>
   </message>
   <message numerus="yes">
    <source>DRAW a line, {n} points</source>
-   <extracomment>DRAW a line, {n} point / DRAW a line, {n} points [procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>DRAW a line, {n} point / DRAW a line, {n} points [procc_annotator/interaction/hints.py]</extracomment>
    <translation>
     <numerusform>绘制一条线，{n} 个点</numerusform>
    </translation>
   </message>
   <message>
    <source>Enter or double-click finishes and asks its name</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>回车或双击完成并询问名称</translation>
   </message>
   <message numerus="yes">
    <source>DRAW {title}, {n} points</source>
-   <extracomment>DRAW {title}, {n} point / DRAW {title}, {n} points [procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>DRAW {title}, {n} point / DRAW {title}, {n} points [procc_annotator/interaction/hints.py]</extracomment>
    <translation>
     <numerusform>绘制 {title}，{n} 个点</numerusform>
    </translation>
   </message>
   <message>
    <source>Enter or double-click finishes</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>回车或双击完成</translation>
   </message>
   <message>
    <source>click adds the second point and finishes</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>点击添加第二点并完成</translation>
   </message>
   <message>
    <source>click adds a point</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>点击添加点</translation>
   </message>
   <message>
    <source>DRAW {title}, unconfirmed</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>绘制 {title}，未确认</translation>
   </message>
   <message>
    <source>DRAW {title}</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>绘制 {title}</translation>
   </message>
   <message>
    <source>Enter does nothing yet</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>回车尚不起作用</translation>
   </message>
   <message>
    <source>Enter confirms it</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>回车确认</translation>
   </message>
   <message>
    <source>choose it again, then clicks continue it</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>再次选择它，点击就会继续它</translation>
   </message>
   <message numerus="yes">
    <source>click continues it after its {n} points</source>
-   <extracomment>click continues it after its {n} point / click continues it after its {n} points [procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>click continues it after its {n} point / click continues it after its {n} points [procc_annotator/interaction/hints.py]</extracomment>
    <translation>
     <numerusform>点击在其 {n} 个点之后继续</numerusform>
    </translation>
   </message>
   <message>
    <source>click begins it</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>点击开始</translation>
   </message>
   <message>
    <source>click moves it here and goes on to {title}</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>点击将其移到此处并进入 {title}</translation>
   </message>
   <message>
    <source>Enter confirms {title}</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>回车确认 {title}</translation>
   </message>
   <message numerus="yes">
    <source>Esc lets go of {n} points</source>
-   <extracomment>Esc lets go of the point / Esc lets go of {n} points [procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>Esc lets go of the point / Esc lets go of {n} points [procc_annotator/interaction/hints.py]</extracomment>
    <translation>
     <numerusform>Esc 放开 {n} 个点</numerusform>
    </translation>
   </message>
   <message>
    <source>EDIT</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>编辑</translation>
   </message>
   <message>
    <source>release chooses all points inside</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>松开选择其中所有的点</translation>
   </message>
   <message>
    <source>EDIT point {number} of {title}</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>编辑 {title} 的第 {number} 点</translation>
   </message>
   <message>
    <source>release selects the element, which is pinned</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>松开选择该元素，它已固定</translation>
   </message>
   <message>
    <source>EDIT the element</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>编辑该元素</translation>
   </message>
   <message>
    <source>drag moves point {number} of {title}, Alt+Shift+click removes it</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>拖动移动 {title} 的第 {number} 点，Alt+Shift+点击移除</translation>
   </message>
   <message>
    <source>click selects {title}, Alt+click inserts a point</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>点击选择 {title}，Alt+点击插入点</translation>
   </message>
   <message>
    <source>click does nothing: there are no points to edit, draw an element first</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>点击不起作用：没有可编辑的点，请先绘制元素</translation>
   </message>
   <message>
    <source>click a point to drag it, beside it to let go</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>点击点以拖动，点在旁边则放开</translation>
   </message>
   <message numerus="yes">
    <source>Delete removes {n} points</source>
-   <extracomment>Delete removes the point / Delete removes {n} points [procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>Delete removes the point / Delete removes {n} points [procc_annotator/interaction/hints.py]</extracomment>
    <translation>
     <numerusform>Delete 移除 {n} 个点</numerusform>
    </translation>
   </message>
   <message>
    <source>click begins it by hand</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>点击则手动开始</translation>
   </message>
   <message>
    <source>BLIND</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>盲标</translation>
   </message>
   <message numerus="yes">
    <source>Enter accepts {n} points</source>
-   <extracomment>Enter accepts {n} point / Enter accepts {n} points [procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>Enter accepts {n} point / Enter accepts {n} points [procc_annotator/interaction/hints.py]</extracomment>
    <translation>
     <numerusform>回车接受 {n} 个点</numerusform>
    </translation>
   </message>
   <message>
    <source>Enter does nothing: no line is found along it</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>回车不起作用：沿线未找到线</translation>
   </message>
   <message>
    <source>Enter and Esc do nothing yet</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>回车和 Esc 尚不起作用</translation>
   </message>
   <message>
    <source>an element's key names it</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>元素的按键为其命名</translation>
   </message>
   <message>
    <source>Enter or double-click finishes and goes on to {title}</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>回车或双击完成并进入 {title}</translation>
   </message>
   <message>
    <source>Esc cancels</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Esc 取消</translation>
   </message>
   <message>
    <source>Esc deselects</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Esc 取消选择</translation>
   </message>
   <message>
    <source>click moves it here</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>点击将其移到此处</translation>
   </message>
   <message>
    <source>click marks it</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>点击标记它</translation>
   </message>
   <message>
    <source>hold Ctrl to click beside the line</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>按住 Ctrl 可点在线旁</translation>
   </message>
   <message>
    <source>Delete removes {title}</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Delete 移除 {title}</translation>
   </message>
   <message>
    <source>EDIT choosing points</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>编辑：选择点</translation>
   </message>
   <message numerus="yes">
    <source>EDIT {n} points</source>
-   <extracomment>EDIT {n} point / EDIT {n} points [procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>EDIT {n} point / EDIT {n} points [procc_annotator/interaction/hints.py]</extracomment>
    <translation>
     <numerusform>编辑 {n} 个点</numerusform>
    </translation>
   </message>
   <message>
    <source>Esc takes the new point away</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Esc 去除新点</translation>
   </message>
   <message>
    <source>READ ONLY</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>只读</translation>
   </message>
   <message>
    <source>Shift+Enter finishes and stays</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Shift+回车完成并停留</translation>
   </message>
   <message>
    <source>Enter and Esc do nothing</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>回车和 Esc 不起作用</translation>
   </message>
   <message>
    <source>Esc gives up</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Esc 放弃</translation>
   </message>
   <message>
    <source>Esc lets go</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Esc 放开</translation>
   </message>
   <message>
    <source>Shift+Enter: accept all</source>
-   <extracomment>[procc_annotator/interact/hints.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Shift+回车：全部接受</translation>
   </message>
   <message>
-   <source>Disagreement</source>
-   <extracomment>[procc_annotator/interact/map_looks.py, the action disagreement]</extracomment>
-   <translation>分歧</translation>
+   <source>passes</source>
+   <extracomment>[procc_annotator/interaction/legend.py, procc_annotator/interaction/palette.py]</extracomment>
+   <translation>通过</translation>
   </message>
   <message>
-   <source>Uncertainty</source>
-   <extracomment>[procc_annotator/interact/map_looks.py]</extracomment>
-   <translation>不确定度</translation>
+   <source>too far</source>
+   <extracomment>[procc_annotator/interaction/legend.py, procc_annotator/interaction/palette.py]</extracomment>
+   <translation>过远</translation>
+  </message>
+  <message>
+   <source>annotated, not projected</source>
+   <extracomment>[procc_annotator/interaction/legend.py]</extracomment>
+   <translation>已标注，未投影</translation>
+  </message>
+  <message>
+   <source>projected, not annotated</source>
+   <extracomment>[procc_annotator/interaction/legend.py]</extracomment>
+   <translation>已投影，未标注</translation>
+  </message>
+  <message>
+   <source>ghost of an unsure camera</source>
+   <extracomment>[procc_annotator/interaction/legend.py]</extracomment>
+   <translation>存疑相机的虚影</translation>
+  </message>
+  <message>
+   <source>ghost: expected here</source>
+   <extracomment>[procc_annotator/interaction/legend.py]</extracomment>
+   <translation>虚影：预期在此</translation>
+  </message>
+  <message>
+   <source>annotated, in its class's colour</source>
+   <extracomment>[procc_annotator/interaction/legend.py]</extracomment>
+   <translation>已标注，以其类别的颜色</translation>
+  </message>
+  <message>
+   <source>copied, to be confirmed</source>
+   <extracomment>[procc_annotator/interaction/legend.py]</extracomment>
+   <translation>复制所得，待确认</translation>
+  </message>
+  <message>
+   <source>projection</source>
+   <extracomment>[procc_annotator/interaction/legend.py]</extracomment>
+   <translation>投影</translation>
+  </message>
+  <message>
+   <source>second annotator</source>
+   <extracomment>[procc_annotator/interaction/legend.py]</extracomment>
+   <translation>第二位标注者</translation>
+  </message>
+  <message>
+   <source>no distance</source>
+   <extracomment>[procc_annotator/interaction/overlay_primitives.py]</extracomment>
+   <translation>无距离</translation>
   </message>
   <message>
    <source>not annotated</source>
-   <extracomment>[procc_annotator/interact/palette.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/palette.py]</extracomment>
    <translation>未标注</translation>
   </message>
   <message>
    <source>missed</source>
-   <extracomment>[procc_annotator/interact/palette.py]</extracomment>
+   <extracomment>[procc_annotator/interaction/palette.py]</extracomment>
    <translation>未命中</translation>
   </message>
   <message>
-   <source>draw {title}</source>
-   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
-   <translation>绘制 {title}</translation>
-  </message>
-  <message>
-   <source>confirm {title}</source>
-   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
-   <translation>确认 {title}</translation>
-  </message>
-  <message>
-   <source>move {title}</source>
-   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
-   <translation>移动 {title}</translation>
-  </message>
-  <message>
-   <source>move all of {title}</source>
-   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
-   <translation>整体移动 {title}</translation>
-  </message>
-  <message numerus="yes">
-   <source>move {n} points</source>
-   <extracomment>move {n} point / move {n} points [procc_annotator/interact/step_names.py]</extracomment>
-   <translation>
-    <numerusform>移动 {n} 个点</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>nudge {title}</source>
-   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
-   <translation>微移 {title}</translation>
-  </message>
-  <message numerus="yes">
-   <source>nudge {n} points</source>
-   <extracomment>nudge {n} point / nudge {n} points [procc_annotator/interact/step_names.py]</extracomment>
-   <translation>
-    <numerusform>微移 {n} 个点</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>insert a point in {title}</source>
-   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
-   <translation>在 {title} 中插入点</translation>
-  </message>
-  <message>
-   <source>delete {title}</source>
-   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
-   <translation>删除 {title}</translation>
-  </message>
-  <message>
-   <source>delete point {number} of {title}</source>
-   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
-   <translation>删除 {title} 的第 {number} 点</translation>
-  </message>
-  <message numerus="yes">
-   <source>delete {n} points</source>
-   <extracomment>delete {n} point / delete {n} points [procc_annotator/interact/step_names.py]</extracomment>
-   <translation>
-    <numerusform>删除 {n} 个点</numerusform>
-   </translation>
-  </message>
-  <message>
-   <source>continue {title}</source>
-   <extracomment>[procc_annotator/interact/step_names.py]</extracomment>
-   <translation>继续 {title}</translation>
-  </message>
-  <message>
-   <source>no distance</source>
-   <extracomment>[procc_annotator/interact/verdicts.py]</extracomment>
-   <translation>无距离</translation>
-  </message>
-  <message>
-   <source>fitted on these clicks</source>
-   <extracomment>[procc_annotator/io/camera_files/fitted_on.py]</extracomment>
-   <translation>根据这些点击拟合</translation>
-  </message>
-  <message>
-   <source>fitted to another version of these annotations</source>
-   <extracomment>[procc_annotator/io/camera_files/fitted_on.py]</extracomment>
-   <translation>由这些标注的另一版本拟合</translation>
-  </message>
-  <message>
-   <source>fitted on these clicks, or to another version of these annotations</source>
-   <extracomment>[procc_annotator/io/camera_files/fitted_on.py]</extracomment>
-   <translation>由这些点击或这些标注的另一版本拟合</translation>
-  </message>
-  <message>
-   <source>by file type and content</source>
-   <extracomment>[procc_annotator/io/camera_files/registry.py]</extracomment>
-   <translation>按文件类型和内容</translation>
-  </message>
-  <message>
    <source>{element} agrees: its farthest point, {number}, is {px} px off; it passes at tau &gt; {px}.</source>
-   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
    <translation>{element} 吻合：最远的第 {number} 点偏离 {px} px；tau &gt; {px} 时通过。</translation>
   </message>
   <message>
    <source>{element} is too far: point {number} is {px} px off; it passes at tau &gt; {px}.</source>
-   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
    <translation>{element} 过远：第 {number} 点偏离 {px} px；tau &gt; {px} 时通过。</translation>
   </message>
   <message>
    <source>{title} (judged as {other}, labels mirrored)</source>
-   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
    <translation>{title}（按 {other} 评判，类别镜像）</translation>
   </message>
   <message>
    <source>{element} is missed: it is annotated, but the camera does not show it in the picture.</source>
-   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
    <translation>{element} 未命中：已标注，但相机未在图片中显示它。</translation>
   </message>
   <message>
    <source>{element} is not annotated, but the camera shows it: a false positive.</source>
-   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
    <translation>{element} 未标注，但相机显示了它：假阳性。</translation>
   </message>
   <message>
    <source>{element} is too far: point {number} has no distance, because the projection has coinciding samples there; it passes at no tau.</source>
-   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
    <translation>{element} 过远：第 {number} 点没有距离，因为投影在该处有重合的采样点；任何 tau 都不通过。</translation>
   </message>
   <message>
    <source>As it goes on beyond the picture it is at most {px} px off, but soccernet measures to what is in the picture alone.</source>
-   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
    <translation>若延续到图片之外，最多偏离 {px} px，但 soccernet 只测量到图片内的部分。</translation>
   </message>
   <message>
    <source>{element} is missed: it is annotated, but the field has no such element to project.</source>
-   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
    <translation>{element} 未命中：已标注，但场地没有可投影的此元素。</translation>
   </message>
   <message>
    <source>{element} is missed: it is annotated, but it leaves the ground, and the camera knows only the ground.</source>
-   <extracomment>[procc_annotator/metric/explain.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
    <translation>{element} 未命中：已标注，但它离开地面，而相机只知道地面。</translation>
-  </message>
-  <message>
-   <source>Fitted to the clicks of each frame; nothing of it is in a file</source>
-   <extracomment>[procc_annotator/session/dataset/fitted_cameras.py]</extracomment>
-   <translation>根据每帧的点击拟合；均未存为文件</translation>
-  </message>
-  <message>
-   <source>no fit of {frame} yet</source>
-   <extracomment>[procc_annotator/session/dataset/fitted_cameras.py]</extracomment>
-   <translation>{frame} 尚无拟合</translation>
-  </message>
-  <message>
-   <source>as it was found</source>
-   <extracomment>[procc_annotator/session/dataset/frame_memory.py, procc_annotator/session/dataset/putting_back.py]</extracomment>
-   <translation>原始状态</translation>
-  </message>
-  <message>
-   <source>saved</source>
-   <extracomment>[procc_annotator/session/dataset/frame_state.py]</extracomment>
-   <translation>已保存</translation>
-  </message>
-  <message>
-   <source>the paint is {px:.1f} px from the lines</source>
-   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
-   <translation>画线偏离线 {px:.1f} px</translation>
-  </message>
-  <message>
-   <source>Followed through the shot; nothing of it is in a file</source>
-   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
-   <translation>随镜头跟踪；均未存为文件</translation>
-  </message>
-  <message>
-   <source>no track here: {why}</source>
-   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
-   <translation>此处没有跟踪：{why}</translation>
-  </message>
-  <message>
-   <source>no camera was found</source>
-   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py, procc_annotator/session/landmarks/landmark_views.py]</extracomment>
-   <translation>未找到相机</translation>
-  </message>
-  <message>
-   <source>carried over by the picture's motion, not measured on paint</source>
-   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
-   <translation>由图片的运动延续而来，未在画线上测量</translation>
-  </message>
-  <message>
-   <source>not followed so far</source>
-   <extracomment>[procc_annotator/session/dataset/tracked_cameras.py]</extracomment>
-   <translation>目前未跟踪</translation>
-  </message>
-  <message>
-   <source>what was saved elsewhere</source>
-   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
-   <translation>在别处保存的内容</translation>
-  </message>
-  <message>
-   <source>overwritten</source>
-   <extracomment>[procc_annotator/session/dataset/workspace.py]</extracomment>
-   <translation>已覆盖</translation>
-  </message>
-  <message>
-   <source>untouched</source>
-   <comment>a frame</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>未动</translation>
-  </message>
-  <message>
-   <source>in progress</source>
-   <comment>a frame</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>进行中</translation>
-  </message>
-  <message>
-   <source>done</source>
-   <comment>a frame</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>完成</translation>
-  </message>
-  <message>
-   <source>approved</source>
-   <comment>a frame</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>已批准</translation>
-  </message>
-  <message>
-   <source>rejected</source>
-   <comment>a frame</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>已退回</translation>
-  </message>
-  <message>
-   <source>clicked</source>
-   <comment>points</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>点击</translation>
-  </message>
-  <message>
-   <source>snapped</source>
-   <comment>points</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>吸附</translation>
-  </message>
-  <message>
-   <source>regularised</source>
-   <comment>points</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>规整</translation>
-  </message>
-  <message>
-   <source>copied</source>
-   <comment>points</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>复制</translation>
-  </message>
-  <message>
-   <source>moved</source>
-   <comment>points</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>移动</translation>
-  </message>
-  <message>
-   <source>accepted suggestion</source>
-   <comment>points</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>接受的建议</translation>
-  </message>
-  <message>
-   <source>proposed</source>
-   <comment>points</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>提议</translation>
-  </message>
-  <message>
-   <source>accepted proposal</source>
-   <comment>points</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>接受的提议</translation>
-  </message>
-  <message>
-   <source>unconfirmed by paint</source>
-   <comment>points</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>未得到画线证实</translation>
-  </message>
-  <message>
-   <source>from the file</source>
-   <comment>points</comment>
-   <extracomment>[procc_annotator/session/facts/origins.py]</extracomment>
-   <translation>来自文件</translation>
-  </message>
-  <message>
-   <source>camera</source>
-   <comment>a verdict</comment>
-   <extracomment>[procc_annotator/session/facts/verdict.py]</extracomment>
-   <translation>相机</translation>
-  </message>
-  <message>
-   <source>annotation</source>
-   <comment>a verdict</comment>
-   <extracomment>[procc_annotator/session/facts/verdict.py]</extracomment>
-   <translation>标注</translation>
-  </message>
-  <message>
-   <source>fine</source>
-   <comment>a verdict</comment>
-   <extracomment>[procc_annotator/session/facts/verdict.py]</extracomment>
-   <translation>无误</translation>
-  </message>
-  <message>
-   <source>camera fault</source>
-   <comment>a verdict</comment>
-   <extracomment>[procc_annotator/session/facts/verdict.py]</extracomment>
-   <translation>相机错误</translation>
-  </message>
-  <message>
-   <source>annotation fault</source>
-   <comment>a verdict</comment>
-   <extracomment>[procc_annotator/session/facts/verdict.py]</extracomment>
-   <translation>标注错误</translation>
-  </message>
-  <message>
-   <source>{title} was surveyed: its position stays as it is</source>
-   <extracomment>[procc_annotator/session/landmarks/landmark_clicks.py]</extracomment>
-   <translation>{title} 为实测：其位置保持不变</translation>
-  </message>
-  <message>
-   <source>{title} moves: its positions hold for an instant each</source>
-   <extracomment>[procc_annotator/session/landmarks/landmark_clicks.py]</extracomment>
-   <translation>{title} 会移动：其位置各只对一个瞬间有效</translation>
-  </message>
-  <message>
-   <source>its camera is hardly determined: {what}</source>
-   <extracomment>[procc_annotator/session/landmarks/landmark_views.py]</extracomment>
-   <translation>其相机难以确定：{what}</translation>
-  </message>
-  <message>
-   <source>no camera in {frame} ({why}), and {count} more</source>
-   <extracomment>[procc_annotator/session/landmarks/landmark_views.py]</extracomment>
-   <translation>{frame} 中没有相机（{why}），另有 {count} 帧</translation>
-  </message>
-  <message>
-   <source>no camera in {frame} ({why})</source>
-   <extracomment>[procc_annotator/session/landmarks/landmark_views.py]</extracomment>
-   <translation>{frame} 中没有相机（{why}）</translation>
-  </message>
-  <message>
-   <source>surveyed: kept as it is</source>
-   <extracomment>[procc_annotator/session/landmarks/landmark_views.py]</extracomment>
-   <translation>实测：保持不变</translation>
   </message>
   <message>
    <source>Annotate all pictures of a folder</source>
