@@ -32,7 +32,7 @@ LANGUAGES = ("de", "es", "fr", "ja", "zh_CN")
 # As Qt's own rules have it: one form for all numbers, or one and many.
 FORMS = {"de": 2, "es": 2, "fr": 2, "ja": 1, "zh_CN": 1}
 CONTEXT = "procc"
-SHOWN_ROOMS = ("gui", "interact")
+SHOWN_ROOMS = ("gui", "interaction")
 # Speak to a terminal, or paint pictures that are files: the window shows none of their words.
 _NOT_OF_WINDOW = tuple(
     PACKAGE / name
@@ -49,8 +49,8 @@ _SAYING = {
     "tr": 1,
     "word": 1,
     "tr_count": 3,
-    "said": 1,
-    "said_count": 3,
+    "translatable": 1,
+    "translatable_count": 3,
 }  # function -> how many of its arguments are texts
 # Calls whose words are names for programs.
 _SILENT = {"setObjectName", "setStyleSheet", "setProperty", "getattr", "setattr", "findChild",
@@ -102,7 +102,7 @@ def _modules(rooms: Iterable[str] = ("",)) -> Iterator[tuple[Path, ast.Module]]:
 
 def _from_code() -> Iterator[Text]:
     for file, module in _modules():
-        if file == PACKAGE / "language.py":
+        if file == PACKAGE / "translation.py":
             continue
         for node in ast.walk(module):
             if isinstance(node, ast.Call) and _name(node) in _SAYING:
@@ -115,7 +115,7 @@ def _text_of(call: ast.Call, place: str) -> Text | None:
     name, args = _name(call), call.args
     if any(isinstance(arg, ast.JoinedStr) for arg in args[: _SAYING[name]]):
         raise SystemExit(f"{place}: an f-string has no translation; name its values instead")
-    if name in ("tr_count", "said_count"):
+    if name in ("tr_count", "translatable_count"):
         one, several = _constant(args[1]), _constant(args[2])
         return Text(several, "", one, (place,)) if one and several else None
     source = _constant(args[0])

@@ -4,6 +4,448 @@
  <context>
   <name>procc</name>
   <message>
+   <source>coordinates look like pixels, expected 0 to 1 (x = {x:g}, y = {y:g})</source>
+   <extracomment>[procc_annotator/calibration/fitting.py]</extracomment>
+   <translation>Koordinaten sehen nach Pixeln aus, erwartet ist 0 bis 1 (x = {x:g}, y = {y:g})</translation>
+  </message>
+  <message>
+   <source>even with the position known: {why}</source>
+   <extracomment>[procc_annotator/calibration/joint/shared_position.py]</extracomment>
+   <translation>selbst mit bekannter Position: {why}</translation>
+  </message>
+  <message>
+   <source>{count} positions, and nothing tells which is its</source>
+   <extracomment>[procc_annotator/calibration/joint/shared_position.py]</extracomment>
+   <translation>{count} Positionen, und nichts sagt, welche die seine ist</translation>
+  </message>
+  <message>
+   <source>all labels fit with far and near exchanged</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>alle Klassen passen, wenn fern und nah vertauscht sind</translation>
+  </message>
+  <message>
+   <source>all labels fit with left and right exchanged</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>alle Klassen passen, wenn links und rechts vertauscht sind</translation>
+  </message>
+  <message>
+   <source>look at point {number}</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py, procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>Punkt {number} ansehen</translation>
+  </message>
+  <message>
+   <source>point {number} of {title} is {off:.0f} px off, its other points at most {rest:.1f} px</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>Punkt {number} von {title} liegt {off:.0f} px daneben, die anderen Punkte höchstens {rest:.1f} px</translation>
+  </message>
+  <message>
+   <source>elements are {after:.1f} px off on average, no camera fits the labels as they are</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>Elemente liegen im Mittel {after:.1f} px daneben; so, wie sie sind, passt keine Kamera</translation>
+  </message>
+  <message>
+   <source>elements are {after:.1f} px off on average, {before:.1f} px as they are</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>Elemente liegen im Mittel {after:.1f} px daneben, so wie sie sind {before:.1f} px</translation>
+  </message>
+  <message>
+   <source>{a} and {b} fit with each other's label</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>{a} und {b} passen mit der Klasse des jeweils anderen</translation>
+  </message>
+  <message>
+   <source>{titles} fit with each other's labels</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>{titles} passen mit den Klassen der jeweils anderen</translation>
+  </message>
+  <message>
+   <source>relabel {steps}</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>umbenennen: {steps}</translation>
+  </message>
+  <message>
+   <source>remove point {number}</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py, procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>Punkt {number} entfernen</translation>
+  </message>
+  <message>
+   <source>point {number} of {title} is {off:.0f} px off, its other point at most {rest:.1f} px</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>Punkt {number} von {title} liegt {off:.0f} px daneben, der andere Punkt höchstens {rest:.1f} px</translation>
+  </message>
+  <message>
+   <source>{title} is up to {px:.0f} px from where the camera of the others shows it</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>{title} liegt bis zu {px:.0f} px von dort, wo die Kamera der anderen es zeigt</translation>
+  </message>
+  <message>
+   <source>{title} is nowhere near where the camera of the others shows it</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>{title} liegt weit weg von dort, wo die Kamera der anderen es zeigt</translation>
+  </message>
+  <message>
+   <source>without {titles} the others drop from {before:.1f} to {after:.1f} px</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>ohne {titles} fallen die anderen von {before:.1f} auf {after:.1f} px</translation>
+  </message>
+  <message>
+   <source>swap {a} and {b}</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py, procc_annotator/calibration/label_check/side_rules.py]</extracomment>
+   <translation>{a} und {b} tauschen</translation>
+  </message>
+  <message>
+   <source>{a} to {b}</source>
+   <comment>labels</comment>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>{a} in {b}</translation>
+  </message>
+  <message>
+   <source>it lies where {title} should be</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>es liegt, wo {title} sein müsste</translation>
+  </message>
+  <message>
+   <source>the others are {px:.1f} px off with and without it</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>die anderen liegen mit und ohne es {px:.1f} px daneben</translation>
+  </message>
+  <message>
+   <source>more than its own place is uncertain</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>mehr, als sein eigener Ort unsicher ist</translation>
+  </message>
+  <message>
+   <source>relabel to {title}</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py, procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>in {title} umbenennen</translation>
+  </message>
+  <message>
+   <source>it lies on {title}, which is annotated as well</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>es liegt auf {title}, das ebenfalls annotiert ist</translation>
+  </message>
+  <message>
+   <source>{title} is up to {px:.0f} px from where the camera shows it; too few elements fit to say which are wrong</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>{title} liegt bis zu {px:.0f} px von dort, wo die Kamera es zeigt; zu wenige Elemente passen, um zu sagen, welche falsch sind</translation>
+  </message>
+  <message>
+   <source>no camera fits these labels together</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>keine Kamera passt zu diesen Klassen zusammen</translation>
+  </message>
+  <message>
+   <source>turn the labels by half a turn</source>
+   <extracomment>[procc_annotator/calibration/label_check/check.py]</extracomment>
+   <translation>die Klassen um eine halbe Drehung drehen</translation>
+  </message>
+  <message numerus="yes">
+   <source>the camera stands on a side of the field where hardly any other of {n} frames does: a camera of its own, or labels turned by half a turn</source>
+   <extracomment>the camera stands on a side of the field where hardly any other of {n} frame does: a camera of its own, or labels turned by half a turn / the camera stands on a side of the field where hardly any other of {n} frames does: a camera of its own, or labels turned by half a turn [procc_annotator/calibration/label_check/check.py]</extracomment>
+   <translation>
+    <numerusform>die Kamera steht auf einer Seite des Feldes, auf der kaum eine andere von {n} Bild steht: eine eigene Kamera, oder um eine halbe Drehung gedrehte Klassen</numerusform>
+    <numerusform>die Kamera steht auf einer Seite des Feldes, auf der kaum eine andere von {n} Bildern steht: eine eigene Kamera, oder um eine halbe Drehung gedrehte Klassen</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>the camera stands on the other side of the field from the rest; with its labels turned by half a turn it stands where that of {n} frames does</source>
+   <extracomment>the camera stands on the other side of the field from the rest; with its labels turned by half a turn it stands where that of {n} frame does / the camera stands on the other side of the field from the rest; with its labels turned by half a turn it stands where that of {n} frames does [procc_annotator/calibration/label_check/check.py]</extracomment>
+   <translation>
+    <numerusform>die Kamera steht auf der anderen Seite des Feldes als die übrigen; mit um eine halbe Drehung gedrehten Klassen steht sie, wo die von {n} Bild steht</numerusform>
+    <numerusform>die Kamera steht auf der anderen Seite des Feldes als die übrigen; mit um eine halbe Drehung gedrehten Klassen steht sie, wo die von {n} Bildern stehen</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>no such class: {name!r}, did you mean {title}?</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>keine solche Klasse: {name!r}, ist {title} gemeint?</translation>
+  </message>
+  <message>
+   <source>{title} is straight on the field, its points lie up to {px:.0f} px beside a line, more than any lens bends it</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>{title} ist auf dem Feld gerade, seine Punkte liegen bis zu {px:.0f} px neben einer Geraden, mehr als ein Objektiv sie biegt</translation>
+  </message>
+  <message numerus="yes">
+   <source>{title} has {n} points, a line takes two</source>
+   <extracomment>{title} has {n} point, a line takes two / {title} has {n} points, a line takes two [procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>
+    <numerusform>{title} hat {n} Punkt, eine Linie braucht zwei</numerusform>
+    <numerusform>{title} hat {n} Punkte, eine Linie braucht zwei</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{title} has {n} points; a curve takes at least {least}</source>
+   <extracomment>{title} has {n} point; a curve takes at least {least} / {title} has {n} points; a curve takes at least {least} [procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>
+    <numerusform>{title} hat {n} Punkt; eine Kurve braucht mindestens {least}</numerusform>
+    <numerusform>{title} hat {n} Punkte; eine Kurve braucht mindestens {least}</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{title} has {n} points; fewer than {least} determine no ellipse</source>
+   <extracomment>{title} has {n} point; fewer than {least} determine no ellipse / {title} has {n} points; fewer than {least} determine no ellipse [procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>
+    <numerusform>{title} hat {n} Punkt; weniger als {least} bestimmen keine Ellipse</numerusform>
+    <numerusform>{title} hat {n} Punkte; weniger als {least} bestimmen keine Ellipse</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{title} is a single place, it has {count} points up to {px:.0f} px apart</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>{title} ist ein einzelner Ort, hat aber {count} Punkte, die bis zu {px:.0f} px auseinanderliegen</translation>
+  </message>
+  <message>
+   <source>the points of {title} go back and forth instead of along it</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>die Punkte von {title} gehen hin und her statt daran entlang</translation>
+  </message>
+  <message>
+   <source>no such class: {name!r} fits no camera, and counts as missed where it is scored</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>keine solche Klasse: {name!r} passt zu keiner Kamera und zählt als verfehlt, wo bewertet wird</translation>
+  </message>
+  <message>
+   <source>{a} and {b} lie on top of each other, less than {px:.0f} px apart: one line under two names?</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>{a} und {b} liegen aufeinander, weniger als {px:.0f} px auseinander: eine Linie unter zwei Namen?</translation>
+  </message>
+  <message>
+   <source>the points of {title} go over the same stretch more than once: their course is {times:.1f} times as long as it need be</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>die Punkte von {title} gehen mehrmals über denselben Abschnitt: ihr Weg ist {times:.1f}-mal so lang wie nötig</translation>
+  </message>
+  <message>
+   <source>That is annotated already</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>Das ist schon annotiert</translation>
+  </message>
+  <message>
+   <source>its corner</source>
+   <comment>where a line ends</comment>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>seiner Ecke</translation>
+  </message>
+  <message>
+   <source>the picture's edge</source>
+   <comment>where a line ends</comment>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>dem Bildrand</translation>
+  </message>
+  <message>
+   <source>{title} stops {px:.0f} px short of {what}</source>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>{title} endet {px:.0f} px vor {what}</translation>
+  </message>
+  <message>
+   <source>put its points along the paint</source>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>seine Punkte auf die Farbe setzen</translation>
+  </message>
+  <message>
+   <source>{title} stops {px:.0f} px short of {what}, and {px_2:.0f} px short of {what_2} at its other end</source>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>{title} endet {px:.0f} px vor {what}, und am anderen Ende {px_2:.0f} px vor {what_2}</translation>
+  </message>
+  <message>
+   <source>{title} is straight between its clicks, its paint runs up to {px:.0f} px beside it: regularise it (R)</source>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>{title} ist zwischen seinen Klicks gerade, seine Farbe verläuft bis zu {px:.0f} px daneben: begradigen (R)</translation>
+  </message>
+  <message>
+   <source>an end of {title} lies about {px:.0f} px beside its paint, which is seen on the way there: put that point on it</source>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>ein Ende von {title} liegt etwa {px:.0f} px neben seiner Farbe, die auf dem Weg dorthin zu sehen ist: diesen Punkt darauf setzen</translation>
+  </message>
+  <message>
+   <source>no paint under {title} along {percent:.0f} % of it, at most {px:.0f} px on end</source>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>keine Farbe unter {title} auf {percent:.0f} % davon, höchstens {px:.0f} px am Stück</translation>
+  </message>
+  <message>
+   <source>no paint under {title} towards one of its ends, under all the rest there is</source>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>keine Farbe unter {title} gegen eines seiner Enden, unter dem ganzen Rest schon</translation>
+  </message>
+  <message>
+   <source>look at it</source>
+   <extracomment>[procc_annotator/calibration/label_check/finding.py]</extracomment>
+   <translation>ansehen</translation>
+  </message>
+  <message>
+   <source>exchange far and near in the whole frame</source>
+   <extracomment>[procc_annotator/calibration/label_check/orientation.py]</extracomment>
+   <translation>fern und nah im ganzen Bild tauschen</translation>
+  </message>
+  <message>
+   <source>exchange left and right in the whole frame</source>
+   <extracomment>[procc_annotator/calibration/label_check/orientation.py]</extracomment>
+   <translation>links und rechts im ganzen Bild tauschen</translation>
+  </message>
+  <message>
+   <source>everything lies the wrong way round: far and near, are exchanged</source>
+   <extracomment>[procc_annotator/calibration/label_check/side_rules.py]</extracomment>
+   <translation>alles liegt verkehrt herum: fern und nah sind vertauscht</translation>
+  </message>
+  <message>
+   <source>everything lies the wrong way round: left and right, are exchanged</source>
+   <extracomment>[procc_annotator/calibration/label_check/side_rules.py]</extracomment>
+   <translation>alles liegt verkehrt herum: links und rechts sind vertauscht</translation>
+  </message>
+  <message>
+   <source>everything lies the wrong way round: far and near, or left and right, are exchanged</source>
+   <extracomment>[procc_annotator/calibration/label_check/side_rules.py]</extracomment>
+   <translation>alles liegt verkehrt herum: fern und nah, oder links und rechts, sind vertauscht</translation>
+  </message>
+  <message>
+   <source>{title} is on the wrong side of {others}</source>
+   <extracomment>[procc_annotator/calibration/label_check/side_rules.py]</extracomment>
+   <translation>{title} liegt auf der falschen Seite von {others}</translation>
+  </message>
+  <message>
+   <source>{titles} lie on each other's side of the elements around them</source>
+   <extracomment>[procc_annotator/calibration/label_check/side_rules.py]</extracomment>
+   <translation>{titles} liegen auf der Seite des jeweils anderen</translation>
+  </message>
+  <message>
+   <source>{titles} cannot lie this way round to each other, whatever the camera</source>
+   <extracomment>[procc_annotator/calibration/label_check/side_rules.py]</extracomment>
+   <translation>{titles} können nicht so herum zueinander liegen, gleich bei welcher Kamera</translation>
+  </message>
+  <message>
+   <source>only {share:.0%} of the lines in sight are on paint</source>
+   <extracomment>[procc_annotator/calibration/line_alignment/control_points.py, procc_annotator/dataset/computed_cameras.py]</extracomment>
+   <translation>nur {share:.0%} der sichtbaren Linien liegen auf Farbe</translation>
+  </message>
+  <message>
+   <source>there is too little paint</source>
+   <extracomment>[procc_annotator/calibration/line_alignment/control_points.py]</extracomment>
+   <translation>es gibt zu wenig Farbe</translation>
+  </message>
+  <message>
+   <source>the paint nearby would take a peg from its place</source>
+   <extracomment>[procc_annotator/calibration/line_alignment/control_points.py]</extracomment>
+   <translation>die Farbe in der Nähe nähme einem Pflock seinen Platz</translation>
+  </message>
+  <message>
+   <source>{name} lies {px:.0f} px beside its paint, as {more} more do theirs</source>
+   <extracomment>[procc_annotator/calibration/line_alignment/refinement.py]</extracomment>
+   <translation>{name} liegt {px:.0f} px neben seiner Farbe, {more} weitere ebenso</translation>
+  </message>
+  <message>
+   <source>{name} lies {px:.0f} px beside its paint</source>
+   <extracomment>[procc_annotator/calibration/line_alignment/refinement.py]</extracomment>
+   <translation>{name} liegt {px:.0f} px neben seiner Farbe</translation>
+  </message>
+  <message>
+   <source>the principal point is far from the centre of the picture, which seems cut out of a larger one</source>
+   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
+   <translation>der Bildhauptpunkt liegt weit von der Bildmitte, das Bild scheint aus einem größeren ausgeschnitten</translation>
+  </message>
+  <message>
+   <source>with aspect ratio and principal point {px} px: not clearly better</source>
+   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
+   <translation>mit Seitenverhältnis und Bildhauptpunkt {px} px: nicht deutlich besser</translation>
+  </message>
+  <message>
+   <source>no camera explains these elements together: the best one misses half of them by more than {px:.0f} px (are the labels right?)</source>
+   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
+   <translation>keine Kamera erklärt diese Elemente zusammen: die beste verfehlt die Hälfte davon um mehr als {px:.0f} px (sind die Klassen richtig?)</translation>
+  </message>
+  <message>
+   <source>without lens distortion the points are {without} px off, with it {with_it} px: not clearly better</source>
+   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
+   <translation>ohne Linsenverzeichnung liegen die Punkte {without} px daneben, mit ihr {with_it} px: nicht deutlich besser</translation>
+  </message>
+  <message>
+   <source>aspect ratio and principal point bring the points from {before} to {after} px, more than three parameters would by chance</source>
+   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
+   <translation>Seitenverhältnis und Bildhauptpunkt bringen die Punkte von {before} auf {after} px, mehr als drei Parameter zufällig brächten</translation>
+  </message>
+  <message>
+   <source>lens distortion brings the points from {before} to {after} px</source>
+   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
+   <translation>die Linsenverzeichnung bringt die Punkte von {before} auf {after} px</translation>
+  </message>
+  <message>
+   <source>the points show lens distortion clearly and are {px} px off</source>
+   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
+   <translation>die Punkte zeigen deutliche Linsenverzeichnung und liegen {px} px daneben</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} elements, {needed} needed</source>
+   <extracomment>{n} element, {needed} needed / {n} elements, {needed} needed [procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>
+    <numerusform>{n} Element, {needed} nötig</numerusform>
+    <numerusform>{n} Elemente, {needed} nötig</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{points} points on {n} elements, two different ones on each of {needed} needed</source>
+   <extracomment>{points} points on {n} element, two different ones on each of {needed} needed / {points} points on {n} elements, two different ones on each of {needed} needed [procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>
+    <numerusform>{points} Punkte auf {n} Element, nötig sind je zwei verschiedene auf {needed}</numerusform>
+    <numerusform>{points} Punkte auf {n} Elementen, nötig sind je zwei verschiedene auf {needed}</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} elements on the ground, {needed} needed</source>
+   <extracomment>{n} element on the ground, {needed} needed / {n} elements on the ground, {needed} needed [procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>
+    <numerusform>{n} Element am Boden, {needed} nötig</numerusform>
+    <numerusform>{n} Elemente am Boden, {needed} nötig</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>all points lie in one place of the picture</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>alle Punkte liegen an einer Stelle des Bildes</translation>
+  </message>
+  <message>
+   <source>all points lie on one line of the picture</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>alle Punkte liegen auf einer Linie des Bildes</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: the fit did not settle</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>keine plausible Pose: die Anpassung kam nicht zur Ruhe</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: on the ground</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>keine plausible Pose: auf dem Boden</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: {metres:.1f} m below the ground</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>keine plausible Pose: {metres:.1f} m unter dem Boden</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: only {metres:.1f} m above the ground</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>keine plausible Pose: nur {metres:.1f} m über dem Boden</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: {metres:.0f} m from the field's centre</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>keine plausible Pose: {metres:.0f} m von der Feldmitte</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: rolled by {degrees:.0f} degrees</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>keine plausible Pose: um {degrees:.0f} Grad gerollt</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: focal length {px:.0f} px at 960 px width</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>keine plausible Pose: Brennweite {px:.0f} px bei 960 px Breite</translation>
+  </message>
+  <message>
+   <source>pan, tilt or roll ± more than {degrees:g}°, position ± more than {way:g} % of the way to the field's centre, or focal length ± more than {focal:g} %, or clicks that are the same from the other end</source>
+   <extracomment>[procc_annotator/calibration/result.py]</extracomment>
+   <translation>Schwenk, Neigung oder Rollen ± mehr als {degrees:g}°, Position ± mehr als {way:g} % des Wegs zur Feldmitte, oder Brennweite ± mehr als {focal:g} %, oder Klicks, die vom anderen Ende gleich sind</translation>
+  </message>
+  <message>
    <source>pan ± {degrees:.1f}°</source>
    <extracomment>[procc_annotator/calibration/result.py]</extracomment>
    <translation>Schwenk ± {degrees:.1f}°</translation>
@@ -17,6 +459,196 @@
    <source>roll ± {degrees:.1f}°</source>
    <extracomment>[procc_annotator/calibration/result.py]</extracomment>
    <translation>Rollen ± {degrees:.1f}°</translation>
+  </message>
+  <message>
+   <source>position ± {metres:.0f} m</source>
+   <extracomment>[procc_annotator/calibration/result.py]</extracomment>
+   <translation>Position ± {metres:.0f} m</translation>
+  </message>
+  <message>
+   <source>focal length ± {percent:.0f} %</source>
+   <extracomment>[procc_annotator/calibration/result.py]</extracomment>
+   <translation>Brennweite ± {percent:.0f} %</translation>
+  </message>
+  <message>
+   <source>the same from the other end</source>
+   <extracomment>[procc_annotator/calibration/result.py]</extracomment>
+   <translation>vom anderen Ende gleich</translation>
+  </message>
+  <message>
+   <source>another camera that shows other lines suits the picture nearly as well</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>eine andere Kamera, die andere Linien zeigt, passt fast ebenso gut zum Bild</translation>
+  </message>
+  <message>
+   <source>{lines:.0f} % of the lines in sight lie on paint, which explains {paint:.0f} % of the paint on the ground</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>{lines:.0f} % der sichtbaren Linien liegen auf Farbe, was {paint:.0f} % der Farbe am Boden erklärt</translation>
+  </message>
+  <message>
+   <source>is this {field}, and no other sport? {why}</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>ist dies {field} und keine andere Sportart? {why}</translation>
+  </message>
+  <message>
+   <source>the picture is nearly square, as a squeezed one is: its pixels may not be square</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>das Bild ist fast quadratisch wie ein gestauchtes: seine Pixel sind vielleicht nicht quadratisch</translation>
+  </message>
+  <message>
+   <source>lines are missing that should be in sight</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>es fehlen Linien, die zu sehen sein müssten</translation>
+  </message>
+  <message>
+   <source>there is paint where the field has none</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>es gibt Farbe, wo das Feld keine hat</translation>
+  </message>
+  <message>
+   <source>cameras hardly stand there</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>dort stehen kaum Kameras</translation>
+  </message>
+  <message>
+   <source>too few lines are in sight to tell</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>zu wenige Linien sind zu sehen, um es zu sagen</translation>
+  </message>
+  <message>
+   <source>the lines in sight leave the camera open: {what}</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>die sichtbaren Linien lassen die Kamera offen: {what}</translation>
+  </message>
+  <message>
+   <source>no camera suits the paint in this picture: of the best one {shares}</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>keine Kamera passt zur Farbe in diesem Bild: bei der besten {shares}</translation>
+  </message>
+  <message>
+   <source>too little paint in sight</source>
+   <extracomment>[procc_annotator/calibration/tracking/filter_step.py]</extracomment>
+   <translation>zu wenig Farbe in Sicht</translation>
+  </message>
+  <message>
+   <source>too little of what should be in sight was found</source>
+   <extracomment>[procc_annotator/calibration/tracking/filter_step.py]</extracomment>
+   <translation>zu wenig davon gefunden, was zu sehen sein müsste</translation>
+  </message>
+  <message>
+   <source>the paint that was found would move the camera too far</source>
+   <extracomment>[procc_annotator/calibration/tracking/filter_step.py]</extracomment>
+   <translation>die gefundene Farbe würde die Kamera zu weit verschieben</translation>
+  </message>
+  <message>
+   <source>{count} of {total} clicks lie where the camera shows nothing</source>
+   <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
+   <translation>{count} von {total} Klicks liegen, wo die Kamera nichts zeigt</translation>
+  </message>
+  <message>
+   <source>the views look at it from nearly the same direction ({degrees:.2f} degrees apart, at least {least:g} are needed)</source>
+   <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
+   <translation>die Ansichten sehen es aus fast derselben Richtung ({degrees:.2f} Grad auseinander, nötig sind mindestens {least:g})</translation>
+  </message>
+  <message>
+   <source>clicked in no view that has a camera</source>
+   <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
+   <translation>in keiner Ansicht geklickt, die eine Kamera hat</translation>
+  </message>
+  <message>
+   <source>cameras that know only the ground (homographies) tell no place in space</source>
+   <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
+   <translation>Kameras, die nur den Boden kennen (Homographien), bestimmen keinen Ort im Raum</translation>
+  </message>
+  <message>
+   <source>the lines of sight meet behind the camera of {names}</source>
+   <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
+   <translation>die Sichtlinien treffen sich hinter der Kamera von {names}</translation>
+  </message>
+  <message>
+   <source>clicked in one view only</source>
+   <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
+   <translation>nur in einer Ansicht geklickt</translation>
+  </message>
+  <message>
+   <source>would be farther than {metres:g} m from the field</source>
+   <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
+   <translation>läge weiter als {metres:g} m vom Feld entfernt</translation>
+  </message>
+  <message>
+   <source>the views do not agree: {far} px off (is it the same place in all of them, and are the cameras right?)</source>
+   <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
+   <translation>die Ansichten stimmen nicht überein: {far} px daneben (ist es in allen derselbe Ort, und sind die Kameras richtig?)</translation>
+  </message>
+  <message>
+   <source>Fitted to the clicks of each frame; nothing of it is in a file</source>
+   <extracomment>[procc_annotator/dataset/computed_cameras.py]</extracomment>
+   <translation>An die Klicks jedes Bildes angepasst; nichts davon ist in einer Datei</translation>
+  </message>
+  <message>
+   <source>the paint is {px:.1f} px from the lines</source>
+   <extracomment>[procc_annotator/dataset/computed_cameras.py]</extracomment>
+   <translation>die Farbe liegt {px:.1f} px neben den Linien</translation>
+  </message>
+  <message>
+   <source>Followed through the shot; nothing of it is in a file</source>
+   <extracomment>[procc_annotator/dataset/computed_cameras.py]</extracomment>
+   <translation>Durch die Einstellung verfolgt; nichts davon ist in einer Datei</translation>
+  </message>
+  <message>
+   <source>no track here: {why}</source>
+   <extracomment>[procc_annotator/dataset/computed_cameras.py]</extracomment>
+   <translation>hier keine Spur: {why}</translation>
+  </message>
+  <message>
+   <source>no fit of {frame} yet</source>
+   <extracomment>[procc_annotator/dataset/computed_cameras.py]</extracomment>
+   <translation>noch keine Anpassung von {frame}</translation>
+  </message>
+  <message>
+   <source>no camera was found</source>
+   <extracomment>[procc_annotator/dataset/computed_cameras.py, procc_annotator/dataset/landmarks/triangulation.py]</extracomment>
+   <translation>keine Kamera wurde gefunden</translation>
+  </message>
+  <message>
+   <source>carried over by the picture's motion, not measured on paint</source>
+   <extracomment>[procc_annotator/dataset/computed_cameras.py]</extracomment>
+   <translation>durch die Bewegung des Bildes weitergeführt, nicht auf Farbe gemessen</translation>
+  </message>
+  <message>
+   <source>not followed so far</source>
+   <extracomment>[procc_annotator/dataset/computed_cameras.py]</extracomment>
+   <translation>bisher nicht verfolgt</translation>
+  </message>
+  <message>
+   <source>{title} was surveyed: its position stays as it is</source>
+   <extracomment>[procc_annotator/dataset/landmarks/clicks.py]</extracomment>
+   <translation>{title} wurde vermessen: der Ort bleibt, wie er ist</translation>
+  </message>
+  <message>
+   <source>{title} moves: its positions hold for an instant each</source>
+   <extracomment>[procc_annotator/dataset/landmarks/clicks.py]</extracomment>
+   <translation>{title} bewegt sich: seine Orte gelten je für einen Augenblick</translation>
+  </message>
+  <message>
+   <source>its camera is hardly determined: {what}</source>
+   <extracomment>[procc_annotator/dataset/landmarks/triangulation.py]</extracomment>
+   <translation>seine Kamera ist kaum bestimmt: {what}</translation>
+  </message>
+  <message>
+   <source>no camera in {frame} ({why}), and {count} more</source>
+   <extracomment>[procc_annotator/dataset/landmarks/triangulation.py]</extracomment>
+   <translation>keine Kamera in {frame} ({why}), und {count} weiteren</translation>
+  </message>
+  <message>
+   <source>no camera in {frame} ({why})</source>
+   <extracomment>[procc_annotator/dataset/landmarks/triangulation.py]</extracomment>
+   <translation>keine Kamera in {frame} ({why})</translation>
+  </message>
+  <message>
+   <source>surveyed: kept as it is</source>
+   <extracomment>[procc_annotator/dataset/landmarks/triangulation.py]</extracomment>
+   <translation>vermessen: bleibt, wie sie ist</translation>
   </message>
   <message>
    <source>untouched</source>
@@ -4024,17 +4656,19 @@ Laden oder zeigen Sie eine weitere.</translation>
    </translation>
   </message>
   <message>
+   <source>regularise {what}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation>{what} begradigen</translation>
+  </message>
+  <message>
+   <source>copy from {frame}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation>von {frame} kopieren</translation>
+  </message>
+  <message>
    <source>choose an annotated element first</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
    <translation>wählen Sie zuerst ein annotiertes Element</translation>
-  </message>
-  <message numerus="yes">
-   <source>regularised {what}: {n} points</source>
-   <extracomment>regularised {what}: {n} point / regularised {what}: {n} points [procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>
-    <numerusform>{what} begradigt: {n} Punkt</numerusform>
-    <numerusform>{what} begradigt: {n} Punkte</numerusform>
-   </translation>
   </message>
   <message numerus="yes">
    <source>{n} elements</source>
@@ -4042,6 +4676,14 @@ Laden oder zeigen Sie eine weitere.</translation>
    <translation>
     <numerusform>{n} Element</numerusform>
     <numerusform>{n} Elemente</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>regularised {what}: {n} points</source>
+   <extracomment>regularised {what}: {n} point / regularised {what}: {n} points [procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation>
+    <numerusform>{what} begradigt: {n} Punkt</numerusform>
+    <numerusform>{what} begradigt: {n} Punkte</numerusform>
    </translation>
   </message>
   <message>
@@ -4083,6 +4725,27 @@ Laden oder zeigen Sie eine weitere.</translation>
    <source>merge {element} into {other}</source>
    <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
    <translation>{element} mit {other} vereinen</translation>
+  </message>
+  <message>
+   <source>close gaps</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>Lücken schließen</translation>
+  </message>
+  <message numerus="yes">
+   <source>confirm {n} elements</source>
+   <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>{n} Element bestätigen</numerusform>
+    <numerusform>{n} Elemente bestätigen</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>drop {n} unconfirmed elements</source>
+   <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>{n} unbestätigtes Element verwerfen</numerusform>
+    <numerusform>{n} unbestätigte Elemente verwerfen</numerusform>
+   </translation>
   </message>
   <message>
    <source>{element} is its own symmetric element</source>
@@ -4183,6 +4846,19 @@ Laden oder zeigen Sie eine weitere.</translation>
    <source>the camera is another one meanwhile</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
    <translation>die Kamera ist inzwischen eine andere</translation>
+  </message>
+  <message>
+   <source>accept {what}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>{what} annehmen</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} ghosts</source>
+   <extracomment>{n} ghost / {n} ghosts [procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n} Geist</numerusform>
+    <numerusform>{n} Geister</numerusform>
+   </translation>
   </message>
   <message>
    <source>{n} of {total} ghosts</source>
@@ -5084,6 +5760,12 @@ Verliert {loses}.</translation>
     <numerusform>{n:,} Bilder enthalten bereits dasselbe.</numerusform>
    </translation>
   </message>
+  <message>
+   <source>import</source>
+   <comment>a step</comment>
+   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
+   <translation>Importieren</translation>
+  </message>
   <message numerus="yes">
    <source>{edited} of {n:,} frames imported</source>
    <extracomment>{edited} of {n:,} frame imported / {edited} of {n:,} frames imported [procc_annotator/gui/tasks/files/importing.py]</extracomment>
@@ -5460,6 +6142,14 @@ Verliert {loses}.</translation>
    <translation>kein Befund ist so sicher, wie der Bereich Befunde eingestellt ist</translation>
   </message>
   <message numerus="yes">
+   <source>relabelled {n} elements</source>
+   <extracomment>relabelled {n} element / relabelled {n} elements [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>
+    <numerusform>{n} Element umbenannt</numerusform>
+    <numerusform>{n} Elemente umbenannt</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
    <source>checked {n:,} frames, camera model {model}: {found}</source>
    <extracomment>checked {n:,} frame, camera model {model}: {found} / checked {n:,} frames, camera model {model}: {found} [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
    <translation>
@@ -5496,6 +6186,21 @@ Verliert {loses}.</translation>
    <translation>{done}; Strg+Z nimmt es zurück</translation>
   </message>
   <message>
+   <source>removed point {n} of {element}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>Punkt {n} von {element} entfernt</translation>
+  </message>
+  <message>
+   <source>swapped {element} and {other}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>{element} und {other} getauscht</translation>
+  </message>
+  <message>
+   <source>relabelled {element} to {other}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>{element} in {other} umbenannt</translation>
+  </message>
+  <message>
    <source>ignored until {elements} changes; the Check panel brings it back</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
    <translation>übergangen, bis sich {elements} ändert; der Bereich Befunde holt es zurück</translation>
@@ -5530,6 +6235,11 @@ Verliert {loses}.</translation>
    <source>the elements have changed since: checked again</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
    <translation>die Elemente haben sich seither geändert: neu geprüft</translation>
+  </message>
+  <message>
+   <source>removed point of {element}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>Punkt von {element} entfernt</translation>
   </message>
   <message>
    <source>go to a finding first (F10)</source>
@@ -5648,6 +6358,11 @@ Verliert {loses}.</translation>
    <source>{source} is worked out here: a verdict is on a camera that was loaded</source>
    <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
    <translation>{source} entsteht hier: ein Urteil gilt einer geladenen Kamera</translation>
+  </message>
+  <message>
+   <source>restore an earlier version</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
+   <translation>eine frühere Fassung zurückholen</translation>
   </message>
   <message>
    <source>the earlier version is back; undo takes it away again</source>
@@ -5869,6 +6584,16 @@ Verliert {loses}.</translation>
    <source>no frame was accepted: {why}</source>
    <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
    <translation>kein Bild angenommen: {why}</translation>
+  </message>
+  <message>
+   <source>accept the track</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation>Spur annehmen</translation>
+  </message>
+  <message>
+   <source>take back the track</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation>Spur zurücknehmen</translation>
   </message>
   <message>
    <source>nothing was accepted that could be taken back</source>
@@ -6692,6 +7417,75 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <source>{title} is pinned, so that a slip does not move it: drag its points, or unpin elements (Ctrl+P, menu Element) to drag it as a whole</source>
    <extracomment>[procc_annotator/interaction/edit_tool.py]</extracomment>
    <translation>{title} ist festgehalten, damit kein Ausrutscher es bewegt: ziehen Sie seine Punkte, oder lösen Sie die Elemente (Strg+P, Menü Element), um es im Ganzen zu ziehen</translation>
+  </message>
+  <message>
+   <source>draw {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>{title} zeichnen</translation>
+  </message>
+  <message>
+   <source>confirm {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>{title} bestätigen</translation>
+  </message>
+  <message>
+   <source>move {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>{title} verschieben</translation>
+  </message>
+  <message>
+   <source>move all of {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>{title} ganz verschieben</translation>
+  </message>
+  <message numerus="yes">
+   <source>move {n} points</source>
+   <extracomment>move {n} point / move {n} points [procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>
+    <numerusform>{n} Punkt verschieben</numerusform>
+    <numerusform>{n} Punkte verschieben</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>nudge {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>{title} rücken</translation>
+  </message>
+  <message numerus="yes">
+   <source>nudge {n} points</source>
+   <extracomment>nudge {n} point / nudge {n} points [procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>
+    <numerusform>{n} Punkt rücken</numerusform>
+    <numerusform>{n} Punkte rücken</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>insert a point in {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>einen Punkt in {title} einfügen</translation>
+  </message>
+  <message>
+   <source>delete {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>{title} löschen</translation>
+  </message>
+  <message>
+   <source>delete point {number} of {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>Punkt {number} von {title} löschen</translation>
+  </message>
+  <message numerus="yes">
+   <source>delete {n} points</source>
+   <extracomment>delete {n} point / delete {n} points [procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>
+    <numerusform>{n} Punkt löschen</numerusform>
+    <numerusform>{n} Punkte löschen</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>continue {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>{title} fortsetzen</translation>
   </message>
   <message>
    <source>click, Enter and Esc do nothing yet</source>

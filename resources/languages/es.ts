@@ -4,6 +4,448 @@
  <context>
   <name>procc</name>
   <message>
+   <source>coordinates look like pixels, expected 0 to 1 (x = {x:g}, y = {y:g})</source>
+   <extracomment>[procc_annotator/calibration/fitting.py]</extracomment>
+   <translation>las coordenadas parecen píxeles, se esperaba de 0 a 1 (x = {x:g}, y = {y:g})</translation>
+  </message>
+  <message>
+   <source>even with the position known: {why}</source>
+   <extracomment>[procc_annotator/calibration/joint/shared_position.py]</extracomment>
+   <translation>incluso con la posición conocida: {why}</translation>
+  </message>
+  <message>
+   <source>{count} positions, and nothing tells which is its</source>
+   <extracomment>[procc_annotator/calibration/joint/shared_position.py]</extracomment>
+   <translation>{count} posiciones, y nada dice cuál es la suya</translation>
+  </message>
+  <message>
+   <source>all labels fit with far and near exchanged</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>todas las clases encajan con lejos y cerca intercambiados</translation>
+  </message>
+  <message>
+   <source>all labels fit with left and right exchanged</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>todas las clases encajan con izquierda y derecha intercambiadas</translation>
+  </message>
+  <message>
+   <source>look at point {number}</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py, procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>mirar el punto {number}</translation>
+  </message>
+  <message>
+   <source>point {number} of {title} is {off:.0f} px off, its other points at most {rest:.1f} px</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>el punto {number} de {title} está a {off:.0f} px, sus otros puntos a lo sumo a {rest:.1f} px</translation>
+  </message>
+  <message>
+   <source>elements are {after:.1f} px off on average, no camera fits the labels as they are</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>los elementos están de media a {after:.1f} px, ninguna cámara encaja con las clases tal como están</translation>
+  </message>
+  <message>
+   <source>elements are {after:.1f} px off on average, {before:.1f} px as they are</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>los elementos están de media a {after:.1f} px, a {before:.1f} px tal como están</translation>
+  </message>
+  <message>
+   <source>{a} and {b} fit with each other's label</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>{a} y {b} encajan con la clase del otro</translation>
+  </message>
+  <message>
+   <source>{titles} fit with each other's labels</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>{titles} encajan con las clases de los otros</translation>
+  </message>
+  <message>
+   <source>relabel {steps}</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>cambiar la clase: {steps}</translation>
+  </message>
+  <message>
+   <source>remove point {number}</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py, procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>quitar el punto {number}</translation>
+  </message>
+  <message>
+   <source>point {number} of {title} is {off:.0f} px off, its other point at most {rest:.1f} px</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>el punto {number} de {title} está a {off:.0f} px, su otro punto a lo sumo a {rest:.1f} px</translation>
+  </message>
+  <message>
+   <source>{title} is up to {px:.0f} px from where the camera of the others shows it</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>{title} está hasta a {px:.0f} px de donde lo muestra la cámara de los demás</translation>
+  </message>
+  <message>
+   <source>{title} is nowhere near where the camera of the others shows it</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>{title} está lejos de donde lo muestra la cámara de los demás</translation>
+  </message>
+  <message>
+   <source>without {titles} the others drop from {before:.1f} to {after:.1f} px</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>sin {titles} los demás bajan de {before:.1f} a {after:.1f} px</translation>
+  </message>
+  <message>
+   <source>swap {a} and {b}</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py, procc_annotator/calibration/label_check/side_rules.py]</extracomment>
+   <translation>intercambiar {a} y {b}</translation>
+  </message>
+  <message>
+   <source>{a} to {b}</source>
+   <comment>labels</comment>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>{a} a {b}</translation>
+  </message>
+  <message>
+   <source>it lies where {title} should be</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>está donde debería estar {title}</translation>
+  </message>
+  <message>
+   <source>the others are {px:.1f} px off with and without it</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>los demás están a {px:.1f} px con él y sin él</translation>
+  </message>
+  <message>
+   <source>more than its own place is uncertain</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>más de lo que es incierto su propio lugar</translation>
+  </message>
+  <message>
+   <source>relabel to {title}</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py, procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>cambiar la clase a {title}</translation>
+  </message>
+  <message>
+   <source>it lies on {title}, which is annotated as well</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>está sobre {title}, que también está anotado</translation>
+  </message>
+  <message>
+   <source>{title} is up to {px:.0f} px from where the camera shows it; too few elements fit to say which are wrong</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>{title} está hasta a {px:.0f} px de donde lo muestra la cámara; encajan demasiado pocos elementos para decir cuáles están mal</translation>
+  </message>
+  <message>
+   <source>no camera fits these labels together</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>ninguna cámara encaja con todas estas clases</translation>
+  </message>
+  <message>
+   <source>turn the labels by half a turn</source>
+   <extracomment>[procc_annotator/calibration/label_check/check.py]</extracomment>
+   <translation>girar las clases media vuelta</translation>
+  </message>
+  <message numerus="yes">
+   <source>the camera stands on a side of the field where hardly any other of {n} frames does: a camera of its own, or labels turned by half a turn</source>
+   <extracomment>the camera stands on a side of the field where hardly any other of {n} frame does: a camera of its own, or labels turned by half a turn / the camera stands on a side of the field where hardly any other of {n} frames does: a camera of its own, or labels turned by half a turn [procc_annotator/calibration/label_check/check.py]</extracomment>
+   <translation>
+    <numerusform>la cámara está en un lado del campo en que casi ninguna otra de {n} imagen lo está: una cámara aparte, o clases giradas media vuelta</numerusform>
+    <numerusform>la cámara está en un lado del campo en que casi ninguna otra de {n} imágenes lo está: una cámara aparte, o clases giradas media vuelta</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>the camera stands on the other side of the field from the rest; with its labels turned by half a turn it stands where that of {n} frames does</source>
+   <extracomment>the camera stands on the other side of the field from the rest; with its labels turned by half a turn it stands where that of {n} frame does / the camera stands on the other side of the field from the rest; with its labels turned by half a turn it stands where that of {n} frames does [procc_annotator/calibration/label_check/check.py]</extracomment>
+   <translation>
+    <numerusform>la cámara está al otro lado del campo que el resto; con sus clases giradas media vuelta está donde la de {n} imagen</numerusform>
+    <numerusform>la cámara está al otro lado del campo que el resto; con sus clases giradas media vuelta está donde la de {n} imágenes</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>no such class: {name!r}, did you mean {title}?</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>no existe esa clase: {name!r}, ¿quiso decir {title}?</translation>
+  </message>
+  <message>
+   <source>{title} is straight on the field, its points lie up to {px:.0f} px beside a line, more than any lens bends it</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>{title} es recto en el campo, sus puntos se apartan hasta {px:.0f} px de una recta, más de lo que la curva cualquier lente</translation>
+  </message>
+  <message numerus="yes">
+   <source>{title} has {n} points, a line takes two</source>
+   <extracomment>{title} has {n} point, a line takes two / {title} has {n} points, a line takes two [procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>
+    <numerusform>{title} tiene {n} punto, una línea necesita dos</numerusform>
+    <numerusform>{title} tiene {n} puntos, una línea necesita dos</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{title} has {n} points; a curve takes at least {least}</source>
+   <extracomment>{title} has {n} point; a curve takes at least {least} / {title} has {n} points; a curve takes at least {least} [procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>
+    <numerusform>{title} tiene {n} punto; una curva necesita al menos {least}</numerusform>
+    <numerusform>{title} tiene {n} puntos; una curva necesita al menos {least}</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{title} has {n} points; fewer than {least} determine no ellipse</source>
+   <extracomment>{title} has {n} point; fewer than {least} determine no ellipse / {title} has {n} points; fewer than {least} determine no ellipse [procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>
+    <numerusform>{title} tiene {n} punto; menos de {least} no determinan una elipse</numerusform>
+    <numerusform>{title} tiene {n} puntos; menos de {least} no determinan una elipse</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{title} is a single place, it has {count} points up to {px:.0f} px apart</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>{title} es un solo lugar, tiene {count} puntos separados hasta {px:.0f} px</translation>
+  </message>
+  <message>
+   <source>the points of {title} go back and forth instead of along it</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>los puntos de {title} van y vienen en vez de seguirlo</translation>
+  </message>
+  <message>
+   <source>no such class: {name!r} fits no camera, and counts as missed where it is scored</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>no existe esa clase: {name!r} no encaja con ninguna cámara y cuenta como fallada donde se puntúa</translation>
+  </message>
+  <message>
+   <source>{a} and {b} lie on top of each other, less than {px:.0f} px apart: one line under two names?</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>{a} y {b} están uno sobre otro, a menos de {px:.0f} px: ¿una línea con dos nombres?</translation>
+  </message>
+  <message>
+   <source>the points of {title} go over the same stretch more than once: their course is {times:.1f} times as long as it need be</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>los puntos de {title} pasan más de una vez por el mismo tramo: su recorrido es {times:.1f} veces más largo de lo necesario</translation>
+  </message>
+  <message>
+   <source>That is annotated already</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>Eso ya está anotado</translation>
+  </message>
+  <message>
+   <source>its corner</source>
+   <comment>where a line ends</comment>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>su esquina</translation>
+  </message>
+  <message>
+   <source>the picture's edge</source>
+   <comment>where a line ends</comment>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>el borde de la imagen</translation>
+  </message>
+  <message>
+   <source>{title} stops {px:.0f} px short of {what}</source>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>a {title} le faltan {px:.0f} px para llegar a {what}</translation>
+  </message>
+  <message>
+   <source>put its points along the paint</source>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>poner sus puntos a lo largo de la pintura</translation>
+  </message>
+  <message>
+   <source>{title} stops {px:.0f} px short of {what}, and {px_2:.0f} px short of {what_2} at its other end</source>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>a {title} le faltan {px:.0f} px para llegar a {what}, y {px_2:.0f} px para llegar a {what_2} en el otro extremo</translation>
+  </message>
+  <message>
+   <source>{title} is straight between its clicks, its paint runs up to {px:.0f} px beside it: regularise it (R)</source>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>{title} es recto entre sus clics, su pintura pasa hasta a {px:.0f} px: regularícelo (R)</translation>
+  </message>
+  <message>
+   <source>an end of {title} lies about {px:.0f} px beside its paint, which is seen on the way there: put that point on it</source>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>un extremo de {title} está a unos {px:.0f} px de su pintura, que se ve en el camino hasta allí: ponga ese punto sobre ella</translation>
+  </message>
+  <message>
+   <source>no paint under {title} along {percent:.0f} % of it, at most {px:.0f} px on end</source>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>no hay pintura bajo {title} en un {percent:.0f} % de él, a lo sumo {px:.0f} px seguidos</translation>
+  </message>
+  <message>
+   <source>no paint under {title} towards one of its ends, under all the rest there is</source>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>no hay pintura bajo {title} hacia uno de sus extremos, bajo todo el resto sí</translation>
+  </message>
+  <message>
+   <source>look at it</source>
+   <extracomment>[procc_annotator/calibration/label_check/finding.py]</extracomment>
+   <translation>mirarlo</translation>
+  </message>
+  <message>
+   <source>exchange far and near in the whole frame</source>
+   <extracomment>[procc_annotator/calibration/label_check/orientation.py]</extracomment>
+   <translation>intercambiar lejos y cerca en toda la imagen</translation>
+  </message>
+  <message>
+   <source>exchange left and right in the whole frame</source>
+   <extracomment>[procc_annotator/calibration/label_check/orientation.py]</extracomment>
+   <translation>intercambiar izquierda y derecha en toda la imagen</translation>
+  </message>
+  <message>
+   <source>everything lies the wrong way round: far and near, are exchanged</source>
+   <extracomment>[procc_annotator/calibration/label_check/side_rules.py]</extracomment>
+   <translation>todo está al revés: lejos y cerca están intercambiados</translation>
+  </message>
+  <message>
+   <source>everything lies the wrong way round: left and right, are exchanged</source>
+   <extracomment>[procc_annotator/calibration/label_check/side_rules.py]</extracomment>
+   <translation>todo está al revés: izquierda y derecha están intercambiadas</translation>
+  </message>
+  <message>
+   <source>everything lies the wrong way round: far and near, or left and right, are exchanged</source>
+   <extracomment>[procc_annotator/calibration/label_check/side_rules.py]</extracomment>
+   <translation>todo está al revés: lejos y cerca, o izquierda y derecha, están intercambiados</translation>
+  </message>
+  <message>
+   <source>{title} is on the wrong side of {others}</source>
+   <extracomment>[procc_annotator/calibration/label_check/side_rules.py]</extracomment>
+   <translation>{title} está en el lado equivocado de {others}</translation>
+  </message>
+  <message>
+   <source>{titles} lie on each other's side of the elements around them</source>
+   <extracomment>[procc_annotator/calibration/label_check/side_rules.py]</extracomment>
+   <translation>{titles} están cada uno en el lado del otro respecto a los elementos de alrededor</translation>
+  </message>
+  <message>
+   <source>{titles} cannot lie this way round to each other, whatever the camera</source>
+   <extracomment>[procc_annotator/calibration/label_check/side_rules.py]</extracomment>
+   <translation>{titles} no pueden estar así uno respecto al otro, sea cual sea la cámara</translation>
+  </message>
+  <message>
+   <source>only {share:.0%} of the lines in sight are on paint</source>
+   <extracomment>[procc_annotator/calibration/line_alignment/control_points.py, procc_annotator/dataset/computed_cameras.py]</extracomment>
+   <translation>solo el {share:.0%} de las líneas a la vista está sobre pintura</translation>
+  </message>
+  <message>
+   <source>there is too little paint</source>
+   <extracomment>[procc_annotator/calibration/line_alignment/control_points.py]</extracomment>
+   <translation>hay demasiado poca pintura</translation>
+  </message>
+  <message>
+   <source>the paint nearby would take a peg from its place</source>
+   <extracomment>[procc_annotator/calibration/line_alignment/control_points.py]</extracomment>
+   <translation>la pintura cercana quitaría una estaca de su sitio</translation>
+  </message>
+  <message>
+   <source>{name} lies {px:.0f} px beside its paint, as {more} more do theirs</source>
+   <extracomment>[procc_annotator/calibration/line_alignment/refinement.py]</extracomment>
+   <translation>{name} está a {px:.0f} px de su pintura, y otros {more} también</translation>
+  </message>
+  <message>
+   <source>{name} lies {px:.0f} px beside its paint</source>
+   <extracomment>[procc_annotator/calibration/line_alignment/refinement.py]</extracomment>
+   <translation>{name} está a {px:.0f} px de su pintura</translation>
+  </message>
+  <message>
+   <source>the principal point is far from the centre of the picture, which seems cut out of a larger one</source>
+   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
+   <translation>el punto principal está lejos del centro de la imagen, que parece recortada de otra mayor</translation>
+  </message>
+  <message>
+   <source>with aspect ratio and principal point {px} px: not clearly better</source>
+   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
+   <translation>con relación de aspecto y punto principal {px} px: no claramente mejor</translation>
+  </message>
+  <message>
+   <source>no camera explains these elements together: the best one misses half of them by more than {px:.0f} px (are the labels right?)</source>
+   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
+   <translation>ninguna cámara explica estos elementos juntos: la mejor falla la mitad por más de {px:.0f} px (¿son correctas las clases?)</translation>
+  </message>
+  <message>
+   <source>without lens distortion the points are {without} px off, with it {with_it} px: not clearly better</source>
+   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
+   <translation>sin distorsión de lente los puntos están a {without} px, con ella a {with_it} px: no claramente mejor</translation>
+  </message>
+  <message>
+   <source>aspect ratio and principal point bring the points from {before} to {after} px, more than three parameters would by chance</source>
+   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
+   <translation>la relación de aspecto y el punto principal llevan los puntos de {before} a {after} px, más de lo que harían tres parámetros por azar</translation>
+  </message>
+  <message>
+   <source>lens distortion brings the points from {before} to {after} px</source>
+   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
+   <translation>la distorsión de lente lleva los puntos de {before} a {after} px</translation>
+  </message>
+  <message>
+   <source>the points show lens distortion clearly and are {px} px off</source>
+   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
+   <translation>los puntos muestran claramente distorsión de lente y están a {px} px</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} elements, {needed} needed</source>
+   <extracomment>{n} element, {needed} needed / {n} elements, {needed} needed [procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>
+    <numerusform>{n} elemento, se necesitan {needed}</numerusform>
+    <numerusform>{n} elementos, se necesitan {needed}</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{points} points on {n} elements, two different ones on each of {needed} needed</source>
+   <extracomment>{points} points on {n} element, two different ones on each of {needed} needed / {points} points on {n} elements, two different ones on each of {needed} needed [procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>
+    <numerusform>{points} puntos en {n} elemento, se necesitan dos distintos en cada uno de {needed}</numerusform>
+    <numerusform>{points} puntos en {n} elementos, se necesitan dos distintos en cada uno de {needed}</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} elements on the ground, {needed} needed</source>
+   <extracomment>{n} element on the ground, {needed} needed / {n} elements on the ground, {needed} needed [procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>
+    <numerusform>{n} elemento en el suelo, se necesitan {needed}</numerusform>
+    <numerusform>{n} elementos en el suelo, se necesitan {needed}</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>all points lie in one place of the picture</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>todos los puntos están en un mismo lugar de la imagen</translation>
+  </message>
+  <message>
+   <source>all points lie on one line of the picture</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>todos los puntos están en una misma línea de la imagen</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: the fit did not settle</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>pose no plausible: el ajuste no se estabilizó</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: on the ground</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>pose no plausible: en el suelo</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: {metres:.1f} m below the ground</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>pose no plausible: {metres:.1f} m bajo el suelo</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: only {metres:.1f} m above the ground</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>pose no plausible: solo {metres:.1f} m sobre el suelo</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: {metres:.0f} m from the field's centre</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>pose no plausible: a {metres:.0f} m del centro del campo</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: rolled by {degrees:.0f} degrees</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>pose no plausible: alabeo de {degrees:.0f} grados</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: focal length {px:.0f} px at 960 px width</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>pose no plausible: distancia focal {px:.0f} px a 960 px de ancho</translation>
+  </message>
+  <message>
+   <source>pan, tilt or roll ± more than {degrees:g}°, position ± more than {way:g} % of the way to the field's centre, or focal length ± more than {focal:g} %, or clicks that are the same from the other end</source>
+   <extracomment>[procc_annotator/calibration/result.py]</extracomment>
+   <translation>giro, inclinación o alabeo ± más de {degrees:g}°, posición ± más del {way:g} % del camino al centro del campo, o distancia focal ± más del {focal:g} %, o clics que son iguales desde el otro extremo</translation>
+  </message>
+  <message>
    <source>pan ± {degrees:.1f}°</source>
    <extracomment>[procc_annotator/calibration/result.py]</extracomment>
    <translation>giro ± {degrees:.1f}°</translation>
@@ -17,6 +459,196 @@
    <source>roll ± {degrees:.1f}°</source>
    <extracomment>[procc_annotator/calibration/result.py]</extracomment>
    <translation>alabeo ± {degrees:.1f}°</translation>
+  </message>
+  <message>
+   <source>position ± {metres:.0f} m</source>
+   <extracomment>[procc_annotator/calibration/result.py]</extracomment>
+   <translation>posición ± {metres:.0f} m</translation>
+  </message>
+  <message>
+   <source>focal length ± {percent:.0f} %</source>
+   <extracomment>[procc_annotator/calibration/result.py]</extracomment>
+   <translation>distancia focal ± {percent:.0f} %</translation>
+  </message>
+  <message>
+   <source>the same from the other end</source>
+   <extracomment>[procc_annotator/calibration/result.py]</extracomment>
+   <translation>igual desde el otro extremo</translation>
+  </message>
+  <message>
+   <source>another camera that shows other lines suits the picture nearly as well</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>otra cámara que muestra otras líneas encaja casi igual de bien con la imagen</translation>
+  </message>
+  <message>
+   <source>{lines:.0f} % of the lines in sight lie on paint, which explains {paint:.0f} % of the paint on the ground</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>el {lines:.0f} % de las líneas a la vista está sobre pintura, lo que explica el {paint:.0f} % de la pintura del suelo</translation>
+  </message>
+  <message>
+   <source>is this {field}, and no other sport? {why}</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>¿es esto {field} y no otro deporte? {why}</translation>
+  </message>
+  <message>
+   <source>the picture is nearly square, as a squeezed one is: its pixels may not be square</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>la imagen es casi cuadrada, como una comprimida: sus píxeles quizá no sean cuadrados</translation>
+  </message>
+  <message>
+   <source>lines are missing that should be in sight</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>faltan líneas que deberían verse</translation>
+  </message>
+  <message>
+   <source>there is paint where the field has none</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>hay pintura donde el campo no la tiene</translation>
+  </message>
+  <message>
+   <source>cameras hardly stand there</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>allí apenas hay cámaras</translation>
+  </message>
+  <message>
+   <source>too few lines are in sight to tell</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>se ven demasiado pocas líneas para decirlo</translation>
+  </message>
+  <message>
+   <source>the lines in sight leave the camera open: {what}</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>las líneas a la vista dejan abierta la cámara: {what}</translation>
+  </message>
+  <message>
+   <source>no camera suits the paint in this picture: of the best one {shares}</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>ninguna cámara encaja con la pintura de esta imagen: en la mejor {shares}</translation>
+  </message>
+  <message>
+   <source>too little paint in sight</source>
+   <extracomment>[procc_annotator/calibration/tracking/filter_step.py]</extracomment>
+   <translation>demasiado poca pintura a la vista</translation>
+  </message>
+  <message>
+   <source>too little of what should be in sight was found</source>
+   <extracomment>[procc_annotator/calibration/tracking/filter_step.py]</extracomment>
+   <translation>se halló demasiado poco de lo que debería verse</translation>
+  </message>
+  <message>
+   <source>the paint that was found would move the camera too far</source>
+   <extracomment>[procc_annotator/calibration/tracking/filter_step.py]</extracomment>
+   <translation>la pintura hallada movería demasiado la cámara</translation>
+  </message>
+  <message>
+   <source>{count} of {total} clicks lie where the camera shows nothing</source>
+   <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
+   <translation>{count} de {total} clics están donde la cámara no muestra nada</translation>
+  </message>
+  <message>
+   <source>the views look at it from nearly the same direction ({degrees:.2f} degrees apart, at least {least:g} are needed)</source>
+   <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
+   <translation>las vistas lo miran casi desde la misma dirección (separadas {degrees:.2f} grados, se necesitan al menos {least:g})</translation>
+  </message>
+  <message>
+   <source>clicked in no view that has a camera</source>
+   <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
+   <translation>no marcado en ninguna vista con cámara</translation>
+  </message>
+  <message>
+   <source>cameras that know only the ground (homographies) tell no place in space</source>
+   <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
+   <translation>las cámaras que solo conocen el suelo (homografías) no dan ningún lugar en el espacio</translation>
+  </message>
+  <message>
+   <source>the lines of sight meet behind the camera of {names}</source>
+   <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
+   <translation>las líneas de visión se cruzan detrás de la cámara de {names}</translation>
+  </message>
+  <message>
+   <source>clicked in one view only</source>
+   <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
+   <translation>marcado en una sola vista</translation>
+  </message>
+  <message>
+   <source>would be farther than {metres:g} m from the field</source>
+   <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
+   <translation>estaría a más de {metres:g} m del campo</translation>
+  </message>
+  <message>
+   <source>the views do not agree: {far} px off (is it the same place in all of them, and are the cameras right?)</source>
+   <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
+   <translation>las vistas no concuerdan: {far} px (¿es el mismo lugar en todas, y son correctas las cámaras?)</translation>
+  </message>
+  <message>
+   <source>Fitted to the clicks of each frame; nothing of it is in a file</source>
+   <extracomment>[procc_annotator/dataset/computed_cameras.py]</extracomment>
+   <translation>Ajustada a los clics de cada imagen; nada de ello está en un archivo</translation>
+  </message>
+  <message>
+   <source>the paint is {px:.1f} px from the lines</source>
+   <extracomment>[procc_annotator/dataset/computed_cameras.py]</extracomment>
+   <translation>la pintura está a {px:.1f} px de las líneas</translation>
+  </message>
+  <message>
+   <source>Followed through the shot; nothing of it is in a file</source>
+   <extracomment>[procc_annotator/dataset/computed_cameras.py]</extracomment>
+   <translation>Seguida a lo largo del plano; nada de ello está en un archivo</translation>
+  </message>
+  <message>
+   <source>no track here: {why}</source>
+   <extracomment>[procc_annotator/dataset/computed_cameras.py]</extracomment>
+   <translation>aquí no hay seguimiento: {why}</translation>
+  </message>
+  <message>
+   <source>no fit of {frame} yet</source>
+   <extracomment>[procc_annotator/dataset/computed_cameras.py]</extracomment>
+   <translation>aún no hay ajuste de {frame}</translation>
+  </message>
+  <message>
+   <source>no camera was found</source>
+   <extracomment>[procc_annotator/dataset/computed_cameras.py, procc_annotator/dataset/landmarks/triangulation.py]</extracomment>
+   <translation>no se halló ninguna cámara</translation>
+  </message>
+  <message>
+   <source>carried over by the picture's motion, not measured on paint</source>
+   <extracomment>[procc_annotator/dataset/computed_cameras.py]</extracomment>
+   <translation>llevada por el movimiento de la imagen, no medida sobre pintura</translation>
+  </message>
+  <message>
+   <source>not followed so far</source>
+   <extracomment>[procc_annotator/dataset/computed_cameras.py]</extracomment>
+   <translation>no seguida hasta ahora</translation>
+  </message>
+  <message>
+   <source>{title} was surveyed: its position stays as it is</source>
+   <extracomment>[procc_annotator/dataset/landmarks/clicks.py]</extracomment>
+   <translation>{title} se midió en el terreno: su posición queda como está</translation>
+  </message>
+  <message>
+   <source>{title} moves: its positions hold for an instant each</source>
+   <extracomment>[procc_annotator/dataset/landmarks/clicks.py]</extracomment>
+   <translation>{title} se mueve: cada una de sus posiciones vale para un instante</translation>
+  </message>
+  <message>
+   <source>its camera is hardly determined: {what}</source>
+   <extracomment>[procc_annotator/dataset/landmarks/triangulation.py]</extracomment>
+   <translation>su cámara está apenas determinada: {what}</translation>
+  </message>
+  <message>
+   <source>no camera in {frame} ({why}), and {count} more</source>
+   <extracomment>[procc_annotator/dataset/landmarks/triangulation.py]</extracomment>
+   <translation>sin cámara en {frame} ({why}), y {count} más</translation>
+  </message>
+  <message>
+   <source>no camera in {frame} ({why})</source>
+   <extracomment>[procc_annotator/dataset/landmarks/triangulation.py]</extracomment>
+   <translation>sin cámara en {frame} ({why})</translation>
+  </message>
+  <message>
+   <source>surveyed: kept as it is</source>
+   <extracomment>[procc_annotator/dataset/landmarks/triangulation.py]</extracomment>
+   <translation>medida en el terreno: queda como está</translation>
   </message>
   <message>
    <source>untouched</source>
@@ -4024,17 +4656,19 @@ Cargue o muestre otra.</translation>
    </translation>
   </message>
   <message>
+   <source>regularise {what}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation>regularizar {what}</translation>
+  </message>
+  <message>
+   <source>copy from {frame}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation>copiar de {frame}</translation>
+  </message>
+  <message>
    <source>choose an annotated element first</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
    <translation>elija primero un elemento anotado</translation>
-  </message>
-  <message numerus="yes">
-   <source>regularised {what}: {n} points</source>
-   <extracomment>regularised {what}: {n} point / regularised {what}: {n} points [procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>
-    <numerusform>{what} regularizado: {n} punto</numerusform>
-    <numerusform>{what} regularizado: {n} puntos</numerusform>
-   </translation>
   </message>
   <message numerus="yes">
    <source>{n} elements</source>
@@ -4042,6 +4676,14 @@ Cargue o muestre otra.</translation>
    <translation>
     <numerusform>{n} elemento</numerusform>
     <numerusform>{n} elementos</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>regularised {what}: {n} points</source>
+   <extracomment>regularised {what}: {n} point / regularised {what}: {n} points [procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation>
+    <numerusform>{what} regularizado: {n} punto</numerusform>
+    <numerusform>{what} regularizado: {n} puntos</numerusform>
    </translation>
   </message>
   <message>
@@ -4083,6 +4725,27 @@ Cargue o muestre otra.</translation>
    <source>merge {element} into {other}</source>
    <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
    <translation>unir {element} con {other}</translation>
+  </message>
+  <message>
+   <source>close gaps</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>cerrar huecos</translation>
+  </message>
+  <message numerus="yes">
+   <source>confirm {n} elements</source>
+   <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>confirmar {n} elemento</numerusform>
+    <numerusform>confirmar {n} elementos</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>drop {n} unconfirmed elements</source>
+   <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>descartar {n} elemento sin confirmar</numerusform>
+    <numerusform>descartar {n} elementos sin confirmar</numerusform>
+   </translation>
   </message>
   <message>
    <source>{element} is its own symmetric element</source>
@@ -4183,6 +4846,19 @@ Cargue o muestre otra.</translation>
    <source>the camera is another one meanwhile</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
    <translation>la cámara es otra entretanto</translation>
+  </message>
+  <message>
+   <source>accept {what}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>aceptar {what}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} ghosts</source>
+   <extracomment>{n} ghost / {n} ghosts [procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n} fantasma</numerusform>
+    <numerusform>{n} fantasmas</numerusform>
+   </translation>
   </message>
   <message>
    <source>{n} of {total} ghosts</source>
@@ -5084,6 +5760,12 @@ Pierde {loses}.</translation>
     <numerusform>{n:,} imágenes ya contienen lo mismo.</numerusform>
    </translation>
   </message>
+  <message>
+   <source>import</source>
+   <comment>a step</comment>
+   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
+   <translation>importar</translation>
+  </message>
   <message numerus="yes">
    <source>{edited} of {n:,} frames imported</source>
    <extracomment>{edited} of {n:,} frame imported / {edited} of {n:,} frames imported [procc_annotator/gui/tasks/files/importing.py]</extracomment>
@@ -5460,6 +6142,14 @@ Pierde {loses}.</translation>
    <translation>ningún hallazgo es tan seguro como pide el panel Comprobación</translation>
   </message>
   <message numerus="yes">
+   <source>relabelled {n} elements</source>
+   <extracomment>relabelled {n} element / relabelled {n} elements [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>
+    <numerusform>{n} elemento con otra clase</numerusform>
+    <numerusform>{n} elementos con otra clase</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
    <source>checked {n:,} frames, camera model {model}: {found}</source>
    <extracomment>checked {n:,} frame, camera model {model}: {found} / checked {n:,} frames, camera model {model}: {found} [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
    <translation>
@@ -5496,6 +6186,21 @@ Pierde {loses}.</translation>
    <translation>{done}; Ctrl+Z lo retira</translation>
   </message>
   <message>
+   <source>removed point {n} of {element}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>punto {n} de {element} quitado</translation>
+  </message>
+  <message>
+   <source>swapped {element} and {other}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>{element} y {other} intercambiados</translation>
+  </message>
+  <message>
+   <source>relabelled {element} to {other}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>{element} pasado a {other}</translation>
+  </message>
+  <message>
    <source>ignored until {elements} changes; the Check panel brings it back</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
    <translation>ignorado hasta que cambie {elements}; el panel Comprobación lo devuelve</translation>
@@ -5530,6 +6235,11 @@ Pierde {loses}.</translation>
    <source>the elements have changed since: checked again</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
    <translation>los elementos han cambiado desde entonces: revisados de nuevo</translation>
+  </message>
+  <message>
+   <source>removed point of {element}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>punto de {element} quitado</translation>
   </message>
   <message>
    <source>go to a finding first (F10)</source>
@@ -5648,6 +6358,11 @@ Pierde {loses}.</translation>
    <source>{source} is worked out here: a verdict is on a camera that was loaded</source>
    <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
    <translation>{source} se calcula aquí: un veredicto es sobre una cámara que se cargó</translation>
+  </message>
+  <message>
+   <source>restore an earlier version</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
+   <translation>recuperar una versión anterior</translation>
   </message>
   <message>
    <source>the earlier version is back; undo takes it away again</source>
@@ -5869,6 +6584,16 @@ Pierde {loses}.</translation>
    <source>no frame was accepted: {why}</source>
    <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
    <translation>no se aceptó ninguna imagen: {why}</translation>
+  </message>
+  <message>
+   <source>accept the track</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation>aceptar el seguimiento</translation>
+  </message>
+  <message>
+   <source>take back the track</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation>retirar el seguimiento</translation>
   </message>
   <message>
    <source>nothing was accepted that could be taken back</source>
@@ -6692,6 +7417,75 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
    <source>{title} is pinned, so that a slip does not move it: drag its points, or unpin elements (Ctrl+P, menu Element) to drag it as a whole</source>
    <extracomment>[procc_annotator/interaction/edit_tool.py]</extracomment>
    <translation>{title} está fijado para que un descuido no lo mueva: arrastre sus puntos, o suelte los elementos (Ctrl+P, menú Elemento) para arrastrarlo entero</translation>
+  </message>
+  <message>
+   <source>draw {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>dibujar {title}</translation>
+  </message>
+  <message>
+   <source>confirm {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>confirmar {title}</translation>
+  </message>
+  <message>
+   <source>move {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>mover {title}</translation>
+  </message>
+  <message>
+   <source>move all of {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>mover {title} entero</translation>
+  </message>
+  <message numerus="yes">
+   <source>move {n} points</source>
+   <extracomment>move {n} point / move {n} points [procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>
+    <numerusform>mover {n} punto</numerusform>
+    <numerusform>mover {n} puntos</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>nudge {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>desplazar {title}</translation>
+  </message>
+  <message numerus="yes">
+   <source>nudge {n} points</source>
+   <extracomment>nudge {n} point / nudge {n} points [procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>
+    <numerusform>desplazar {n} punto</numerusform>
+    <numerusform>desplazar {n} puntos</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>insert a point in {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>insertar un punto en {title}</translation>
+  </message>
+  <message>
+   <source>delete {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>borrar {title}</translation>
+  </message>
+  <message>
+   <source>delete point {number} of {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>borrar el punto {number} de {title}</translation>
+  </message>
+  <message numerus="yes">
+   <source>delete {n} points</source>
+   <extracomment>delete {n} point / delete {n} points [procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>
+    <numerusform>borrar {n} punto</numerusform>
+    <numerusform>borrar {n} puntos</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>continue {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>continuar {title}</translation>
   </message>
   <message>
    <source>click, Enter and Esc do nothing yet</source>

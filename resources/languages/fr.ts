@@ -4,6 +4,448 @@
  <context>
   <name>procc</name>
   <message>
+   <source>coordinates look like pixels, expected 0 to 1 (x = {x:g}, y = {y:g})</source>
+   <extracomment>[procc_annotator/calibration/fitting.py]</extracomment>
+   <translation>les coordonnées semblent être des pixels, attendues de 0 à 1 (x = {x:g}, y = {y:g})</translation>
+  </message>
+  <message>
+   <source>even with the position known: {why}</source>
+   <extracomment>[procc_annotator/calibration/joint/shared_position.py]</extracomment>
+   <translation>même avec la position connue : {why}</translation>
+  </message>
+  <message>
+   <source>{count} positions, and nothing tells which is its</source>
+   <extracomment>[procc_annotator/calibration/joint/shared_position.py]</extracomment>
+   <translation>{count} positions, et rien ne dit laquelle est la sienne</translation>
+  </message>
+  <message>
+   <source>all labels fit with far and near exchanged</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>toutes les classes conviennent avec lointain et proche échangés</translation>
+  </message>
+  <message>
+   <source>all labels fit with left and right exchanged</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>toutes les classes conviennent avec gauche et droite échangées</translation>
+  </message>
+  <message>
+   <source>look at point {number}</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py, procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>aller voir le point {number}</translation>
+  </message>
+  <message>
+   <source>point {number} of {title} is {off:.0f} px off, its other points at most {rest:.1f} px</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>le point {number} de {title} est à {off:.0f} px, ses autres points au plus à {rest:.1f} px</translation>
+  </message>
+  <message>
+   <source>elements are {after:.1f} px off on average, no camera fits the labels as they are</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>les éléments sont en moyenne à {after:.1f} px, aucune caméra ne convient aux classes telles quelles</translation>
+  </message>
+  <message>
+   <source>elements are {after:.1f} px off on average, {before:.1f} px as they are</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>les éléments sont en moyenne à {after:.1f} px, à {before:.1f} px tels quels</translation>
+  </message>
+  <message>
+   <source>{a} and {b} fit with each other's label</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>{a} et {b} conviennent avec la classe l’un de l’autre</translation>
+  </message>
+  <message>
+   <source>{titles} fit with each other's labels</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>{titles} conviennent avec les classes les uns des autres</translation>
+  </message>
+  <message>
+   <source>relabel {steps}</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>renommer : {steps}</translation>
+  </message>
+  <message>
+   <source>remove point {number}</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py, procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>retirer le point {number}</translation>
+  </message>
+  <message>
+   <source>point {number} of {title} is {off:.0f} px off, its other point at most {rest:.1f} px</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>le point {number} de {title} est à {off:.0f} px, son autre point au plus à {rest:.1f} px</translation>
+  </message>
+  <message>
+   <source>{title} is up to {px:.0f} px from where the camera of the others shows it</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>{title} est jusqu’à {px:.0f} px de là où la caméra des autres le montre</translation>
+  </message>
+  <message>
+   <source>{title} is nowhere near where the camera of the others shows it</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>{title} est loin de là où la caméra des autres le montre</translation>
+  </message>
+  <message>
+   <source>without {titles} the others drop from {before:.1f} to {after:.1f} px</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>sans {titles} les autres passent de {before:.1f} à {after:.1f} px</translation>
+  </message>
+  <message>
+   <source>swap {a} and {b}</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py, procc_annotator/calibration/label_check/side_rules.py]</extracomment>
+   <translation>échanger {a} et {b}</translation>
+  </message>
+  <message>
+   <source>{a} to {b}</source>
+   <comment>labels</comment>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>{a} en {b}</translation>
+  </message>
+  <message>
+   <source>it lies where {title} should be</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>il est là où {title} devrait être</translation>
+  </message>
+  <message>
+   <source>the others are {px:.1f} px off with and without it</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>les autres sont à {px:.1f} px avec et sans lui</translation>
+  </message>
+  <message>
+   <source>more than its own place is uncertain</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>plus que son propre lieu n’est incertain</translation>
+  </message>
+  <message>
+   <source>relabel to {title}</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py, procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>renommer en {title}</translation>
+  </message>
+  <message>
+   <source>it lies on {title}, which is annotated as well</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>il est sur {title}, qui est annoté aussi</translation>
+  </message>
+  <message>
+   <source>{title} is up to {px:.0f} px from where the camera shows it; too few elements fit to say which are wrong</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>{title} est jusqu’à {px:.0f} px de là où la caméra le montre ; trop peu d’éléments conviennent pour dire lesquels sont faux</translation>
+  </message>
+  <message>
+   <source>no camera fits these labels together</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>aucune caméra ne convient à ces classes ensemble</translation>
+  </message>
+  <message>
+   <source>turn the labels by half a turn</source>
+   <extracomment>[procc_annotator/calibration/label_check/check.py]</extracomment>
+   <translation>tourner les classes d’un demi-tour</translation>
+  </message>
+  <message numerus="yes">
+   <source>the camera stands on a side of the field where hardly any other of {n} frames does: a camera of its own, or labels turned by half a turn</source>
+   <extracomment>the camera stands on a side of the field where hardly any other of {n} frame does: a camera of its own, or labels turned by half a turn / the camera stands on a side of the field where hardly any other of {n} frames does: a camera of its own, or labels turned by half a turn [procc_annotator/calibration/label_check/check.py]</extracomment>
+   <translation>
+    <numerusform>la caméra est d’un côté du terrain où presque aucune autre de {n} image n’est : une caméra à part, ou des classes tournées d’un demi-tour</numerusform>
+    <numerusform>la caméra est d’un côté du terrain où presque aucune autre de {n} images n’est : une caméra à part, ou des classes tournées d’un demi-tour</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>the camera stands on the other side of the field from the rest; with its labels turned by half a turn it stands where that of {n} frames does</source>
+   <extracomment>the camera stands on the other side of the field from the rest; with its labels turned by half a turn it stands where that of {n} frame does / the camera stands on the other side of the field from the rest; with its labels turned by half a turn it stands where that of {n} frames does [procc_annotator/calibration/label_check/check.py]</extracomment>
+   <translation>
+    <numerusform>la caméra est de l’autre côté du terrain que les autres ; avec ses classes tournées d’un demi-tour elle est là où est celle de {n} image</numerusform>
+    <numerusform>la caméra est de l’autre côté du terrain que les autres ; avec ses classes tournées d’un demi-tour elle est là où est celle de {n} images</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>no such class: {name!r}, did you mean {title}?</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>pas de telle classe : {name!r}, vouliez-vous dire {title} ?</translation>
+  </message>
+  <message>
+   <source>{title} is straight on the field, its points lie up to {px:.0f} px beside a line, more than any lens bends it</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>{title} est droit sur le terrain, ses points s’écartent jusqu’à {px:.0f} px d’une droite, plus qu’aucun objectif ne la courbe</translation>
+  </message>
+  <message numerus="yes">
+   <source>{title} has {n} points, a line takes two</source>
+   <extracomment>{title} has {n} point, a line takes two / {title} has {n} points, a line takes two [procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>
+    <numerusform>{title} a {n} point, il en faut deux pour une ligne</numerusform>
+    <numerusform>{title} a {n} points, il en faut deux pour une ligne</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{title} has {n} points; a curve takes at least {least}</source>
+   <extracomment>{title} has {n} point; a curve takes at least {least} / {title} has {n} points; a curve takes at least {least} [procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>
+    <numerusform>{title} a {n} point ; une courbe en demande au moins {least}</numerusform>
+    <numerusform>{title} a {n} points ; une courbe en demande au moins {least}</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{title} has {n} points; fewer than {least} determine no ellipse</source>
+   <extracomment>{title} has {n} point; fewer than {least} determine no ellipse / {title} has {n} points; fewer than {least} determine no ellipse [procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>
+    <numerusform>{title} a {n} point ; moins de {least} ne déterminent pas d’ellipse</numerusform>
+    <numerusform>{title} a {n} points ; moins de {least} ne déterminent pas d’ellipse</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{title} is a single place, it has {count} points up to {px:.0f} px apart</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>{title} est un seul lieu, il a {count} points éloignés jusqu’à {px:.0f} px</translation>
+  </message>
+  <message>
+   <source>the points of {title} go back and forth instead of along it</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>les points de {title} vont et viennent au lieu de le suivre</translation>
+  </message>
+  <message>
+   <source>no such class: {name!r} fits no camera, and counts as missed where it is scored</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>pas de telle classe : {name!r} ne convient à aucune caméra, et compte comme manquée là où l’on note</translation>
+  </message>
+  <message>
+   <source>{a} and {b} lie on top of each other, less than {px:.0f} px apart: one line under two names?</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>{a} et {b} sont l’un sur l’autre, à moins de {px:.0f} px : une ligne sous deux noms ?</translation>
+  </message>
+  <message>
+   <source>the points of {title} go over the same stretch more than once: their course is {times:.1f} times as long as it need be</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>les points de {title} passent plusieurs fois sur le même tronçon : leur parcours est {times:.1f} fois plus long qu’il ne faut</translation>
+  </message>
+  <message>
+   <source>That is annotated already</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>C’est déjà annoté</translation>
+  </message>
+  <message>
+   <source>its corner</source>
+   <comment>where a line ends</comment>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>son coin</translation>
+  </message>
+  <message>
+   <source>the picture's edge</source>
+   <comment>where a line ends</comment>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>le bord de l’image</translation>
+  </message>
+  <message>
+   <source>{title} stops {px:.0f} px short of {what}</source>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>à {title} il manque {px:.0f} px pour atteindre {what}</translation>
+  </message>
+  <message>
+   <source>put its points along the paint</source>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>mettre ses points le long de la peinture</translation>
+  </message>
+  <message>
+   <source>{title} stops {px:.0f} px short of {what}, and {px_2:.0f} px short of {what_2} at its other end</source>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>à {title} il manque {px:.0f} px pour atteindre {what}, et {px_2:.0f} px pour atteindre {what_2} à l’autre bout</translation>
+  </message>
+  <message>
+   <source>{title} is straight between its clicks, its paint runs up to {px:.0f} px beside it: regularise it (R)</source>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>{title} est droit entre ses clics, sa peinture passe jusqu’à {px:.0f} px à côté : régularisez-le (R)</translation>
+  </message>
+  <message>
+   <source>an end of {title} lies about {px:.0f} px beside its paint, which is seen on the way there: put that point on it</source>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>un bout de {title} est à environ {px:.0f} px de sa peinture, qui se voit en chemin : mettez ce point dessus</translation>
+  </message>
+  <message>
+   <source>no paint under {title} along {percent:.0f} % of it, at most {px:.0f} px on end</source>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>pas de peinture sous {title} sur {percent:.0f} %, au plus {px:.0f} px d’affilée</translation>
+  </message>
+  <message>
+   <source>no paint under {title} towards one of its ends, under all the rest there is</source>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>pas de peinture sous {title} vers l’un de ses bouts, sous tout le reste il y en a</translation>
+  </message>
+  <message>
+   <source>look at it</source>
+   <extracomment>[procc_annotator/calibration/label_check/finding.py]</extracomment>
+   <translation>aller voir</translation>
+  </message>
+  <message>
+   <source>exchange far and near in the whole frame</source>
+   <extracomment>[procc_annotator/calibration/label_check/orientation.py]</extracomment>
+   <translation>échanger lointain et proche sur toute l’image</translation>
+  </message>
+  <message>
+   <source>exchange left and right in the whole frame</source>
+   <extracomment>[procc_annotator/calibration/label_check/orientation.py]</extracomment>
+   <translation>échanger gauche et droite sur toute l’image</translation>
+  </message>
+  <message>
+   <source>everything lies the wrong way round: far and near, are exchanged</source>
+   <extracomment>[procc_annotator/calibration/label_check/side_rules.py]</extracomment>
+   <translation>tout est à l’envers : lointain et proche sont échangés</translation>
+  </message>
+  <message>
+   <source>everything lies the wrong way round: left and right, are exchanged</source>
+   <extracomment>[procc_annotator/calibration/label_check/side_rules.py]</extracomment>
+   <translation>tout est à l’envers : gauche et droite sont échangées</translation>
+  </message>
+  <message>
+   <source>everything lies the wrong way round: far and near, or left and right, are exchanged</source>
+   <extracomment>[procc_annotator/calibration/label_check/side_rules.py]</extracomment>
+   <translation>tout est à l’envers : lointain et proche, ou gauche et droite, sont échangés</translation>
+  </message>
+  <message>
+   <source>{title} is on the wrong side of {others}</source>
+   <extracomment>[procc_annotator/calibration/label_check/side_rules.py]</extracomment>
+   <translation>{title} est du mauvais côté de {others}</translation>
+  </message>
+  <message>
+   <source>{titles} lie on each other's side of the elements around them</source>
+   <extracomment>[procc_annotator/calibration/label_check/side_rules.py]</extracomment>
+   <translation>{titles} sont chacun du côté de l’autre par rapport aux éléments alentour</translation>
+  </message>
+  <message>
+   <source>{titles} cannot lie this way round to each other, whatever the camera</source>
+   <extracomment>[procc_annotator/calibration/label_check/side_rules.py]</extracomment>
+   <translation>{titles} ne peuvent être ainsi l’un par rapport à l’autre, quelle que soit la caméra</translation>
+  </message>
+  <message>
+   <source>only {share:.0%} of the lines in sight are on paint</source>
+   <extracomment>[procc_annotator/calibration/line_alignment/control_points.py, procc_annotator/dataset/computed_cameras.py]</extracomment>
+   <translation>seulement {share:.0%} des lignes en vue sont sur de la peinture</translation>
+  </message>
+  <message>
+   <source>there is too little paint</source>
+   <extracomment>[procc_annotator/calibration/line_alignment/control_points.py]</extracomment>
+   <translation>il y a trop peu de peinture</translation>
+  </message>
+  <message>
+   <source>the paint nearby would take a peg from its place</source>
+   <extracomment>[procc_annotator/calibration/line_alignment/control_points.py]</extracomment>
+   <translation>la peinture voisine ôterait un piquet de sa place</translation>
+  </message>
+  <message>
+   <source>{name} lies {px:.0f} px beside its paint, as {more} more do theirs</source>
+   <extracomment>[procc_annotator/calibration/line_alignment/refinement.py]</extracomment>
+   <translation>{name} est à {px:.0f} px de sa peinture, comme {more} autres de la leur</translation>
+  </message>
+  <message>
+   <source>{name} lies {px:.0f} px beside its paint</source>
+   <extracomment>[procc_annotator/calibration/line_alignment/refinement.py]</extracomment>
+   <translation>{name} est à {px:.0f} px de sa peinture</translation>
+  </message>
+  <message>
+   <source>the principal point is far from the centre of the picture, which seems cut out of a larger one</source>
+   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
+   <translation>le point principal est loin du centre de l’image, qui semble découpée dans une plus grande</translation>
+  </message>
+  <message>
+   <source>with aspect ratio and principal point {px} px: not clearly better</source>
+   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
+   <translation>avec rapport d’aspect et point principal {px} px : pas nettement mieux</translation>
+  </message>
+  <message>
+   <source>no camera explains these elements together: the best one misses half of them by more than {px:.0f} px (are the labels right?)</source>
+   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
+   <translation>aucune caméra n’explique ces éléments ensemble : la meilleure en manque la moitié de plus de {px:.0f} px (les classes sont-elles justes ?)</translation>
+  </message>
+  <message>
+   <source>without lens distortion the points are {without} px off, with it {with_it} px: not clearly better</source>
+   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
+   <translation>sans distorsion les points sont à {without} px, avec elle à {with_it} px : pas nettement mieux</translation>
+  </message>
+  <message>
+   <source>aspect ratio and principal point bring the points from {before} to {after} px, more than three parameters would by chance</source>
+   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
+   <translation>rapport d’aspect et point principal amènent les points de {before} à {after} px, plus que trois paramètres par hasard</translation>
+  </message>
+  <message>
+   <source>lens distortion brings the points from {before} to {after} px</source>
+   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
+   <translation>la distorsion de l’objectif amène les points de {before} à {after} px</translation>
+  </message>
+  <message>
+   <source>the points show lens distortion clearly and are {px} px off</source>
+   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
+   <translation>les points montrent nettement une distorsion et sont à {px} px</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} elements, {needed} needed</source>
+   <extracomment>{n} element, {needed} needed / {n} elements, {needed} needed [procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>
+    <numerusform>{n} élément, il en faut {needed}</numerusform>
+    <numerusform>{n} éléments, il en faut {needed}</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{points} points on {n} elements, two different ones on each of {needed} needed</source>
+   <extracomment>{points} points on {n} element, two different ones on each of {needed} needed / {points} points on {n} elements, two different ones on each of {needed} needed [procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>
+    <numerusform>{points} points sur {n} élément, il en faut deux différents sur chacun de {needed}</numerusform>
+    <numerusform>{points} points sur {n} éléments, il en faut deux différents sur chacun de {needed}</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} elements on the ground, {needed} needed</source>
+   <extracomment>{n} element on the ground, {needed} needed / {n} elements on the ground, {needed} needed [procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>
+    <numerusform>{n} élément au sol, il en faut {needed}</numerusform>
+    <numerusform>{n} éléments au sol, il en faut {needed}</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>all points lie in one place of the picture</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>tous les points sont au même endroit de l’image</translation>
+  </message>
+  <message>
+   <source>all points lie on one line of the picture</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>tous les points sont sur une même ligne de l’image</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: the fit did not settle</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>pose peu plausible : l’ajustement ne s’est pas stabilisé</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: on the ground</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>pose peu plausible : au sol</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: {metres:.1f} m below the ground</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>pose peu plausible : {metres:.1f} m sous le sol</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: only {metres:.1f} m above the ground</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>pose peu plausible : seulement {metres:.1f} m au-dessus du sol</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: {metres:.0f} m from the field's centre</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>pose peu plausible : à {metres:.0f} m du centre du terrain</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: rolled by {degrees:.0f} degrees</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>pose peu plausible : roulis de {degrees:.0f} degrés</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: focal length {px:.0f} px at 960 px width</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>pose peu plausible : focale de {px:.0f} px pour 960 px de large</translation>
+  </message>
+  <message>
+   <source>pan, tilt or roll ± more than {degrees:g}°, position ± more than {way:g} % of the way to the field's centre, or focal length ± more than {focal:g} %, or clicks that are the same from the other end</source>
+   <extracomment>[procc_annotator/calibration/result.py]</extracomment>
+   <translation>panoramique, inclinaison ou roulis ± plus de {degrees:g}°, position ± plus de {way:g} % du chemin vers le centre du terrain, ou focale ± plus de {focal:g} %, ou des clics identiques vus de l’autre bout</translation>
+  </message>
+  <message>
    <source>pan ± {degrees:.1f}°</source>
    <extracomment>[procc_annotator/calibration/result.py]</extracomment>
    <translation>panoramique ± {degrees:.1f}°</translation>
@@ -17,6 +459,196 @@
    <source>roll ± {degrees:.1f}°</source>
    <extracomment>[procc_annotator/calibration/result.py]</extracomment>
    <translation>roulis ± {degrees:.1f}°</translation>
+  </message>
+  <message>
+   <source>position ± {metres:.0f} m</source>
+   <extracomment>[procc_annotator/calibration/result.py]</extracomment>
+   <translation>position ± {metres:.0f} m</translation>
+  </message>
+  <message>
+   <source>focal length ± {percent:.0f} %</source>
+   <extracomment>[procc_annotator/calibration/result.py]</extracomment>
+   <translation>focale ± {percent:.0f} %</translation>
+  </message>
+  <message>
+   <source>the same from the other end</source>
+   <extracomment>[procc_annotator/calibration/result.py]</extracomment>
+   <translation>identique vue de l’autre bout</translation>
+  </message>
+  <message>
+   <source>another camera that shows other lines suits the picture nearly as well</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>une autre caméra qui montre d’autres lignes convient presque aussi bien à l’image</translation>
+  </message>
+  <message>
+   <source>{lines:.0f} % of the lines in sight lie on paint, which explains {paint:.0f} % of the paint on the ground</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>{lines:.0f} % des lignes en vue sont sur de la peinture, ce qui explique {paint:.0f} % de la peinture au sol</translation>
+  </message>
+  <message>
+   <source>is this {field}, and no other sport? {why}</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>est-ce bien {field}, et pas un autre sport ? {why}</translation>
+  </message>
+  <message>
+   <source>the picture is nearly square, as a squeezed one is: its pixels may not be square</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>l’image est presque carrée, comme une image comprimée : ses pixels ne sont peut-être pas carrés</translation>
+  </message>
+  <message>
+   <source>lines are missing that should be in sight</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>il manque des lignes qui devraient se voir</translation>
+  </message>
+  <message>
+   <source>there is paint where the field has none</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>il y a de la peinture là où le terrain n’en a pas</translation>
+  </message>
+  <message>
+   <source>cameras hardly stand there</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>les caméras ne se tiennent guère là</translation>
+  </message>
+  <message>
+   <source>too few lines are in sight to tell</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>trop peu de lignes en vue pour le dire</translation>
+  </message>
+  <message>
+   <source>the lines in sight leave the camera open: {what}</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>les lignes en vue laissent la caméra ouverte : {what}</translation>
+  </message>
+  <message>
+   <source>no camera suits the paint in this picture: of the best one {shares}</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>aucune caméra ne convient à la peinture de cette image : pour la meilleure {shares}</translation>
+  </message>
+  <message>
+   <source>too little paint in sight</source>
+   <extracomment>[procc_annotator/calibration/tracking/filter_step.py]</extracomment>
+   <translation>trop peu de peinture en vue</translation>
+  </message>
+  <message>
+   <source>too little of what should be in sight was found</source>
+   <extracomment>[procc_annotator/calibration/tracking/filter_step.py]</extracomment>
+   <translation>trop peu de ce qui devrait se voir a été trouvé</translation>
+  </message>
+  <message>
+   <source>the paint that was found would move the camera too far</source>
+   <extracomment>[procc_annotator/calibration/tracking/filter_step.py]</extracomment>
+   <translation>la peinture trouvée déplacerait trop la caméra</translation>
+  </message>
+  <message>
+   <source>{count} of {total} clicks lie where the camera shows nothing</source>
+   <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
+   <translation>{count} clics sur {total} sont là où la caméra ne montre rien</translation>
+  </message>
+  <message>
+   <source>the views look at it from nearly the same direction ({degrees:.2f} degrees apart, at least {least:g} are needed)</source>
+   <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
+   <translation>les vues le regardent presque de la même direction ({degrees:.2f} degrés d’écart, il en faut au moins {least:g})</translation>
+  </message>
+  <message>
+   <source>clicked in no view that has a camera</source>
+   <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
+   <translation>cliqué dans aucune vue qui ait une caméra</translation>
+  </message>
+  <message>
+   <source>cameras that know only the ground (homographies) tell no place in space</source>
+   <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
+   <translation>les caméras qui ne connaissent que le sol (homographies) ne donnent aucun lieu dans l’espace</translation>
+  </message>
+  <message>
+   <source>the lines of sight meet behind the camera of {names}</source>
+   <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
+   <translation>les lignes de visée se croisent derrière la caméra de {names}</translation>
+  </message>
+  <message>
+   <source>clicked in one view only</source>
+   <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
+   <translation>cliqué dans une seule vue</translation>
+  </message>
+  <message>
+   <source>would be farther than {metres:g} m from the field</source>
+   <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
+   <translation>serait à plus de {metres:g} m du terrain</translation>
+  </message>
+  <message>
+   <source>the views do not agree: {far} px off (is it the same place in all of them, and are the cameras right?)</source>
+   <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
+   <translation>les vues ne s’accordent pas : {far} px (est-ce le même lieu dans toutes, et les caméras sont-elles justes ?)</translation>
+  </message>
+  <message>
+   <source>Fitted to the clicks of each frame; nothing of it is in a file</source>
+   <extracomment>[procc_annotator/dataset/computed_cameras.py]</extracomment>
+   <translation>Ajustée aux clics de chaque image ; rien n’en est dans un fichier</translation>
+  </message>
+  <message>
+   <source>the paint is {px:.1f} px from the lines</source>
+   <extracomment>[procc_annotator/dataset/computed_cameras.py]</extracomment>
+   <translation>la peinture est à {px:.1f} px des lignes</translation>
+  </message>
+  <message>
+   <source>Followed through the shot; nothing of it is in a file</source>
+   <extracomment>[procc_annotator/dataset/computed_cameras.py]</extracomment>
+   <translation>Suivie à travers le plan ; rien n’en est dans un fichier</translation>
+  </message>
+  <message>
+   <source>no track here: {why}</source>
+   <extracomment>[procc_annotator/dataset/computed_cameras.py]</extracomment>
+   <translation>pas de suivi ici : {why}</translation>
+  </message>
+  <message>
+   <source>no fit of {frame} yet</source>
+   <extracomment>[procc_annotator/dataset/computed_cameras.py]</extracomment>
+   <translation>pas encore d’ajustement de {frame}</translation>
+  </message>
+  <message>
+   <source>no camera was found</source>
+   <extracomment>[procc_annotator/dataset/computed_cameras.py, procc_annotator/dataset/landmarks/triangulation.py]</extracomment>
+   <translation>aucune caméra n’a été trouvée</translation>
+  </message>
+  <message>
+   <source>carried over by the picture's motion, not measured on paint</source>
+   <extracomment>[procc_annotator/dataset/computed_cameras.py]</extracomment>
+   <translation>prolongée par le mouvement de l’image, non mesurée sur la peinture</translation>
+  </message>
+  <message>
+   <source>not followed so far</source>
+   <extracomment>[procc_annotator/dataset/computed_cameras.py]</extracomment>
+   <translation>pas suivie jusqu’ici</translation>
+  </message>
+  <message>
+   <source>{title} was surveyed: its position stays as it is</source>
+   <extracomment>[procc_annotator/dataset/landmarks/clicks.py]</extracomment>
+   <translation>{title} a été mesuré sur place : sa position reste ce qu’elle est</translation>
+  </message>
+  <message>
+   <source>{title} moves: its positions hold for an instant each</source>
+   <extracomment>[procc_annotator/dataset/landmarks/clicks.py]</extracomment>
+   <translation>{title} se déplace : chacune de ses positions vaut pour un instant</translation>
+  </message>
+  <message>
+   <source>its camera is hardly determined: {what}</source>
+   <extracomment>[procc_annotator/dataset/landmarks/triangulation.py]</extracomment>
+   <translation>sa caméra est à peine déterminée : {what}</translation>
+  </message>
+  <message>
+   <source>no camera in {frame} ({why}), and {count} more</source>
+   <extracomment>[procc_annotator/dataset/landmarks/triangulation.py]</extracomment>
+   <translation>pas de caméra dans {frame} ({why}), et {count} de plus</translation>
+  </message>
+  <message>
+   <source>no camera in {frame} ({why})</source>
+   <extracomment>[procc_annotator/dataset/landmarks/triangulation.py]</extracomment>
+   <translation>pas de caméra dans {frame} ({why})</translation>
+  </message>
+  <message>
+   <source>surveyed: kept as it is</source>
+   <extracomment>[procc_annotator/dataset/landmarks/triangulation.py]</extracomment>
+   <translation>mesuré sur place : reste ce qu’il est</translation>
   </message>
   <message>
    <source>untouched</source>
@@ -4024,17 +4656,19 @@ Chargez-en ou affichez-en une autre.</translation>
    </translation>
   </message>
   <message>
+   <source>regularise {what}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation>régulariser {what}</translation>
+  </message>
+  <message>
+   <source>copy from {frame}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation>copier de {frame}</translation>
+  </message>
+  <message>
    <source>choose an annotated element first</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
    <translation>choisissez d’abord un élément annoté</translation>
-  </message>
-  <message numerus="yes">
-   <source>regularised {what}: {n} points</source>
-   <extracomment>regularised {what}: {n} point / regularised {what}: {n} points [procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>
-    <numerusform>{what} régularisé : {n} point</numerusform>
-    <numerusform>{what} régularisé : {n} points</numerusform>
-   </translation>
   </message>
   <message numerus="yes">
    <source>{n} elements</source>
@@ -4042,6 +4676,14 @@ Chargez-en ou affichez-en une autre.</translation>
    <translation>
     <numerusform>{n} élément</numerusform>
     <numerusform>{n} éléments</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>regularised {what}: {n} points</source>
+   <extracomment>regularised {what}: {n} point / regularised {what}: {n} points [procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation>
+    <numerusform>{what} régularisé : {n} point</numerusform>
+    <numerusform>{what} régularisé : {n} points</numerusform>
    </translation>
   </message>
   <message>
@@ -4083,6 +4725,27 @@ Chargez-en ou affichez-en une autre.</translation>
    <source>merge {element} into {other}</source>
    <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
    <translation>fusionner {element} dans {other}</translation>
+  </message>
+  <message>
+   <source>close gaps</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>fermer les écarts</translation>
+  </message>
+  <message numerus="yes">
+   <source>confirm {n} elements</source>
+   <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>confirmer {n} élément</numerusform>
+    <numerusform>confirmer {n} éléments</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>drop {n} unconfirmed elements</source>
+   <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>écarter {n} élément non confirmé</numerusform>
+    <numerusform>écarter {n} éléments non confirmés</numerusform>
+   </translation>
   </message>
   <message>
    <source>{element} is its own symmetric element</source>
@@ -4183,6 +4846,19 @@ Chargez-en ou affichez-en une autre.</translation>
    <source>the camera is another one meanwhile</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
    <translation>la caméra est une autre entre-temps</translation>
+  </message>
+  <message>
+   <source>accept {what}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>accepter {what}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} ghosts</source>
+   <extracomment>{n} ghost / {n} ghosts [procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n} fantôme</numerusform>
+    <numerusform>{n} fantômes</numerusform>
+   </translation>
   </message>
   <message>
    <source>{n} of {total} ghosts</source>
@@ -5084,6 +5760,12 @@ Perd {loses}.</translation>
     <numerusform>{n:,} images contiennent déjà la même chose.</numerusform>
    </translation>
   </message>
+  <message>
+   <source>import</source>
+   <comment>a step</comment>
+   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
+   <translation>importer</translation>
+  </message>
   <message numerus="yes">
    <source>{edited} of {n:,} frames imported</source>
    <extracomment>{edited} of {n:,} frame imported / {edited} of {n:,} frames imported [procc_annotator/gui/tasks/files/importing.py]</extracomment>
@@ -5460,6 +6142,14 @@ Perd {loses}.</translation>
    <translation>aucun constat n’est aussi sûr que le panneau Vérification le demande</translation>
   </message>
   <message numerus="yes">
+   <source>relabelled {n} elements</source>
+   <extracomment>relabelled {n} element / relabelled {n} elements [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>
+    <numerusform>{n} élément renommé</numerusform>
+    <numerusform>{n} éléments renommés</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
    <source>checked {n:,} frames, camera model {model}: {found}</source>
    <extracomment>checked {n:,} frame, camera model {model}: {found} / checked {n:,} frames, camera model {model}: {found} [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
    <translation>
@@ -5496,6 +6186,21 @@ Perd {loses}.</translation>
    <translation>{done} ; Ctrl+Z l’annule</translation>
   </message>
   <message>
+   <source>removed point {n} of {element}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>point {n} de {element} retiré</translation>
+  </message>
+  <message>
+   <source>swapped {element} and {other}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>{element} et {other} échangés</translation>
+  </message>
+  <message>
+   <source>relabelled {element} to {other}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>{element} renommé en {other}</translation>
+  </message>
+  <message>
    <source>ignored until {elements} changes; the Check panel brings it back</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
    <translation>ignoré jusqu’à ce que {elements} change ; le panneau Vérification le ramène</translation>
@@ -5530,6 +6235,11 @@ Perd {loses}.</translation>
    <source>the elements have changed since: checked again</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
    <translation>les éléments ont changé depuis : vérifiés à nouveau</translation>
+  </message>
+  <message>
+   <source>removed point of {element}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>point de {element} retiré</translation>
   </message>
   <message>
    <source>go to a finding first (F10)</source>
@@ -5648,6 +6358,11 @@ Perd {loses}.</translation>
    <source>{source} is worked out here: a verdict is on a camera that was loaded</source>
    <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
    <translation>{source} est calculée ici : un verdict porte sur une caméra chargée</translation>
+  </message>
+  <message>
+   <source>restore an earlier version</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
+   <translation>restaurer une version antérieure</translation>
   </message>
   <message>
    <source>the earlier version is back; undo takes it away again</source>
@@ -5869,6 +6584,16 @@ Perd {loses}.</translation>
    <source>no frame was accepted: {why}</source>
    <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
    <translation>aucune image acceptée : {why}</translation>
+  </message>
+  <message>
+   <source>accept the track</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation>accepter le suivi</translation>
+  </message>
+  <message>
+   <source>take back the track</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation>revenir sur le suivi</translation>
   </message>
   <message>
    <source>nothing was accepted that could be taken back</source>
@@ -6692,6 +7417,75 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <source>{title} is pinned, so that a slip does not move it: drag its points, or unpin elements (Ctrl+P, menu Element) to drag it as a whole</source>
    <extracomment>[procc_annotator/interaction/edit_tool.py]</extracomment>
    <translation>{title} est épinglé, pour qu’un faux geste ne le bouge pas : glissez ses points, ou libérez les éléments (Ctrl+P, menu Élément) pour le glisser en entier</translation>
+  </message>
+  <message>
+   <source>draw {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>dessiner {title}</translation>
+  </message>
+  <message>
+   <source>confirm {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>confirmer {title}</translation>
+  </message>
+  <message>
+   <source>move {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>déplacer {title}</translation>
+  </message>
+  <message>
+   <source>move all of {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>déplacer tout {title}</translation>
+  </message>
+  <message numerus="yes">
+   <source>move {n} points</source>
+   <extracomment>move {n} point / move {n} points [procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>
+    <numerusform>déplacer {n} point</numerusform>
+    <numerusform>déplacer {n} points</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>nudge {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>décaler {title}</translation>
+  </message>
+  <message numerus="yes">
+   <source>nudge {n} points</source>
+   <extracomment>nudge {n} point / nudge {n} points [procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>
+    <numerusform>décaler {n} point</numerusform>
+    <numerusform>décaler {n} points</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>insert a point in {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>insérer un point dans {title}</translation>
+  </message>
+  <message>
+   <source>delete {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>supprimer {title}</translation>
+  </message>
+  <message>
+   <source>delete point {number} of {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>supprimer le point {number} de {title}</translation>
+  </message>
+  <message numerus="yes">
+   <source>delete {n} points</source>
+   <extracomment>delete {n} point / delete {n} points [procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>
+    <numerusform>supprimer {n} point</numerusform>
+    <numerusform>supprimer {n} points</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>continue {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>continuer {title}</translation>
   </message>
   <message>
    <source>click, Enter and Esc do nothing yet</source>

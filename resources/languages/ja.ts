@@ -4,6 +4,440 @@
  <context>
   <name>procc</name>
   <message>
+   <source>coordinates look like pixels, expected 0 to 1 (x = {x:g}, y = {y:g})</source>
+   <extracomment>[procc_annotator/calibration/fitting.py]</extracomment>
+   <translation>座標がピクセルのようです。0～1 が必要です（x = {x:g}、y = {y:g}）</translation>
+  </message>
+  <message>
+   <source>even with the position known: {why}</source>
+   <extracomment>[procc_annotator/calibration/joint/shared_position.py]</extracomment>
+   <translation>位置が分かっていても：{why}</translation>
+  </message>
+  <message>
+   <source>{count} positions, and nothing tells which is its</source>
+   <extracomment>[procc_annotator/calibration/joint/shared_position.py]</extracomment>
+   <translation>位置が {count} 個あり、どれのものか分かりません</translation>
+  </message>
+  <message>
+   <source>all labels fit with far and near exchanged</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>奥と手前を入れ替えると、すべてのクラスが合います</translation>
+  </message>
+  <message>
+   <source>all labels fit with left and right exchanged</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>左と右を入れ替えると、すべてのクラスが合います</translation>
+  </message>
+  <message>
+   <source>look at point {number}</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py, procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>点 {number} を確認する</translation>
+  </message>
+  <message>
+   <source>point {number} of {title} is {off:.0f} px off, its other points at most {rest:.1f} px</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>{title} の点 {number} は {off:.0f} px ずれています（ほかの点は最大 {rest:.1f} px）</translation>
+  </message>
+  <message>
+   <source>elements are {after:.1f} px off on average, no camera fits the labels as they are</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>要素のずれは平均 {after:.1f} px、今のクラスのままではどのカメラも合いません</translation>
+  </message>
+  <message>
+   <source>elements are {after:.1f} px off on average, {before:.1f} px as they are</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>要素のずれは平均 {after:.1f} px、今のままでは {before:.1f} px</translation>
+  </message>
+  <message>
+   <source>{a} and {b} fit with each other's label</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>{a} と {b} は、互いのクラスに替えると合います</translation>
+  </message>
+  <message>
+   <source>{titles} fit with each other's labels</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>{titles} は、互いのクラスに替えると合います</translation>
+  </message>
+  <message>
+   <source>relabel {steps}</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>クラスを変更：{steps}</translation>
+  </message>
+  <message>
+   <source>remove point {number}</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py, procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>点 {number} を取り除く</translation>
+  </message>
+  <message>
+   <source>point {number} of {title} is {off:.0f} px off, its other point at most {rest:.1f} px</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>{title} の点 {number} は {off:.0f} px ずれています（もう 1 点は最大 {rest:.1f} px）</translation>
+  </message>
+  <message>
+   <source>{title} is up to {px:.0f} px from where the camera of the others shows it</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>{title} は、ほかの要素から求めたカメラの示す位置から最大 {px:.0f} px ずれています</translation>
+  </message>
+  <message>
+   <source>{title} is nowhere near where the camera of the others shows it</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>{title} は、ほかの要素から求めたカメラの示す位置から大きく外れています</translation>
+  </message>
+  <message>
+   <source>without {titles} the others drop from {before:.1f} to {after:.1f} px</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>{titles} を除くと、残りのずれは {before:.1f} px から {after:.1f} px に下がります</translation>
+  </message>
+  <message>
+   <source>swap {a} and {b}</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py, procc_annotator/calibration/label_check/side_rules.py]</extracomment>
+   <translation>{a} と {b} を入れ替える</translation>
+  </message>
+  <message>
+   <source>{a} to {b}</source>
+   <comment>labels</comment>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>{a} → {b}</translation>
+  </message>
+  <message>
+   <source>it lies where {title} should be</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>{title} があるはずの場所にあります</translation>
+  </message>
+  <message>
+   <source>the others are {px:.1f} px off with and without it</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>残りのずれは、あってもなくても {px:.1f} px です</translation>
+  </message>
+  <message>
+   <source>more than its own place is uncertain</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>要素自体の位置の不確かさを超えています</translation>
+  </message>
+  <message>
+   <source>relabel to {title}</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py, procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>クラスを {title} に変更</translation>
+  </message>
+  <message>
+   <source>it lies on {title}, which is annotated as well</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>{title} の上にあり、それも注釈済みです</translation>
+  </message>
+  <message>
+   <source>{title} is up to {px:.0f} px from where the camera shows it; too few elements fit to say which are wrong</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>{title} は、カメラの示す位置から最大 {px:.0f} px ずれています。合う要素が少なく、どれが誤りか判断できません</translation>
+  </message>
+  <message>
+   <source>no camera fits these labels together</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>これらのクラスすべてに合うカメラがありません</translation>
+  </message>
+  <message>
+   <source>turn the labels by half a turn</source>
+   <extracomment>[procc_annotator/calibration/label_check/check.py]</extracomment>
+   <translation>クラスを半回転させる</translation>
+  </message>
+  <message numerus="yes">
+   <source>the camera stands on a side of the field where hardly any other of {n} frames does: a camera of its own, or labels turned by half a turn</source>
+   <extracomment>the camera stands on a side of the field where hardly any other of {n} frame does: a camera of its own, or labels turned by half a turn / the camera stands on a side of the field where hardly any other of {n} frames does: a camera of its own, or labels turned by half a turn [procc_annotator/calibration/label_check/check.py]</extracomment>
+   <translation>
+    <numerusform>カメラが、ほかの {n} フレームではほとんど見られない側にあります。別のカメラか、クラスが半回転しています</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>the camera stands on the other side of the field from the rest; with its labels turned by half a turn it stands where that of {n} frames does</source>
+   <extracomment>the camera stands on the other side of the field from the rest; with its labels turned by half a turn it stands where that of {n} frame does / the camera stands on the other side of the field from the rest; with its labels turned by half a turn it stands where that of {n} frames does [procc_annotator/calibration/label_check/check.py]</extracomment>
+   <translation>
+    <numerusform>カメラが、ほかのフレームとは反対の側にあります。クラスを半回転させると {n} フレームのカメラと同じ側になります</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>no such class: {name!r}, did you mean {title}?</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>{name!r} というクラスはありません。{title} のことですか？</translation>
+  </message>
+  <message>
+   <source>{title} is straight on the field, its points lie up to {px:.0f} px beside a line, more than any lens bends it</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>{title} はフィールド上では直線ですが、点が直線から最大 {px:.0f} px 外れています。どのレンズの曲がりよりも大きい値です</translation>
+  </message>
+  <message numerus="yes">
+   <source>{title} has {n} points, a line takes two</source>
+   <extracomment>{title} has {n} point, a line takes two / {title} has {n} points, a line takes two [procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>
+    <numerusform>{title} の点は {n} 個です。線には 2 個必要です</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{title} has {n} points; a curve takes at least {least}</source>
+   <extracomment>{title} has {n} point; a curve takes at least {least} / {title} has {n} points; a curve takes at least {least} [procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>
+    <numerusform>{title} の点は {n} 個です。曲線には {least} 個以上必要です</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{title} has {n} points; fewer than {least} determine no ellipse</source>
+   <extracomment>{title} has {n} point; fewer than {least} determine no ellipse / {title} has {n} points; fewer than {least} determine no ellipse [procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>
+    <numerusform>{title} の点は {n} 個です。{least} 個未満では楕円が決まりません</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{title} is a single place, it has {count} points up to {px:.0f} px apart</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>{title} は 1 か所の点ですが、最大 {px:.0f} px 離れた点が {count} 個あります</translation>
+  </message>
+  <message>
+   <source>the points of {title} go back and forth instead of along it</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>{title} の点が、線に沿わず行きつ戻りつしています</translation>
+  </message>
+  <message>
+   <source>no such class: {name!r} fits no camera, and counts as missed where it is scored</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>{name!r} というクラスはありません。どのカメラにも当てはまらず、採点では見逃しとして数えます</translation>
+  </message>
+  <message>
+   <source>{a} and {b} lie on top of each other, less than {px:.0f} px apart: one line under two names?</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>{a} と {b} が {px:.0f} px 未満の間隔で重なっています。1 本の線に 2 つの名前ですか？</translation>
+  </message>
+  <message>
+   <source>the points of {title} go over the same stretch more than once: their course is {times:.1f} times as long as it need be</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>{title} の点が同じ区間を何度も通っています。道のりは必要な長さの {times:.1f} 倍です</translation>
+  </message>
+  <message>
+   <source>That is annotated already</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>それはすでに注釈されています</translation>
+  </message>
+  <message>
+   <source>its corner</source>
+   <comment>where a line ends</comment>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>角</translation>
+  </message>
+  <message>
+   <source>the picture's edge</source>
+   <comment>where a line ends</comment>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>画像の縁</translation>
+  </message>
+  <message>
+   <source>{title} stops {px:.0f} px short of {what}</source>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>{title} は{what}まで {px:.0f} px 届いていません</translation>
+  </message>
+  <message>
+   <source>put its points along the paint</source>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>点を塗りに沿って置く</translation>
+  </message>
+  <message>
+   <source>{title} stops {px:.0f} px short of {what}, and {px_2:.0f} px short of {what_2} at its other end</source>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>{title} は{what}まで {px:.0f} px、反対の端では{what_2}まで {px_2:.0f} px 届いていません</translation>
+  </message>
+  <message>
+   <source>{title} is straight between its clicks, its paint runs up to {px:.0f} px beside it: regularise it (R)</source>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>{title} はクリックの間が直線ですが、塗りは最大 {px:.0f} px 横を通っています。整えてください（R）</translation>
+  </message>
+  <message>
+   <source>an end of {title} lies about {px:.0f} px beside its paint, which is seen on the way there: put that point on it</source>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>{title} の端が塗りから約 {px:.0f} px 横にずれています。途中の塗りは見えています。その点を塗りの上に置いてください</translation>
+  </message>
+  <message>
+   <source>no paint under {title} along {percent:.0f} % of it, at most {px:.0f} px on end</source>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>{title} の {percent:.0f} % で下に塗りがありません（続けて最大 {px:.0f} px）</translation>
+  </message>
+  <message>
+   <source>no paint under {title} towards one of its ends, under all the rest there is</source>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>{title} の片方の端の側で下に塗りがありません。ほかの部分にはあります</translation>
+  </message>
+  <message>
+   <source>look at it</source>
+   <extracomment>[procc_annotator/calibration/label_check/finding.py]</extracomment>
+   <translation>確認する</translation>
+  </message>
+  <message>
+   <source>exchange far and near in the whole frame</source>
+   <extracomment>[procc_annotator/calibration/label_check/orientation.py]</extracomment>
+   <translation>フレーム全体で奥と手前を入れ替える</translation>
+  </message>
+  <message>
+   <source>exchange left and right in the whole frame</source>
+   <extracomment>[procc_annotator/calibration/label_check/orientation.py]</extracomment>
+   <translation>フレーム全体で左と右を入れ替える</translation>
+  </message>
+  <message>
+   <source>everything lies the wrong way round: far and near, are exchanged</source>
+   <extracomment>[procc_annotator/calibration/label_check/side_rules.py]</extracomment>
+   <translation>全体の向きが逆です：奥と手前が入れ替わっています</translation>
+  </message>
+  <message>
+   <source>everything lies the wrong way round: left and right, are exchanged</source>
+   <extracomment>[procc_annotator/calibration/label_check/side_rules.py]</extracomment>
+   <translation>全体の向きが逆です：左と右が入れ替わっています</translation>
+  </message>
+  <message>
+   <source>everything lies the wrong way round: far and near, or left and right, are exchanged</source>
+   <extracomment>[procc_annotator/calibration/label_check/side_rules.py]</extracomment>
+   <translation>全体の向きが逆です：奥と手前、または左と右が入れ替わっています</translation>
+  </message>
+  <message>
+   <source>{title} is on the wrong side of {others}</source>
+   <extracomment>[procc_annotator/calibration/label_check/side_rules.py]</extracomment>
+   <translation>{title} は {others} に対して反対側にあります</translation>
+  </message>
+  <message>
+   <source>{titles} lie on each other's side of the elements around them</source>
+   <extracomment>[procc_annotator/calibration/label_check/side_rules.py]</extracomment>
+   <translation>{titles} は、周りの要素に対して互いに反対側にあります</translation>
+  </message>
+  <message>
+   <source>{titles} cannot lie this way round to each other, whatever the camera</source>
+   <extracomment>[procc_annotator/calibration/label_check/side_rules.py]</extracomment>
+   <translation>{titles} の位置関係は、どのカメラでもあり得ません</translation>
+  </message>
+  <message>
+   <source>only {share:.0%} of the lines in sight are on paint</source>
+   <extracomment>[procc_annotator/calibration/line_alignment/control_points.py, procc_annotator/dataset/computed_cameras.py]</extracomment>
+   <translation>見える線のうち塗りの上にあるのは {share:.0%} だけです</translation>
+  </message>
+  <message>
+   <source>there is too little paint</source>
+   <extracomment>[procc_annotator/calibration/line_alignment/control_points.py]</extracomment>
+   <translation>塗りが少なすぎます</translation>
+  </message>
+  <message>
+   <source>the paint nearby would take a peg from its place</source>
+   <extracomment>[procc_annotator/calibration/line_alignment/control_points.py]</extracomment>
+   <translation>近くの塗りが杭をその場所からずらしてしまいます</translation>
+  </message>
+  <message>
+   <source>{name} lies {px:.0f} px beside its paint, as {more} more do theirs</source>
+   <extracomment>[procc_annotator/calibration/line_alignment/refinement.py]</extracomment>
+   <translation>{name} が塗りから {px:.0f} px ずれています（ほか {more} 個も）</translation>
+  </message>
+  <message>
+   <source>{name} lies {px:.0f} px beside its paint</source>
+   <extracomment>[procc_annotator/calibration/line_alignment/refinement.py]</extracomment>
+   <translation>{name} が塗りから {px:.0f} px ずれています</translation>
+  </message>
+  <message>
+   <source>the principal point is far from the centre of the picture, which seems cut out of a larger one</source>
+   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
+   <translation>主点が画像の中心から離れており、より大きな画像から切り出されたようです</translation>
+  </message>
+  <message>
+   <source>with aspect ratio and principal point {px} px: not clearly better</source>
+   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
+   <translation>アスペクト比と主点を加えて {px} px：明らかな改善なし</translation>
+  </message>
+  <message>
+   <source>no camera explains these elements together: the best one misses half of them by more than {px:.0f} px (are the labels right?)</source>
+   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
+   <translation>これらの要素を同時に説明するカメラがありません：最良のものでも半分が {px:.0f} px を超えて外れます（クラスは正しいですか？）</translation>
+  </message>
+  <message>
+   <source>without lens distortion the points are {without} px off, with it {with_it} px: not clearly better</source>
+   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
+   <translation>レンズ歪みなしで点のずれ {without} px、ありで {with_it} px：明らかな改善なし</translation>
+  </message>
+  <message>
+   <source>aspect ratio and principal point bring the points from {before} to {after} px, more than three parameters would by chance</source>
+   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
+   <translation>アスペクト比と主点で点のずれが {before} から {after} px に減り、3 個のパラメーターの偶然を超えます</translation>
+  </message>
+  <message>
+   <source>lens distortion brings the points from {before} to {after} px</source>
+   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
+   <translation>レンズ歪みで点のずれが {before} から {after} px に減ります</translation>
+  </message>
+  <message>
+   <source>the points show lens distortion clearly and are {px} px off</source>
+   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
+   <translation>点は明らかなレンズ歪みを示し、ずれは {px} px です</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} elements, {needed} needed</source>
+   <extracomment>{n} element, {needed} needed / {n} elements, {needed} needed [procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>
+    <numerusform>要素 {n} 個（{needed} 個必要）</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{points} points on {n} elements, two different ones on each of {needed} needed</source>
+   <extracomment>{points} points on {n} element, two different ones on each of {needed} needed / {points} points on {n} elements, two different ones on each of {needed} needed [procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>
+    <numerusform>{n} 個の要素に {points} 点（{needed} 個の要素にそれぞれ異なる 2 点が必要）</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} elements on the ground, {needed} needed</source>
+   <extracomment>{n} element on the ground, {needed} needed / {n} elements on the ground, {needed} needed [procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>
+    <numerusform>地面の要素 {n} 個（{needed} 個必要）</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>all points lie in one place of the picture</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>すべての点が画像の 1 か所にあります</translation>
+  </message>
+  <message>
+   <source>all points lie on one line of the picture</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>すべての点が画像の 1 本の線上にあります</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: the fit did not settle</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>ありえない姿勢：当てはめが収束しません</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: on the ground</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>ありえない姿勢：地面の上</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: {metres:.1f} m below the ground</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>ありえない姿勢：地面の {metres:.1f} m 下</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: only {metres:.1f} m above the ground</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>ありえない姿勢：地面からわずか {metres:.1f} m 上</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: {metres:.0f} m from the field's centre</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>ありえない姿勢：フィールド中心から {metres:.0f} m</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: rolled by {degrees:.0f} degrees</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>ありえない姿勢：{degrees:.0f} 度のロール</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: focal length {px:.0f} px at 960 px width</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>ありえない姿勢：幅 960 px で焦点距離 {px:.0f} px</translation>
+  </message>
+  <message>
+   <source>pan, tilt or roll ± more than {degrees:g}°, position ± more than {way:g} % of the way to the field's centre, or focal length ± more than {focal:g} %, or clicks that are the same from the other end</source>
+   <extracomment>[procc_annotator/calibration/result.py]</extracomment>
+   <translation>パン・チルト・ロールが ± {degrees:g}° を超える、位置がフィールド中心までの距離の ± {way:g} % を超える、焦点距離が ± {focal:g} % を超える、または反対側から見ても同じになるクリック</translation>
+  </message>
+  <message>
    <source>pan ± {degrees:.1f}°</source>
    <extracomment>[procc_annotator/calibration/result.py]</extracomment>
    <translation>パン ± {degrees:.1f}°</translation>
@@ -17,6 +451,196 @@
    <source>roll ± {degrees:.1f}°</source>
    <extracomment>[procc_annotator/calibration/result.py]</extracomment>
    <translation>ロール ± {degrees:.1f}°</translation>
+  </message>
+  <message>
+   <source>position ± {metres:.0f} m</source>
+   <extracomment>[procc_annotator/calibration/result.py]</extracomment>
+   <translation>位置 ± {metres:.0f} m</translation>
+  </message>
+  <message>
+   <source>focal length ± {percent:.0f} %</source>
+   <extracomment>[procc_annotator/calibration/result.py]</extracomment>
+   <translation>焦点距離 ± {percent:.0f} %</translation>
+  </message>
+  <message>
+   <source>the same from the other end</source>
+   <extracomment>[procc_annotator/calibration/result.py]</extracomment>
+   <translation>反対側から見ても同じ</translation>
+  </message>
+  <message>
+   <source>another camera that shows other lines suits the picture nearly as well</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>別の線を写す別のカメラも画像にほぼ同じくらい合います</translation>
+  </message>
+  <message>
+   <source>{lines:.0f} % of the lines in sight lie on paint, which explains {paint:.0f} % of the paint on the ground</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>見える線の {lines:.0f} % が塗りの上にあり、地面の塗りの {paint:.0f} % を説明します</translation>
+  </message>
+  <message>
+   <source>is this {field}, and no other sport? {why}</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>これは {field} で、ほかの競技ではありませんか？ {why}</translation>
+  </message>
+  <message>
+   <source>the picture is nearly square, as a squeezed one is: its pixels may not be square</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>画像がほぼ正方形で、押し縮められた可能性があります：画素が正方形でないかもしれません</translation>
+  </message>
+  <message>
+   <source>lines are missing that should be in sight</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>見えるはずの線が欠けています</translation>
+  </message>
+  <message>
+   <source>there is paint where the field has none</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>フィールドにないはずの所に塗りがあります</translation>
+  </message>
+  <message>
+   <source>cameras hardly stand there</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>カメラがそこにあることはほとんどありません</translation>
+  </message>
+  <message>
+   <source>too few lines are in sight to tell</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>見える線が少なすぎて判断できません</translation>
+  </message>
+  <message>
+   <source>the lines in sight leave the camera open: {what}</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>見える線だけではカメラが決まりません：{what}</translation>
+  </message>
+  <message>
+   <source>no camera suits the paint in this picture: of the best one {shares}</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>この画像の塗りに合うカメラがありません：最良のものでも{shares}</translation>
+  </message>
+  <message>
+   <source>too little paint in sight</source>
+   <extracomment>[procc_annotator/calibration/tracking/filter_step.py]</extracomment>
+   <translation>見える塗りが少なすぎます</translation>
+  </message>
+  <message>
+   <source>too little of what should be in sight was found</source>
+   <extracomment>[procc_annotator/calibration/tracking/filter_step.py]</extracomment>
+   <translation>見えるはずのものがわずかしか見つかりません</translation>
+  </message>
+  <message>
+   <source>the paint that was found would move the camera too far</source>
+   <extracomment>[procc_annotator/calibration/tracking/filter_step.py]</extracomment>
+   <translation>見つかった塗りではカメラが動きすぎます</translation>
+  </message>
+  <message>
+   <source>{count} of {total} clicks lie where the camera shows nothing</source>
+   <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
+   <translation>{total} クリックのうち {count} 個はカメラが何も写さない所にあります</translation>
+  </message>
+  <message>
+   <source>the views look at it from nearly the same direction ({degrees:.2f} degrees apart, at least {least:g} are needed)</source>
+   <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
+   <translation>各ビューがほぼ同じ方向から見ています（差 {degrees:.2f} 度、{least:g} 度以上必要）</translation>
+  </message>
+  <message>
+   <source>clicked in no view that has a camera</source>
+   <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
+   <translation>カメラのあるどのビューでもクリックされていません</translation>
+  </message>
+  <message>
+   <source>cameras that know only the ground (homographies) tell no place in space</source>
+   <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
+   <translation>地面しか知らないカメラ（ホモグラフィ）では空間の位置が分かりません</translation>
+  </message>
+  <message>
+   <source>the lines of sight meet behind the camera of {names}</source>
+   <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
+   <translation>視線が {names} のカメラの後ろで交わります</translation>
+  </message>
+  <message>
+   <source>clicked in one view only</source>
+   <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
+   <translation>1 つのビューでしかクリックされていません</translation>
+  </message>
+  <message>
+   <source>would be farther than {metres:g} m from the field</source>
+   <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
+   <translation>フィールドから {metres:g} m を超えて離れてしまいます</translation>
+  </message>
+  <message>
+   <source>the views do not agree: {far} px off (is it the same place in all of them, and are the cameras right?)</source>
+   <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
+   <translation>ビューが一致しません：ずれ {far} px（すべて同じ場所ですか、カメラは正しいですか？）</translation>
+  </message>
+  <message>
+   <source>Fitted to the clicks of each frame; nothing of it is in a file</source>
+   <extracomment>[procc_annotator/dataset/computed_cameras.py]</extracomment>
+   <translation>各フレームのクリックへの当てはめ。ファイルには何もありません</translation>
+  </message>
+  <message>
+   <source>the paint is {px:.1f} px from the lines</source>
+   <extracomment>[procc_annotator/dataset/computed_cameras.py]</extracomment>
+   <translation>塗りが線から {px:.1f} px 離れています</translation>
+  </message>
+  <message>
+   <source>Followed through the shot; nothing of it is in a file</source>
+   <extracomment>[procc_annotator/dataset/computed_cameras.py]</extracomment>
+   <translation>ショットの追跡結果。ファイルには何もありません</translation>
+  </message>
+  <message>
+   <source>no track here: {why}</source>
+   <extracomment>[procc_annotator/dataset/computed_cameras.py]</extracomment>
+   <translation>ここには追跡がありません：{why}</translation>
+  </message>
+  <message>
+   <source>no fit of {frame} yet</source>
+   <extracomment>[procc_annotator/dataset/computed_cameras.py]</extracomment>
+   <translation>{frame} の当てはめはまだありません</translation>
+  </message>
+  <message>
+   <source>no camera was found</source>
+   <extracomment>[procc_annotator/dataset/computed_cameras.py, procc_annotator/dataset/landmarks/triangulation.py]</extracomment>
+   <translation>カメラが見つかりませんでした</translation>
+  </message>
+  <message>
+   <source>carried over by the picture's motion, not measured on paint</source>
+   <extracomment>[procc_annotator/dataset/computed_cameras.py]</extracomment>
+   <translation>画像の動きから引き継いだもので、塗りでは測っていません</translation>
+  </message>
+  <message>
+   <source>not followed so far</source>
+   <extracomment>[procc_annotator/dataset/computed_cameras.py]</extracomment>
+   <translation>まだ追跡されていません</translation>
+  </message>
+  <message>
+   <source>{title} was surveyed: its position stays as it is</source>
+   <extracomment>[procc_annotator/dataset/landmarks/clicks.py]</extracomment>
+   <translation>{title} は実測済み：位置は変わりません</translation>
+  </message>
+  <message>
+   <source>{title} moves: its positions hold for an instant each</source>
+   <extracomment>[procc_annotator/dataset/landmarks/clicks.py]</extracomment>
+   <translation>{title} は動きます：位置はそれぞれ 1 つの瞬間だけのものです</translation>
+  </message>
+  <message>
+   <source>its camera is hardly determined: {what}</source>
+   <extracomment>[procc_annotator/dataset/landmarks/triangulation.py]</extracomment>
+   <translation>カメラがほとんど決まりません：{what}</translation>
+  </message>
+  <message>
+   <source>no camera in {frame} ({why}), and {count} more</source>
+   <extracomment>[procc_annotator/dataset/landmarks/triangulation.py]</extracomment>
+   <translation>{frame} にカメラがありません（{why}）。ほか {count} フレーム</translation>
+  </message>
+  <message>
+   <source>no camera in {frame} ({why})</source>
+   <extracomment>[procc_annotator/dataset/landmarks/triangulation.py]</extracomment>
+   <translation>{frame} にカメラがありません（{why}）</translation>
+  </message>
+  <message>
+   <source>surveyed: kept as it is</source>
+   <extracomment>[procc_annotator/dataset/landmarks/triangulation.py]</extracomment>
+   <translation>実測済み：そのまま</translation>
   </message>
   <message>
    <source>untouched</source>
@@ -3976,22 +4600,32 @@ Load or show another one.</source>
    </translation>
   </message>
   <message>
+   <source>regularise {what}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation>{what}を整える</translation>
+  </message>
+  <message>
+   <source>copy from {frame}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation>{frame} からコピー</translation>
+  </message>
+  <message>
    <source>choose an annotated element first</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
    <translation>まず注釈済みの要素を選んでください</translation>
-  </message>
-  <message numerus="yes">
-   <source>regularised {what}: {n} points</source>
-   <extracomment>regularised {what}: {n} point / regularised {what}: {n} points [procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>
-    <numerusform>{what}を整えました：{n} 点</numerusform>
-   </translation>
   </message>
   <message numerus="yes">
    <source>{n} elements</source>
    <extracomment>{n} element / {n} elements [procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/review/label_check.py, procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
    <translation>
     <numerusform>要素 {n} 個</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>regularised {what}: {n} points</source>
+   <extracomment>regularised {what}: {n} point / regularised {what}: {n} points [procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation>
+    <numerusform>{what}を整えました：{n} 点</numerusform>
    </translation>
   </message>
   <message>
@@ -4033,6 +4667,25 @@ Load or show another one.</source>
    <source>merge {element} into {other}</source>
    <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
    <translation>{element} を {other} に統合</translation>
+  </message>
+  <message>
+   <source>close gaps</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>すき間を閉じる</translation>
+  </message>
+  <message numerus="yes">
+   <source>confirm {n} elements</source>
+   <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>要素 {n} 個を確定</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>drop {n} unconfirmed elements</source>
+   <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>未確定の要素 {n} 個を捨てる</numerusform>
+   </translation>
   </message>
   <message>
    <source>{element} is its own symmetric element</source>
@@ -4128,6 +4781,18 @@ Load or show another one.</source>
    <source>the camera is another one meanwhile</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
    <translation>その間にカメラが変わりました</translation>
+  </message>
+  <message>
+   <source>accept {what}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>{what}を採用</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} ghosts</source>
+   <extracomment>{n} ghost / {n} ghosts [procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>
+    <numerusform>ゴースト {n} 個</numerusform>
+   </translation>
   </message>
   <message>
    <source>{n} of {total} ghosts</source>
@@ -5008,6 +5673,12 @@ Loses {loses}.</source>
     <numerusform>{n:,} フレームはすでに同じ内容です。</numerusform>
    </translation>
   </message>
+  <message>
+   <source>import</source>
+   <comment>a step</comment>
+   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
+   <translation>取り込み</translation>
+  </message>
   <message numerus="yes">
    <source>{edited} of {n:,} frames imported</source>
    <extracomment>{edited} of {n:,} frame imported / {edited} of {n:,} frames imported [procc_annotator/gui/tasks/files/importing.py]</extracomment>
@@ -5381,6 +6052,13 @@ Loses {loses}.</source>
    <translation>検査パネルの設定ほど確かな指摘はありません</translation>
   </message>
   <message numerus="yes">
+   <source>relabelled {n} elements</source>
+   <extracomment>relabelled {n} element / relabelled {n} elements [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>
+    <numerusform>要素 {n} 個のクラスを変更しました</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
    <source>checked {n:,} frames, camera model {model}: {found}</source>
    <extracomment>checked {n:,} frame, camera model {model}: {found} / checked {n:,} frames, camera model {model}: {found} [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
    <translation>
@@ -5415,6 +6093,21 @@ Loses {loses}.</source>
    <translation>{done}。Ctrl+Z で取り消し</translation>
   </message>
   <message>
+   <source>removed point {n} of {element}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>{element} の点 {n} を取り除きました</translation>
+  </message>
+  <message>
+   <source>swapped {element} and {other}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>{element} と {other} を入れ替えました</translation>
+  </message>
+  <message>
+   <source>relabelled {element} to {other}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>{element} を {other} に変更しました</translation>
+  </message>
+  <message>
    <source>ignored until {elements} changes; the Check panel brings it back</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
    <translation>{elements} が変わるまで無視します。検査パネルで再び表示できます</translation>
@@ -5447,6 +6140,11 @@ Loses {loses}.</source>
    <source>the elements have changed since: checked again</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
    <translation>その後要素が変わったため、検査し直しました</translation>
+  </message>
+  <message>
+   <source>removed point of {element}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>{element} の点を取り除きました</translation>
   </message>
   <message>
    <source>go to a finding first (F10)</source>
@@ -5564,6 +6262,11 @@ Loses {loses}.</source>
    <source>{source} is worked out here: a verdict is on a camera that was loaded</source>
    <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
    <translation>{source} はここで計算したものです。判定は読み込んだカメラに対するものです</translation>
+  </message>
+  <message>
+   <source>restore an earlier version</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
+   <translation>以前の版に戻す</translation>
   </message>
   <message>
    <source>the earlier version is back; undo takes it away again</source>
@@ -5782,6 +6485,16 @@ Loses {loses}.</source>
    <source>no frame was accepted: {why}</source>
    <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
    <translation>採用したフレームはありません：{why}</translation>
+  </message>
+  <message>
+   <source>accept the track</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation>追跡を採用</translation>
+  </message>
+  <message>
+   <source>take back the track</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation>追跡を取り消す</translation>
   </message>
   <message>
    <source>nothing was accepted that could be taken back</source>
@@ -6601,6 +7314,72 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <source>{title} is pinned, so that a slip does not move it: drag its points, or unpin elements (Ctrl+P, menu Element) to drag it as a whole</source>
    <extracomment>[procc_annotator/interaction/edit_tool.py]</extracomment>
    <translation>{title} は誤って動かないよう固定されています。点をドラッグするか、全体を動かすには要素の固定を外してください（Ctrl+P、要素メニュー）</translation>
+  </message>
+  <message>
+   <source>draw {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>{title} を描く</translation>
+  </message>
+  <message>
+   <source>confirm {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>{title} を確定</translation>
+  </message>
+  <message>
+   <source>move {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>{title} を動かす</translation>
+  </message>
+  <message>
+   <source>move all of {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>{title} 全体を動かす</translation>
+  </message>
+  <message numerus="yes">
+   <source>move {n} points</source>
+   <extracomment>move {n} point / move {n} points [procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>
+    <numerusform>{n} 点を動かす</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>nudge {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>{title} を微調整</translation>
+  </message>
+  <message numerus="yes">
+   <source>nudge {n} points</source>
+   <extracomment>nudge {n} point / nudge {n} points [procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>
+    <numerusform>{n} 点を微調整</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>insert a point in {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>{title} に点を挿入</translation>
+  </message>
+  <message>
+   <source>delete {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>{title} を削除</translation>
+  </message>
+  <message>
+   <source>delete point {number} of {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>{title} の点 {number} を削除</translation>
+  </message>
+  <message numerus="yes">
+   <source>delete {n} points</source>
+   <extracomment>delete {n} point / delete {n} points [procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>
+    <numerusform>{n} 点を削除</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>continue {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>{title} の続きを描く</translation>
   </message>
   <message>
    <source>click, Enter and Esc do nothing yet</source>

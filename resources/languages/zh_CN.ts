@@ -4,6 +4,440 @@
  <context>
   <name>procc</name>
   <message>
+   <source>coordinates look like pixels, expected 0 to 1 (x = {x:g}, y = {y:g})</source>
+   <extracomment>[procc_annotator/calibration/fitting.py]</extracomment>
+   <translation>坐标看起来像像素，应为 0 到 1（x = {x:g}，y = {y:g}）</translation>
+  </message>
+  <message>
+   <source>even with the position known: {why}</source>
+   <extracomment>[procc_annotator/calibration/joint/shared_position.py]</extracomment>
+   <translation>即使位置已知：{why}</translation>
+  </message>
+  <message>
+   <source>{count} positions, and nothing tells which is its</source>
+   <extracomment>[procc_annotator/calibration/joint/shared_position.py]</extracomment>
+   <translation>有 {count} 个位置，无法判断哪个属于它</translation>
+  </message>
+  <message>
+   <source>all labels fit with far and near exchanged</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>远近互换后所有类别都吻合</translation>
+  </message>
+  <message>
+   <source>all labels fit with left and right exchanged</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>左右互换后所有类别都吻合</translation>
+  </message>
+  <message>
+   <source>look at point {number}</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py, procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>查看第 {number} 点</translation>
+  </message>
+  <message>
+   <source>point {number} of {title} is {off:.0f} px off, its other points at most {rest:.1f} px</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>{title} 的第 {number} 点偏离 {off:.0f} px，其他点最多 {rest:.1f} px</translation>
+  </message>
+  <message>
+   <source>elements are {after:.1f} px off on average, no camera fits the labels as they are</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>元素平均偏离 {after:.1f} px，按现有类别没有吻合的相机</translation>
+  </message>
+  <message>
+   <source>elements are {after:.1f} px off on average, {before:.1f} px as they are</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>元素平均偏离 {after:.1f} px，按现状为 {before:.1f} px</translation>
+  </message>
+  <message>
+   <source>{a} and {b} fit with each other's label</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>{a} 和 {b} 互换类别后吻合</translation>
+  </message>
+  <message>
+   <source>{titles} fit with each other's labels</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>{titles} 互换类别后吻合</translation>
+  </message>
+  <message>
+   <source>relabel {steps}</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>更改类别：{steps}</translation>
+  </message>
+  <message>
+   <source>remove point {number}</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py, procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>移除第 {number} 点</translation>
+  </message>
+  <message>
+   <source>point {number} of {title} is {off:.0f} px off, its other point at most {rest:.1f} px</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>{title} 的第 {number} 点偏离 {off:.0f} px，另一点最多 {rest:.1f} px</translation>
+  </message>
+  <message>
+   <source>{title} is up to {px:.0f} px from where the camera of the others shows it</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>{title} 与其他元素所得相机的位置最多相差 {px:.0f} px</translation>
+  </message>
+  <message>
+   <source>{title} is nowhere near where the camera of the others shows it</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>{title} 远离其他元素所得相机显示的位置</translation>
+  </message>
+  <message>
+   <source>without {titles} the others drop from {before:.1f} to {after:.1f} px</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>去掉 {titles} 后，其余从 {before:.1f} 降到 {after:.1f} px</translation>
+  </message>
+  <message>
+   <source>swap {a} and {b}</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py, procc_annotator/calibration/label_check/side_rules.py]</extracomment>
+   <translation>互换 {a} 和 {b}</translation>
+  </message>
+  <message>
+   <source>{a} to {b}</source>
+   <comment>labels</comment>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>{a} 改为 {b}</translation>
+  </message>
+  <message>
+   <source>it lies where {title} should be</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>它位于 {title} 应在之处</translation>
+  </message>
+  <message>
+   <source>the others are {px:.1f} px off with and without it</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>有无它，其余都偏离 {px:.1f} px</translation>
+  </message>
+  <message>
+   <source>more than its own place is uncertain</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>超过其自身位置的不确定度</translation>
+  </message>
+  <message>
+   <source>relabel to {title}</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py, procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>类别改为 {title}</translation>
+  </message>
+  <message>
+   <source>it lies on {title}, which is annotated as well</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>它位于 {title} 上，后者也已标注</translation>
+  </message>
+  <message>
+   <source>{title} is up to {px:.0f} px from where the camera shows it; too few elements fit to say which are wrong</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>{title} 与相机显示的位置最多相差 {px:.0f} px；吻合的元素太少，无法判断哪些有误</translation>
+  </message>
+  <message>
+   <source>no camera fits these labels together</source>
+   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
+   <translation>没有相机同时吻合这些类别</translation>
+  </message>
+  <message>
+   <source>turn the labels by half a turn</source>
+   <extracomment>[procc_annotator/calibration/label_check/check.py]</extracomment>
+   <translation>将类别旋转半圈</translation>
+  </message>
+  <message numerus="yes">
+   <source>the camera stands on a side of the field where hardly any other of {n} frames does: a camera of its own, or labels turned by half a turn</source>
+   <extracomment>the camera stands on a side of the field where hardly any other of {n} frame does: a camera of its own, or labels turned by half a turn / the camera stands on a side of the field where hardly any other of {n} frames does: a camera of its own, or labels turned by half a turn [procc_annotator/calibration/label_check/check.py]</extracomment>
+   <translation>
+    <numerusform>相机位于场地的一侧，而 {n} 帧中几乎没有其他帧在该侧：可能是另一台相机，或类别旋转了半圈</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>the camera stands on the other side of the field from the rest; with its labels turned by half a turn it stands where that of {n} frames does</source>
+   <extracomment>the camera stands on the other side of the field from the rest; with its labels turned by half a turn it stands where that of {n} frame does / the camera stands on the other side of the field from the rest; with its labels turned by half a turn it stands where that of {n} frames does [procc_annotator/calibration/label_check/check.py]</extracomment>
+   <translation>
+    <numerusform>相机与其余的帧分处场地两侧；将类别旋转半圈后，它与 {n} 帧的相机位置一致</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>no such class: {name!r}, did you mean {title}?</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>没有此类别：{name!r}，是否指 {title}？</translation>
+  </message>
+  <message>
+   <source>{title} is straight on the field, its points lie up to {px:.0f} px beside a line, more than any lens bends it</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>{title} 在场地上是直的，但其点偏离直线最多 {px:.0f} px，超出任何镜头的弯曲</translation>
+  </message>
+  <message numerus="yes">
+   <source>{title} has {n} points, a line takes two</source>
+   <extracomment>{title} has {n} point, a line takes two / {title} has {n} points, a line takes two [procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>
+    <numerusform>{title} 有 {n} 个点，一条线需要两个</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{title} has {n} points; a curve takes at least {least}</source>
+   <extracomment>{title} has {n} point; a curve takes at least {least} / {title} has {n} points; a curve takes at least {least} [procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>
+    <numerusform>{title} 有 {n} 个点；曲线至少需要 {least} 个</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{title} has {n} points; fewer than {least} determine no ellipse</source>
+   <extracomment>{title} has {n} point; fewer than {least} determine no ellipse / {title} has {n} points; fewer than {least} determine no ellipse [procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>
+    <numerusform>{title} 有 {n} 个点；少于 {least} 个无法确定椭圆</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>{title} is a single place, it has {count} points up to {px:.0f} px apart</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>{title} 是单个位置，却有 {count} 个点，相距最多 {px:.0f} px</translation>
+  </message>
+  <message>
+   <source>the points of {title} go back and forth instead of along it</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>{title} 的点来回往返，而非沿其排列</translation>
+  </message>
+  <message>
+   <source>no such class: {name!r} fits no camera, and counts as missed where it is scored</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>没有此类别：{name!r} 不吻合任何相机，评分时计为未命中</translation>
+  </message>
+  <message>
+   <source>{a} and {b} lie on top of each other, less than {px:.0f} px apart: one line under two names?</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>{a} 和 {b} 重叠，相距不到 {px:.0f} px：同一条线用了两个名称？</translation>
+  </message>
+  <message>
+   <source>the points of {title} go over the same stretch more than once: their course is {times:.1f} times as long as it need be</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>{title} 的点多次经过同一区段：其路径长度是所需的 {times:.1f} 倍</translation>
+  </message>
+  <message>
+   <source>That is annotated already</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation>该类别已标注</translation>
+  </message>
+  <message>
+   <source>its corner</source>
+   <comment>where a line ends</comment>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>其角点</translation>
+  </message>
+  <message>
+   <source>the picture's edge</source>
+   <comment>where a line ends</comment>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>图片边缘</translation>
+  </message>
+  <message>
+   <source>{title} stops {px:.0f} px short of {what}</source>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>{title} 离{what}还差 {px:.0f} px</translation>
+  </message>
+  <message>
+   <source>put its points along the paint</source>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>将其点放到画线上</translation>
+  </message>
+  <message>
+   <source>{title} stops {px:.0f} px short of {what}, and {px_2:.0f} px short of {what_2} at its other end</source>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>{title} 离{what}还差 {px:.0f} px，另一端离{what_2}还差 {px_2:.0f} px</translation>
+  </message>
+  <message>
+   <source>{title} is straight between its clicks, its paint runs up to {px:.0f} px beside it: regularise it (R)</source>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>{title} 在点击之间是直的，画线偏离最多 {px:.0f} px：请规整（R）</translation>
+  </message>
+  <message>
+   <source>an end of {title} lies about {px:.0f} px beside its paint, which is seen on the way there: put that point on it</source>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>{title} 的一端偏离其画线约 {px:.0f} px，而沿途可见画线：请将该点放到画线上</translation>
+  </message>
+  <message>
+   <source>no paint under {title} along {percent:.0f} % of it, at most {px:.0f} px on end</source>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>{title} 有 {percent:.0f} % 之下没有画线，最长连续 {px:.0f} px</translation>
+  </message>
+  <message>
+   <source>no paint under {title} towards one of its ends, under all the rest there is</source>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>{title} 靠近一端之下没有画线，其余部分都有</translation>
+  </message>
+  <message>
+   <source>look at it</source>
+   <extracomment>[procc_annotator/calibration/label_check/finding.py]</extracomment>
+   <translation>查看</translation>
+  </message>
+  <message>
+   <source>exchange far and near in the whole frame</source>
+   <extracomment>[procc_annotator/calibration/label_check/orientation.py]</extracomment>
+   <translation>整帧互换远近</translation>
+  </message>
+  <message>
+   <source>exchange left and right in the whole frame</source>
+   <extracomment>[procc_annotator/calibration/label_check/orientation.py]</extracomment>
+   <translation>整帧互换左右</translation>
+  </message>
+  <message>
+   <source>everything lies the wrong way round: far and near, are exchanged</source>
+   <extracomment>[procc_annotator/calibration/label_check/side_rules.py]</extracomment>
+   <translation>整体方向相反：远近颠倒</translation>
+  </message>
+  <message>
+   <source>everything lies the wrong way round: left and right, are exchanged</source>
+   <extracomment>[procc_annotator/calibration/label_check/side_rules.py]</extracomment>
+   <translation>整体方向相反：左右颠倒</translation>
+  </message>
+  <message>
+   <source>everything lies the wrong way round: far and near, or left and right, are exchanged</source>
+   <extracomment>[procc_annotator/calibration/label_check/side_rules.py]</extracomment>
+   <translation>整体方向相反：远近或左右颠倒</translation>
+  </message>
+  <message>
+   <source>{title} is on the wrong side of {others}</source>
+   <extracomment>[procc_annotator/calibration/label_check/side_rules.py]</extracomment>
+   <translation>{title} 位于 {others} 的错误一侧</translation>
+  </message>
+  <message>
+   <source>{titles} lie on each other's side of the elements around them</source>
+   <extracomment>[procc_annotator/calibration/label_check/side_rules.py]</extracomment>
+   <translation>{titles} 相对周围元素互处对方的一侧</translation>
+  </message>
+  <message>
+   <source>{titles} cannot lie this way round to each other, whatever the camera</source>
+   <extracomment>[procc_annotator/calibration/label_check/side_rules.py]</extracomment>
+   <translation>{titles} 不可能以这种方向相对，无论何种相机</translation>
+  </message>
+  <message>
+   <source>only {share:.0%} of the lines in sight are on paint</source>
+   <extracomment>[procc_annotator/calibration/line_alignment/control_points.py, procc_annotator/dataset/computed_cameras.py]</extracomment>
+   <translation>只有 {share:.0%} 的可见线落在画线上</translation>
+  </message>
+  <message>
+   <source>there is too little paint</source>
+   <extracomment>[procc_annotator/calibration/line_alignment/control_points.py]</extracomment>
+   <translation>画线太少</translation>
+  </message>
+  <message>
+   <source>the paint nearby would take a peg from its place</source>
+   <extracomment>[procc_annotator/calibration/line_alignment/control_points.py]</extracomment>
+   <translation>附近的画线会使固定桩偏离原位</translation>
+  </message>
+  <message>
+   <source>{name} lies {px:.0f} px beside its paint, as {more} more do theirs</source>
+   <extracomment>[procc_annotator/calibration/line_alignment/refinement.py]</extracomment>
+   <translation>{name}偏离其画线 {px:.0f} px，另有 {more} 个也如此</translation>
+  </message>
+  <message>
+   <source>{name} lies {px:.0f} px beside its paint</source>
+   <extracomment>[procc_annotator/calibration/line_alignment/refinement.py]</extracomment>
+   <translation>{name} 偏离其画线 {px:.0f} px</translation>
+  </message>
+  <message>
+   <source>the principal point is far from the centre of the picture, which seems cut out of a larger one</source>
+   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
+   <translation>主点远离图片中心，图片似乎是从更大的图片裁剪而来</translation>
+  </message>
+  <message>
+   <source>with aspect ratio and principal point {px} px: not clearly better</source>
+   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
+   <translation>加入像素宽高比和主点后为 {px} px：没有明显改善</translation>
+  </message>
+  <message>
+   <source>no camera explains these elements together: the best one misses half of them by more than {px:.0f} px (are the labels right?)</source>
+   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
+   <translation>没有相机能同时解释这些元素：最好的也有一半偏离超过 {px:.0f} px（类别是否正确？）</translation>
+  </message>
+  <message>
+   <source>without lens distortion the points are {without} px off, with it {with_it} px: not clearly better</source>
+   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
+   <translation>不含镜头畸变时点偏离 {without} px，含畸变时 {with_it} px：没有明显改善</translation>
+  </message>
+  <message>
+   <source>aspect ratio and principal point bring the points from {before} to {after} px, more than three parameters would by chance</source>
+   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
+   <translation>像素宽高比和主点使点从 {before} 降到 {after} px，超过三个参数偶然所能达到的</translation>
+  </message>
+  <message>
+   <source>lens distortion brings the points from {before} to {after} px</source>
+   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
+   <translation>镜头畸变使点从 {before} 降到 {after} px</translation>
+  </message>
+  <message>
+   <source>the points show lens distortion clearly and are {px} px off</source>
+   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
+   <translation>点明显显示镜头畸变，偏离 {px} px</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} elements, {needed} needed</source>
+   <extracomment>{n} element, {needed} needed / {n} elements, {needed} needed [procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>
+    <numerusform>{n} 个元素，需要 {needed} 个</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{points} points on {n} elements, two different ones on each of {needed} needed</source>
+   <extracomment>{points} points on {n} element, two different ones on each of {needed} needed / {points} points on {n} elements, two different ones on each of {needed} needed [procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>
+    <numerusform>{n} 个元素上共 {points} 个点，需要 {needed} 个元素各有两个不同的点</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} elements on the ground, {needed} needed</source>
+   <extracomment>{n} element on the ground, {needed} needed / {n} elements on the ground, {needed} needed [procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>
+    <numerusform>{n} 个地面元素，需要 {needed} 个</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>all points lie in one place of the picture</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>所有点都在图片的同一处</translation>
+  </message>
+  <message>
+   <source>all points lie on one line of the picture</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>所有点都在图片的一条直线上</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: the fit did not settle</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>位姿不合理：拟合未收敛</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: on the ground</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>位姿不合理：在地面上</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: {metres:.1f} m below the ground</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>位姿不合理：在地面以下 {metres:.1f} m</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: only {metres:.1f} m above the ground</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>位姿不合理：仅高出地面 {metres:.1f} m</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: {metres:.0f} m from the field's centre</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>位姿不合理：距场地中心 {metres:.0f} m</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: rolled by {degrees:.0f} degrees</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>位姿不合理：横滚 {degrees:.0f} 度</translation>
+  </message>
+  <message>
+   <source>not a plausible pose: focal length {px:.0f} px at 960 px width</source>
+   <extracomment>[procc_annotator/calibration/optimization/camera_placement.py]</extracomment>
+   <translation>位姿不合理：宽 960 px 时焦距为 {px:.0f} px</translation>
+  </message>
+  <message>
+   <source>pan, tilt or roll ± more than {degrees:g}°, position ± more than {way:g} % of the way to the field's centre, or focal length ± more than {focal:g} %, or clicks that are the same from the other end</source>
+   <extracomment>[procc_annotator/calibration/result.py]</extracomment>
+   <translation>水平转动、俯仰或横滚 ± 超过 {degrees:g}°，位置 ± 超过到场地中心距离的 {way:g} %，或焦距 ± 超过 {focal:g} %，或从另一端看相同的点击</translation>
+  </message>
+  <message>
    <source>pan ± {degrees:.1f}°</source>
    <extracomment>[procc_annotator/calibration/result.py]</extracomment>
    <translation>水平转动 ± {degrees:.1f}°</translation>
@@ -17,6 +451,196 @@
    <source>roll ± {degrees:.1f}°</source>
    <extracomment>[procc_annotator/calibration/result.py]</extracomment>
    <translation>横滚 ± {degrees:.1f}°</translation>
+  </message>
+  <message>
+   <source>position ± {metres:.0f} m</source>
+   <extracomment>[procc_annotator/calibration/result.py]</extracomment>
+   <translation>位置 ± {metres:.0f} m</translation>
+  </message>
+  <message>
+   <source>focal length ± {percent:.0f} %</source>
+   <extracomment>[procc_annotator/calibration/result.py]</extracomment>
+   <translation>焦距 ± {percent:.0f} %</translation>
+  </message>
+  <message>
+   <source>the same from the other end</source>
+   <extracomment>[procc_annotator/calibration/result.py]</extracomment>
+   <translation>从另一端看相同</translation>
+  </message>
+  <message>
+   <source>another camera that shows other lines suits the picture nearly as well</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>另一个显示其他线的相机与图片几乎同样吻合</translation>
+  </message>
+  <message>
+   <source>{lines:.0f} % of the lines in sight lie on paint, which explains {paint:.0f} % of the paint on the ground</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>可见线的 {lines:.0f} % 落在画线上，解释了地面画线的 {paint:.0f} %</translation>
+  </message>
+  <message>
+   <source>is this {field}, and no other sport? {why}</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>这是 {field}，而不是其他运动吗？{why}</translation>
+  </message>
+  <message>
+   <source>the picture is nearly square, as a squeezed one is: its pixels may not be square</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>画面接近正方形，可能被压缩过：其像素可能不是正方形</translation>
+  </message>
+  <message>
+   <source>lines are missing that should be in sight</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>缺少本应可见的线</translation>
+  </message>
+  <message>
+   <source>there is paint where the field has none</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>在场地没有画线之处有画线</translation>
+  </message>
+  <message>
+   <source>cameras hardly stand there</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>相机很少位于该处</translation>
+  </message>
+  <message>
+   <source>too few lines are in sight to tell</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>可见的线太少，无法判断</translation>
+  </message>
+  <message>
+   <source>the lines in sight leave the camera open: {what}</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>可见的线无法确定相机：{what}</translation>
+  </message>
+  <message>
+   <source>no camera suits the paint in this picture: of the best one {shares}</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>没有相机与此图片的画线吻合：最好的为{shares}</translation>
+  </message>
+  <message>
+   <source>too little paint in sight</source>
+   <extracomment>[procc_annotator/calibration/tracking/filter_step.py]</extracomment>
+   <translation>可见画线太少</translation>
+  </message>
+  <message>
+   <source>too little of what should be in sight was found</source>
+   <extracomment>[procc_annotator/calibration/tracking/filter_step.py]</extracomment>
+   <translation>本应可见的内容找到得太少</translation>
+  </message>
+  <message>
+   <source>the paint that was found would move the camera too far</source>
+   <extracomment>[procc_annotator/calibration/tracking/filter_step.py]</extracomment>
+   <translation>找到的画线会使相机移动过多</translation>
+  </message>
+  <message>
+   <source>{count} of {total} clicks lie where the camera shows nothing</source>
+   <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
+   <translation>{total} 次点击中有 {count} 次位于相机没有显示内容之处</translation>
+  </message>
+  <message>
+   <source>the views look at it from nearly the same direction ({degrees:.2f} degrees apart, at least {least:g} are needed)</source>
+   <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
+   <translation>各视图几乎从同一方向看它（相差 {degrees:.2f} 度，至少需要 {least:g} 度）</translation>
+  </message>
+  <message>
+   <source>clicked in no view that has a camera</source>
+   <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
+   <translation>未在任何有相机的视图中点击</translation>
+  </message>
+  <message>
+   <source>cameras that know only the ground (homographies) tell no place in space</source>
+   <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
+   <translation>只知道地面的相机（单应矩阵）无法给出空间位置</translation>
+  </message>
+  <message>
+   <source>the lines of sight meet behind the camera of {names}</source>
+   <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
+   <translation>视线相交于 {names} 的相机之后</translation>
+  </message>
+  <message>
+   <source>clicked in one view only</source>
+   <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
+   <translation>只在一个视图中点击</translation>
+  </message>
+  <message>
+   <source>would be farther than {metres:g} m from the field</source>
+   <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
+   <translation>会距场地超过 {metres:g} m</translation>
+  </message>
+  <message>
+   <source>the views do not agree: {far} px off (is it the same place in all of them, and are the cameras right?)</source>
+   <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
+   <translation>各视图不一致：相差 {far} px（所有视图中是同一位置吗？相机正确吗？）</translation>
+  </message>
+  <message>
+   <source>Fitted to the clicks of each frame; nothing of it is in a file</source>
+   <extracomment>[procc_annotator/dataset/computed_cameras.py]</extracomment>
+   <translation>根据每帧的点击拟合；均未存为文件</translation>
+  </message>
+  <message>
+   <source>the paint is {px:.1f} px from the lines</source>
+   <extracomment>[procc_annotator/dataset/computed_cameras.py]</extracomment>
+   <translation>画线偏离线 {px:.1f} px</translation>
+  </message>
+  <message>
+   <source>Followed through the shot; nothing of it is in a file</source>
+   <extracomment>[procc_annotator/dataset/computed_cameras.py]</extracomment>
+   <translation>随镜头跟踪；均未存为文件</translation>
+  </message>
+  <message>
+   <source>no track here: {why}</source>
+   <extracomment>[procc_annotator/dataset/computed_cameras.py]</extracomment>
+   <translation>此处没有跟踪：{why}</translation>
+  </message>
+  <message>
+   <source>no fit of {frame} yet</source>
+   <extracomment>[procc_annotator/dataset/computed_cameras.py]</extracomment>
+   <translation>{frame} 尚无拟合</translation>
+  </message>
+  <message>
+   <source>no camera was found</source>
+   <extracomment>[procc_annotator/dataset/computed_cameras.py, procc_annotator/dataset/landmarks/triangulation.py]</extracomment>
+   <translation>未找到相机</translation>
+  </message>
+  <message>
+   <source>carried over by the picture's motion, not measured on paint</source>
+   <extracomment>[procc_annotator/dataset/computed_cameras.py]</extracomment>
+   <translation>由图片的运动延续而来，未在画线上测量</translation>
+  </message>
+  <message>
+   <source>not followed so far</source>
+   <extracomment>[procc_annotator/dataset/computed_cameras.py]</extracomment>
+   <translation>目前未跟踪</translation>
+  </message>
+  <message>
+   <source>{title} was surveyed: its position stays as it is</source>
+   <extracomment>[procc_annotator/dataset/landmarks/clicks.py]</extracomment>
+   <translation>{title} 为实测：其位置保持不变</translation>
+  </message>
+  <message>
+   <source>{title} moves: its positions hold for an instant each</source>
+   <extracomment>[procc_annotator/dataset/landmarks/clicks.py]</extracomment>
+   <translation>{title} 会移动：其位置各只对一个瞬间有效</translation>
+  </message>
+  <message>
+   <source>its camera is hardly determined: {what}</source>
+   <extracomment>[procc_annotator/dataset/landmarks/triangulation.py]</extracomment>
+   <translation>其相机难以确定：{what}</translation>
+  </message>
+  <message>
+   <source>no camera in {frame} ({why}), and {count} more</source>
+   <extracomment>[procc_annotator/dataset/landmarks/triangulation.py]</extracomment>
+   <translation>{frame} 中没有相机（{why}），另有 {count} 帧</translation>
+  </message>
+  <message>
+   <source>no camera in {frame} ({why})</source>
+   <extracomment>[procc_annotator/dataset/landmarks/triangulation.py]</extracomment>
+   <translation>{frame} 中没有相机（{why}）</translation>
+  </message>
+  <message>
+   <source>surveyed: kept as it is</source>
+   <extracomment>[procc_annotator/dataset/landmarks/triangulation.py]</extracomment>
+   <translation>实测：保持不变</translation>
   </message>
   <message>
    <source>untouched</source>
@@ -3976,22 +4600,32 @@ Load or show another one.</source>
    </translation>
   </message>
   <message>
+   <source>regularise {what}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation>规整 {what}</translation>
+  </message>
+  <message>
+   <source>copy from {frame}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation>从 {frame} 复制</translation>
+  </message>
+  <message>
    <source>choose an annotated element first</source>
    <extracomment>[procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
    <translation>请先选择已标注的元素</translation>
-  </message>
-  <message numerus="yes">
-   <source>regularised {what}: {n} points</source>
-   <extracomment>regularised {what}: {n} point / regularised {what}: {n} points [procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
-   <translation>
-    <numerusform>已规整 {what}：{n} 个点</numerusform>
-   </translation>
   </message>
   <message numerus="yes">
    <source>{n} elements</source>
    <extracomment>{n} element / {n} elements [procc_annotator/gui/tasks/elements/assistant.py, procc_annotator/gui/tasks/review/label_check.py, procc_annotator/gui/tasks/review/versions_dialog.py]</extracomment>
    <translation>
     <numerusform>{n} 个元素</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>regularised {what}: {n} points</source>
+   <extracomment>regularised {what}: {n} point / regularised {what}: {n} points [procc_annotator/gui/tasks/elements/assistant.py]</extracomment>
+   <translation>
+    <numerusform>已规整 {what}：{n} 个点</numerusform>
    </translation>
   </message>
   <message>
@@ -4033,6 +4667,25 @@ Load or show another one.</source>
    <source>merge {element} into {other}</source>
    <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
    <translation>将 {element} 并入 {other}</translation>
+  </message>
+  <message>
+   <source>close gaps</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>闭合间隙</translation>
+  </message>
+  <message numerus="yes">
+   <source>confirm {n} elements</source>
+   <extracomment>confirm {n} element / confirm {n} elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>确认 {n} 个元素</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>drop {n} unconfirmed elements</source>
+   <extracomment>drop {n} unconfirmed element / drop {n} unconfirmed elements [procc_annotator/gui/tasks/elements/element_edits.py]</extracomment>
+   <translation>
+    <numerusform>丢弃 {n} 个未确认的元素</numerusform>
+   </translation>
   </message>
   <message>
    <source>{element} is its own symmetric element</source>
@@ -4128,6 +4781,18 @@ Load or show another one.</source>
    <source>the camera is another one meanwhile</source>
    <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
    <translation>相机此时已不同</translation>
+  </message>
+  <message>
+   <source>accept {what}</source>
+   <extracomment>[procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>接受 {what}</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} ghosts</source>
+   <extracomment>{n} ghost / {n} ghosts [procc_annotator/gui/tasks/elements/ghost_accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n} 个虚影</numerusform>
+   </translation>
   </message>
   <message>
    <source>{n} of {total} ghosts</source>
@@ -5008,6 +5673,12 @@ Loses {loses}.</source>
     <numerusform>{n:,} 帧已含相同内容。</numerusform>
    </translation>
   </message>
+  <message>
+   <source>import</source>
+   <comment>a step</comment>
+   <extracomment>[procc_annotator/gui/tasks/files/importing.py]</extracomment>
+   <translation>导入</translation>
+  </message>
   <message numerus="yes">
    <source>{edited} of {n:,} frames imported</source>
    <extracomment>{edited} of {n:,} frame imported / {edited} of {n:,} frames imported [procc_annotator/gui/tasks/files/importing.py]</extracomment>
@@ -5381,6 +6052,13 @@ Loses {loses}.</source>
    <translation>没有达到“检查”面板所设确定程度的结果</translation>
   </message>
   <message numerus="yes">
+   <source>relabelled {n} elements</source>
+   <extracomment>relabelled {n} element / relabelled {n} elements [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>
+    <numerusform>已更改 {n} 个元素的类别</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
    <source>checked {n:,} frames, camera model {model}: {found}</source>
    <extracomment>checked {n:,} frame, camera model {model}: {found} / checked {n:,} frames, camera model {model}: {found} [procc_annotator/gui/tasks/review/label_check.py]</extracomment>
    <translation>
@@ -5415,6 +6093,21 @@ Loses {loses}.</source>
    <translation>{done}；Ctrl+Z 撤回</translation>
   </message>
   <message>
+   <source>removed point {n} of {element}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>已移除 {element} 的第 {n} 点</translation>
+  </message>
+  <message>
+   <source>swapped {element} and {other}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>已互换 {element} 和 {other}</translation>
+  </message>
+  <message>
+   <source>relabelled {element} to {other}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>已将 {element} 改为 {other}</translation>
+  </message>
+  <message>
    <source>ignored until {elements} changes; the Check panel brings it back</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
    <translation>在 {elements} 更改之前忽略；可从“检查”面板恢复</translation>
@@ -5447,6 +6140,11 @@ Loses {loses}.</source>
    <source>the elements have changed since: checked again</source>
    <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
    <translation>元素此后已更改：已重新检查</translation>
+  </message>
+  <message>
+   <source>removed point of {element}</source>
+   <extracomment>[procc_annotator/gui/tasks/review/label_check.py]</extracomment>
+   <translation>已移除 {element} 的点</translation>
   </message>
   <message>
    <source>go to a finding first (F10)</source>
@@ -5564,6 +6262,11 @@ Loses {loses}.</source>
    <source>{source} is worked out here: a verdict is on a camera that was loaded</source>
    <extracomment>[procc_annotator/gui/tasks/review/triage.py]</extracomment>
    <translation>{source} 在此计算得出：判定针对加载的相机</translation>
+  </message>
+  <message>
+   <source>restore an earlier version</source>
+   <extracomment>[procc_annotator/gui/tasks/review/versions_command.py]</extracomment>
+   <translation>恢复早期版本</translation>
   </message>
   <message>
    <source>the earlier version is back; undo takes it away again</source>
@@ -5782,6 +6485,16 @@ Loses {loses}.</source>
    <source>no frame was accepted: {why}</source>
    <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
    <translation>未接受任何帧：{why}</translation>
+  </message>
+  <message>
+   <source>accept the track</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation>接受跟踪</translation>
+  </message>
+  <message>
+   <source>take back the track</source>
+   <extracomment>[procc_annotator/gui/tasks/shot/accepting.py]</extracomment>
+   <translation>撤回跟踪</translation>
   </message>
   <message>
    <source>nothing was accepted that could be taken back</source>
@@ -6601,6 +7314,72 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <source>{title} is pinned, so that a slip does not move it: drag its points, or unpin elements (Ctrl+P, menu Element) to drag it as a whole</source>
    <extracomment>[procc_annotator/interaction/edit_tool.py]</extracomment>
    <translation>{title} 已固定，以防误动：请拖动其点，或取消固定元素（Ctrl+P，“元素”菜单）后整体拖动</translation>
+  </message>
+  <message>
+   <source>draw {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>绘制 {title}</translation>
+  </message>
+  <message>
+   <source>confirm {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>确认 {title}</translation>
+  </message>
+  <message>
+   <source>move {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>移动 {title}</translation>
+  </message>
+  <message>
+   <source>move all of {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>整体移动 {title}</translation>
+  </message>
+  <message numerus="yes">
+   <source>move {n} points</source>
+   <extracomment>move {n} point / move {n} points [procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>
+    <numerusform>移动 {n} 个点</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>nudge {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>微移 {title}</translation>
+  </message>
+  <message numerus="yes">
+   <source>nudge {n} points</source>
+   <extracomment>nudge {n} point / nudge {n} points [procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>
+    <numerusform>微移 {n} 个点</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>insert a point in {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>在 {title} 中插入点</translation>
+  </message>
+  <message>
+   <source>delete {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>删除 {title}</translation>
+  </message>
+  <message>
+   <source>delete point {number} of {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>删除 {title} 的第 {number} 点</translation>
+  </message>
+  <message numerus="yes">
+   <source>delete {n} points</source>
+   <extracomment>delete {n} point / delete {n} points [procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>
+    <numerusform>删除 {n} 个点</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>continue {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>继续 {title}</translation>
   </message>
   <message>
    <source>click, Enter and Esc do nothing yet</source>
