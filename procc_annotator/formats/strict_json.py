@@ -11,7 +11,7 @@ from typing import Any, TypeGuard, TypeVar
 
 import msgspec
 
-from procc_annotator.errors import InputError
+from procc_annotator.errors import CameraError, InputError
 
 T = TypeVar("T")
 
@@ -29,6 +29,23 @@ class DuplicateKeyError(ValueError):
 def strip_bom(data: bytes) -> bytes:
     """The bytes behind UTF-8's byte order mark, which some editors write."""
     return data[3:] if data.startswith(_BOM) else data
+
+
+def utf8_text(data: bytes, path: Path | str, error: type[InputError] = CameraError) -> str:
+    """Text of a file, without a byte order mark.
+
+    Raises:
+        error: not UTF-8, or with zero bytes.
+    """
+    at, advice = data.find(b"\0"), "it looks like UTF-16 or a binary file: save it as UTF-8"
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError as problem:
+        if at < 0:
+            at, advice = problem.start, "save it as UTF-8"
+    if at >= 0:
+        raise error(path, "is not UTF-8 text", place=f"byte {at}", advice=advice)
+    return text
 
 
 def has_only_keys(data: bytes, keys: int) -> bool:
@@ -180,19 +197,7 @@ def json_kind(value: object) -> str:
 def _text(data: bytes, path: str, error: type[InputError]) -> str:
     if not data.strip(b" \t\r\n\0"):
         raise error(path, "is empty, expected a JSON object", advice="restore it from a backup")
-    if b"\0" in data:
-        raise error(
-            path,
-            "is not UTF-8 text",
-            place=f"byte {data.index(0)}",
-            advice="it looks like UTF-16 or a binary file: save it as UTF-8",
-        )
-    try:
-        return data.decode("utf-8-sig")
-    except UnicodeDecodeError as problem:
-        raise error(
-            path, "is not UTF-8 text", place=f"byte {problem.start}", advice="save it as UTF-8"
-        ) from problem
+    return utf8_text(data, path, error)
 
 
 def _no_repeats(pairs: list[tuple[str, Any]]) -> dict[str, Any]:

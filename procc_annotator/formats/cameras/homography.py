@@ -13,9 +13,9 @@ from procc_annotator.errors import CameraError
 from procc_annotator.formats.cameras.arrays import NPY_MAGIC, npy_array
 from procc_annotator.formats.cameras.krt import BY_ORDER, projection_from
 from procc_annotator.formats.cameras.loaded_camera import CameraRecord, CameraRecords, LoadedCamera
-from procc_annotator.formats.strict_json import printable
+from procc_annotator.formats.strict_json import printable, utf8_text
 
-_YARD_M = 0.9144
+YARD_M = 0.9144
 HOMOGRAPHY_SIZE = (1280, 720)
 _LARGEST_FILE = 64 * 1024
 _TURNED = "takes the ground to the picture, not the picture to the ground"
@@ -48,10 +48,10 @@ class WorldConvention:
 
 CONVENTIONS = {
     "wc14": WorldConvention(
-        "World Cup 2014: yards, 115 x 74, origin top left", _YARD_M, (57.5, 37.0)
+        "World Cup 2014: yards, 115 x 74, origin top left", YARD_M, (57.5, 37.0)
     ),
     "carwc": WorldConvention(
-        "CARWC, TS-WorldCup: yards, 114.83 x 74.37, origin top left", _YARD_M, (57.415, 37.185)
+        "CARWC, TS-WorldCup: yards, 114.83 x 74.37, origin top left", YARD_M, (57.415, 37.185)
     ),
     "world": WorldConvention("world metres, origin at the field's centre", 1.0, (0.0, 0.0)),
 }
@@ -197,22 +197,7 @@ def numbers_of_text(data: bytes, path: str) -> list[float]:
     Raises:
         CameraError: no text, or something else than finite numbers.
     """
-    try:
-        text = data.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        raise CameraError(
-            path,
-            "is neither UTF-8 text nor a .npy file",
-            place=f"byte {error.start}",
-            advice="save it as UTF-8 text: three lines of three numbers",
-        ) from error
-    if "\0" in text:
-        raise CameraError(
-            path,
-            "is not UTF-8 text",
-            place=f"character {text.index(chr(0)) + 1}",
-            advice="it looks like UTF-16 or a binary file: save it as UTF-8",
-        )
+    text = utf8_text(data, path)
     numbers: list[float] = []
     for line_number, line in enumerate(text.splitlines(), 1):
         for word in line.replace(",", " ").split():

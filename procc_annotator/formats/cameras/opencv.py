@@ -17,7 +17,7 @@ from procc_annotator.errors import CameraError
 from procc_annotator.formats.cameras.json_values import SIZE_KEYS, JsonValues, is_camera_key
 from procc_annotator.formats.cameras.krt import KRT_KEYS, camera_of_matrices, krt_content
 from procc_annotator.formats.cameras.loaded_camera import LoadedCamera
-from procc_annotator.formats.strict_json import strip_bom
+from procc_annotator.formats.strict_json import utf8_text
 
 KIND = "an OpenCV calibration"
 # Of OpenCV's calibration sample: the poses of its boards.
@@ -122,19 +122,7 @@ def _text(data: bytes, path: str) -> str:
             f"is larger than {_LARGEST_FILE >> 20} MB, expected one calibration",
             advice="is it this file?",
         )
-    try:
-        text = strip_bom(data).decode("utf-8")
-    except UnicodeDecodeError as error:
-        raise CameraError(
-            path, "is not UTF-8 text", place=f"byte {error.start}", advice="save it as UTF-8"
-        ) from error
-    if "\0" in text:
-        raise CameraError(
-            path,
-            "is not UTF-8 text",
-            place=f"character {text.index(chr(0)) + 1}",
-            advice="it looks like UTF-16 or a binary file: save it as UTF-8",
-        )
+    text = utf8_text(data, path)
     if not text.strip():
         raise CameraError(path, "is empty, expected an OpenCV calibration")
     if _depth(text) > _DEEPEST:
