@@ -28,7 +28,13 @@ from procc_annotator.formats.frame_names import (
     PictureFrames,
     frame_of_file,
 )
-from procc_annotator.formats.strict_json import is_finite_number, is_unicode, json_repr, printable
+from procc_annotator.formats.strict_json import (
+    is_finite_number,
+    is_unicode,
+    json_kind,
+    json_repr,
+    printable,
+)
 from procc_annotator.messages import pluralize
 
 # A float never needs more digits than this to be told from its neighbours.
@@ -262,6 +268,19 @@ class ReadContext:
         self._at = names.frame(picture, path, place)
         return self._at
 
+    def size_in_file(self, width: Any, height: Any, path: str, place: str) -> Size:
+        """The size of the picture of the frame that is read: as the file says, else the picture's.
+
+        Raises:
+            AnnotationError: no picture size, or nobody knows it.
+        """
+        size = size_from_file(width, height, path, place) or self.size_of(self._at)
+        if size is None:
+            advice = "put the picture beside it, or give the size"
+            problem = "does not tell the size of the picture"
+            raise AnnotationError(path, problem, place=place, advice=advice)
+        return size
+
     @cached_property
     def _there(self) -> FrameTable[str]:
         """The frames of the pictures around the files."""
@@ -457,6 +476,35 @@ def point_of(x: Any, y: Any, size: Size, path: str, place: str) -> Point:
             )
         values.append(normalised(value, extent))
     return Point(values[0], values[1])
+
+
+def require_objects(content: Any, keys: Sequence[str], path: str, kind: str) -> dict[str, Any]:
+    """A decoded file whose entries under some keys are lists of objects.
+
+    Raises:
+        AnnotationError: they are not.
+    """
+    for key in keys:
+        entries = content.get(key) if type(content) is dict else None
+        if type(entries) is not list:
+            problem = f"expected a list of {key}, found {json_kind(entries)}"
+            raise AnnotationError(path, problem, place=key, advice=f"is this a {kind}?")
+        for i, entry in enumerate(entries):
+            if type(entry) is not dict:
+                problem = f"expected an object, found {json_kind(entry)}"
+                advice = "correct or remove it"
+                raise AnnotationError(path, problem, place=f"{key}[{i}]", advice=advice)
+    return dict(content)
+
+
+def without_image(index: int, entry: dict[str, Any], path: str) -> AnnotationError:
+    """The error for an annotation of no image of the file."""
+    return AnnotationError(
+        path,
+        f"belongs to no image: {json_repr(entry.get('image_id'))}",
+        place=f"annotations[{index}].image_id",
+        advice="correct it, or add the image",
+    )
 
 
 def points_to_px(polyline: Polyline, size: Size) -> list[tuple[float, float]]:
