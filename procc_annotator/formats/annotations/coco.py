@@ -26,8 +26,6 @@ from procc_annotator.formats.annotations.exchange import (
     ReadContext,
     Size,
     WriteContext,
-    json_text,
-    parse_number,
     points_to_px,
     require_objects,
     without_image,
@@ -44,7 +42,7 @@ from procc_annotator.formats.annotations.label_map import (
 from procc_annotator.formats.annotations.shape_joining import ShapeCollector, extra_of, labels_for
 from procc_annotator.formats.file_source import FileSource
 from procc_annotator.formats.frame_names import picture_name
-from procc_annotator.formats.strict_json import decode_strict, json_repr
+from procc_annotator.formats.strict_json import decode_strict, json_repr, json_text, parse_number
 
 DEFAULT_SPLIT = "default"
 # As COCO calls the files of its own sets: other programs know the kind of annotation by it.

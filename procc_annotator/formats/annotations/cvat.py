@@ -33,13 +33,12 @@ from procc_annotator.formats.annotations.exchange import (
     ReadContext,
     Size,
     WriteContext,
-    json_text,
     size_from_file,
 )
 from procc_annotator.formats.annotations.shape_joining import ShapeCollector, labels_for
 from procc_annotator.formats.file_source import FileSource
 from procc_annotator.formats.frame_names import picture_name
-from procc_annotator.formats.strict_json import printable
+from procc_annotator.formats.strict_json import json_text, printable
 
 if TYPE_CHECKING:
     from xml.etree.ElementTree import Element

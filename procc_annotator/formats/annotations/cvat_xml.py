@@ -18,12 +18,10 @@ from procc_annotator.formats.annotations.exchange import (
     ExchangedFrame,
     Size,
     WriteContext,
-    number_text,
-    parse_number,
     points_to_px,
 )
 from procc_annotator.formats.annotations.shape_joining import ShapeCollector
-from procc_annotator.formats.strict_json import printable
+from procc_annotator.formats.strict_json import number_text, parse_number, printable
 
 if TYPE_CHECKING:
     from xml.etree.ElementTree import Element

@@ -16,14 +16,18 @@ from procc_annotator.formats.annotations.exchange import (
     ExchangedFrame,
     ReadContext,
     WriteContext,
-    json_text,
-    parse_number,
     points_to_px,
 )
 from procc_annotator.formats.annotations.shape_joining import ShapeCollector, extra_of, labels_for
 from procc_annotator.formats.file_source import FileSource
 from procc_annotator.formats.frame_names import picture_name
-from procc_annotator.formats.strict_json import decode_strict, json_kind, printable
+from procc_annotator.formats.strict_json import (
+    decode_strict,
+    json_kind,
+    json_text,
+    parse_number,
+    printable,
+)
 
 _TITLE = "labelme"
 _VERSION = "5.5.0"  # the release whose layout is written; labelme asks for the key

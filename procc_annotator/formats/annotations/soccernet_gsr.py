@@ -18,7 +18,6 @@ from procc_annotator.formats.annotations.exchange import (
     ExchangedFrame,
     ReadContext,
     WriteContext,
-    json_text,
     require_objects,
     size_from_file,
     without_image,
@@ -27,7 +26,7 @@ from procc_annotator.formats.annotations.shape_joining import ShapeCollector, ex
 from procc_annotator.formats.annotations.soccernet import annotation_of
 from procc_annotator.formats.file_source import FileSource
 from procc_annotator.formats.frame_names import frame_of_picture, picture_name
-from procc_annotator.formats.strict_json import decode_strict, json_kind
+from procc_annotator.formats.strict_json import decode_strict, json_kind, json_text
 
 FILE_NAME = "Labels-GameState.json"
 PITCH_CATEGORY = 5

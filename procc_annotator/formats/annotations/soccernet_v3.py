@@ -18,15 +18,20 @@ from procc_annotator.formats.annotations.exchange import (
     ReadContext,
     Size,
     WriteContext,
-    json_text,
-    parse_number,
     points_to_px,
     size_from_file,
 )
 from procc_annotator.formats.annotations.shape_joining import ShapeCollector, extra_of, labels_for
 from procc_annotator.formats.file_source import FileSource
 from procc_annotator.formats.frame_names import frame_of_picture, picture_name
-from procc_annotator.formats.strict_json import decode_strict, json_kind, json_repr, printable
+from procc_annotator.formats.strict_json import (
+    decode_strict,
+    json_kind,
+    json_repr,
+    json_text,
+    parse_number,
+    printable,
+)
 
 FILE_NAME = "Labels-v3.json"
 _TITLE = "Labels-v3.json"

@@ -11,6 +11,7 @@ from procc_annotator.camera.base import FloatArray
 from procc_annotator.camera.models import HomographyCamera
 from procc_annotator.errors import CameraError
 from procc_annotator.formats.cameras.arrays import NPY_MAGIC, npy_array
+from procc_annotator.formats.cameras.json_values import JsonValues
 from procc_annotator.formats.cameras.krt import BY_ORDER, projection_from
 from procc_annotator.formats.cameras.loaded_camera import CameraRecord, CameraRecords, LoadedCamera
 from procc_annotator.formats.strict_json import printable, utf8_text
@@ -203,12 +204,8 @@ def numbers_of_text(data: bytes, path: str) -> list[float]:
         for word in line.replace(",", " ").split():
             number = _number(word)
             if number is None:
-                raise CameraError(
-                    path,
-                    f"expected a finite number, found {word[:40]!r}",
-                    place=f"line {line_number}",
-                    advice="correct the file",
-                )
+                problem = f"expected a finite number, found {word[:40]!r}"
+                raise JsonValues({}, path).error(problem, f"line {line_number}")
             numbers.append(number)
     return numbers
 
@@ -227,12 +224,8 @@ def _finite(matrix: FloatArray, path: str) -> FloatArray:
     bad = np.argwhere(~np.isfinite(matrix))
     if len(bad):
         row, column = bad[0]
-        raise CameraError(
-            path,
-            f"expected a finite number, found {matrix[row, column]}",
-            place=f"row {row + 1} column {column + 1}",
-            advice="correct the file",
-        )
+        problem = f"expected a finite number, found {matrix[row, column]}"
+        raise JsonValues({}, path).error(problem, f"row {row + 1} column {column + 1}")
     return matrix
 
 
@@ -300,7 +293,7 @@ def _check_count(numbers: list[float], path: str) -> None:
 
 def _of_stack(content: FloatArray, path: str, inside: str) -> LoadedCamera:
     if not np.isfinite(content).all():
-        raise CameraError(path, "expected finite numbers", place=inside, advice="correct the file")
+        raise JsonValues({}, path).error("expected finite numbers", inside)
     if content.shape == (3, 4):
         return projection_from(content.tolist(), path, inside)
     world = CONVENTIONS["carwc"].world_from_units

@@ -26,6 +26,7 @@ from procc_annotator.formats.cameras.loaded_camera import (
     CameraRecord,
     CameraRecords,
     LoadedCamera,
+    ReadRecord,
     frame_of_image,
     with_notices,
 )
@@ -91,32 +92,9 @@ def deepsportradar_records(content: object, path: str) -> CameraRecords:
 _MATLAB_KIND = "an annotation of a MATLAB structure"
 
 
-def is_homography_set(content: object) -> bool:
-    """Return whether decoded content is the World Cup 2014 structure of homographies."""
-    return any("homography" in entry for entry in _annotations(content))
-
-
-def is_ptz_set(content: object) -> bool:
-    """Return whether decoded content is the structure of one tripod's cameras."""
-    return any("camera" in entry for entry in _annotations(content))
-
-
-def homography_records(content: object, path: str) -> CameraRecords:
-    """The homographies of decoded content.
-
-    Raises:
-        CameraError: there is none.
-    """
-    return _annotation_records(content, path, _homography)
-
-
-def ptz_records(content: object, path: str) -> CameraRecords:
-    """The cameras of decoded content.
-
-    Raises:
-        CameraError: there is none.
-    """
-    return _annotation_records(content, path, _ptz)
+def is_annotation_set(key: str, content: object) -> bool:
+    """Return whether decoded content is a structure of annotations with a key."""
+    return any(key in entry for entry in _annotations(content))
 
 
 def _annotations(content: object) -> list[dict[str, Any]]:
@@ -125,7 +103,15 @@ def _annotations(content: object) -> list[dict[str, Any]]:
     return [entry for entry in entries if type(entry) is dict and "image_name" in entry]
 
 
-def _annotation_records(content: object, path: str, read: Any) -> CameraRecords:
+def annotation_records(read: ReadRecord, content: object, path: str) -> CameraRecords:
+    """The cameras of the entries ``annotation(i)`` of decoded content.
+
+    Args:
+        read: `read_set_homography` or `read_ptz`.
+
+    Raises:
+        CameraError: there is none.
+    """
     found = [
         (str(entry["image_name"]), CameraRecord(f"annotation({i})", entry))
         for i, entry in enumerate(_annotations(content), 1)
@@ -135,7 +121,8 @@ def _annotation_records(content: object, path: str, read: Any) -> CameraRecords:
     return CameraRecords.of(path, found, read)
 
 
-def _homography(content: Any, path: str, inside: str) -> LoadedCamera:
+def read_set_homography(content: Any, path: str, inside: str) -> LoadedCamera:
+    """The camera of an entry with a homography, world -> picture, in yards."""
     values = JsonValues.of(content, path, inside, _MATLAB_KIND)
     image_from_ground = values.matrix("homography", 3, 3)
     try:
@@ -147,7 +134,8 @@ def _homography(content: Any, path: str, inside: str) -> LoadedCamera:
     return with_notices(replace(loaded, assumed_field="soccer"), values.unused("homography"))
 
 
-def _ptz(content: Any, path: str, inside: str) -> LoadedCamera:
+def read_ptz(content: Any, path: str, inside: str) -> LoadedCamera:
+    """The camera of an entry cx, cy, focal length, rotation vector, position (metres, z up)."""
     values = JsonValues.of(content, path, inside, _MATLAB_KIND)
     cx, cy, focal, *rest = values.vector("camera", 9)
     own = {

@@ -43,13 +43,13 @@ from procc_annotator.formats.cameras.polylines import (
     polylines_records,
 )
 from procc_annotator.formats.cameras.published_sets import (
+    annotation_records,
     deepsportradar_records,
-    homography_records,
+    is_annotation_set,
     is_deepsportradar,
-    is_homography_set,
-    is_ptz_set,
     is_transforms,
-    ptz_records,
+    read_ptz,
+    read_set_homography,
     transforms_records,
 )
 from procc_annotator.formats.cameras.soccernet import (
@@ -108,26 +108,18 @@ def _soccernet(content: object, path: str, inside: str = "") -> LoadedCamera:
     return camera_from(content, path=path, inside=inside)
 
 
-def _by_frame(
-    is_one: Callable[[object], bool], read: FromContent
-) -> Callable[[object, str], CameraRecords | None]:
-    """For formats of one camera: ``{frame: camera}`` as well."""
-
-    def records(content: object, path: str) -> CameraRecords | None:
-        if type(content) is not dict or is_one(content) or not any(map(is_one, content.values())):
-            return None
-        found = [(name, CameraRecord(name, v)) for name, v in content.items()]
-        return CameraRecords.of(path, found, read)
-
-    return records
-
-
 def _is_soccernet(content: object) -> bool:
     return type(content) is dict and is_soccernet(content)
 
 
-def _no_records(content: object, path: str) -> CameraRecords | None:
-    raise AssertionError("lines of JSON are read as text")
+def _by_frame(
+    is_one: Callable[[object], bool], read: FromContent, content: object, path: str
+) -> CameraRecords | None:
+    """The cameras of ``{frame: camera}`` of a format of one camera."""
+    if type(content) is not dict or is_one(content) or not any(map(is_one, content.values())):
+        return None
+    found = [(name, CameraRecord(name, v)) for name, v in content.items()]
+    return CameraRecords.of(path, found, read)
 
 
 def _krt_records(content: object, path: str) -> CameraRecords | None:
@@ -135,59 +127,52 @@ def _krt_records(content: object, path: str) -> CameraRecords | None:
         return nested_records(content, path)
     if is_stack(content):
         return stack_records(content, path)
-    return _KRT_BY_FRAME(content, path)
+    return _by_frame(is_krt, krt_from, content, path)
 
 
 def _is_krt(content: object) -> bool:
     return is_krt(content) or is_nested(content) or (is_stack(content) and not is_storage(content))
 
 
-_SOCCERNET_RECORDS = _by_frame(_is_soccernet, _soccernet)
-_KRT_BY_FRAME = _by_frame(is_krt, krt_from)
 SOCCERNET = JsonFormat(
-    "soccernet",
-    "SoccerNet camera JSON",
-    _soccernet,
-    _SOCCERNET_RECORDS,
-    _is_soccernet,
-    "pan_degrees, x_focal_length",
-)
-TVCALIB = JsonFormat(
-    "tvcalib", "TVCalib per_sample_output.json", None, _no_records, is_tvcalib, "image_ids"
+    "soccernet", "SoccerNet camera JSON", _soccernet,
+    partial(_by_frame, _is_soccernet, _soccernet), _is_soccernet, "pan_degrees, x_focal_length",
+)  # fmt: skip
+TVCALIB = JsonFormat(  # its lines of JSON are read as text: by `tvcalib_records`
+    "tvcalib", "TVCalib per_sample_output.json", None, lambda *_: None, is_tvcalib, "image_ids"
 )
 JSON_FORMATS = (
     SOCCERNET,
     TVCALIB,
     JsonFormat(
-        "broadtrack", "BroadTrack JSON", None, broadtrack_records, is_broadtrack,
-        "cp of each picture",
+        "broadtrack", "BroadTrack JSON", None,
+        broadtrack_records, is_broadtrack, "cp of each picture",
     ),
     JsonFormat(
-        "deepsportradar", "DeepSportRadar K, R, T list", None, deepsportradar_records,
-        is_deepsportradar, "a list of K, R, T",
+        "deepsportradar", "DeepSportRadar K, R, T list", None,
+        deepsportradar_records, is_deepsportradar, "a list of K, R, T",
     ),
+    JsonFormat("krt", "K, R, t and distortion", krt_from, _krt_records, _is_krt, "K, R"),
     JsonFormat(
-        "krt", "K, R, t and distortion", krt_from, _krt_records, _is_krt, "K, R"
-    ),
-    JsonFormat(
-        "polylines", "projected polylines, JSON", polylines_from, polylines_records,
-        lambda _: False,
+        "polylines", "projected polylines, JSON", polylines_from,
+        polylines_records, lambda _: False,
     ),
     JsonFormat(
         "projection", "3 x 4 projection matrix", projection_from,
-        _by_frame(is_projection, projection_from), is_projection, "P of 3 x 4",
+        partial(_by_frame, is_projection, projection_from), is_projection, "P of 3 x 4",
     ),
     JsonFormat(
-        "transforms", "transforms.json of radiance fields", None, transforms_records,
-        is_transforms, "frames of transform_matrix",
+        "transforms", "transforms.json of radiance fields", None,
+        transforms_records, is_transforms, "frames of transform_matrix",
     ),
     JsonFormat(
-        "sccvsd", "World Cup 2014 homographies, MATLAB", None, homography_records,
-        is_homography_set, "annotation of image_name, homography",
+        "sccvsd", "World Cup 2014 homographies, MATLAB", None,
+        partial(annotation_records, read_set_homography),
+        partial(is_annotation_set, "homography"), "annotation of image_name, homography",
     ),
     JsonFormat(
-        "ptz-slam", "frames of one tripod, MATLAB", None, ptz_records, is_ptz_set,
-        "annotation of image_name, camera",
+        "ptz-slam", "frames of one tripod, MATLAB", None, partial(annotation_records, read_ptz),
+        partial(is_annotation_set, "camera"), "annotation of image_name, camera",
     ),
 )  # fmt: skip
 _SOCCERNET_KEYS = ("pan_degrees", "tilt_degrees", "position_meters", "x_focal_length")
