@@ -9,38 +9,34 @@ from __future__ import annotations
 import ctypes
 import importlib.util
 import os
-import runpy
 import shutil
 import subprocess
 import sys
-from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
-LIBRARIES = (
-    "libglib-2.0.so.0",
-    "libGL.so.1",
-    "libEGL.so.1",
-    "libxkbcommon.so.0",
-    "libfreetype.so.6",
-    "libfontconfig.so.1",
-    "libdbus-1.so.3",
-    "libxkbcommon-x11.so.0",
-    "libxcb-cursor.so.0",
-    "libxcb-icccm.so.4",
-    "libxcb-keysyms.so.1",
-    "libxcb-shape.so.0",
-)
+PACKAGES = {
+    "libglib-2.0.so.0": "libglib2.0-0",
+    "libGL.so.1": "libgl1",
+    "libEGL.so.1": "libegl1",
+    "libxkbcommon.so.0": "libxkbcommon0",
+    "libfreetype.so.6": "libfreetype6",
+    "libfontconfig.so.1": "libfontconfig1",
+    "libdbus-1.so.3": "libdbus-1-3",
+    "libxkbcommon-x11.so.0": "libxkbcommon-x11-0",
+    "libxcb-cursor.so.0": "libxcb-cursor0",
+    "libxcb-icccm.so.4": "libxcb-icccm4",
+    "libxcb-keysyms.so.1": "libxcb-keysyms1",
+    "libxcb-shape.so.0": "libxcb-shape0",
+}  # Debian's
 
 
 def missing_packages() -> list[tuple[str, ...]]:
     """Debian's names of the packages whose library cannot be loaded, alternatives together."""
-    table = runpy.run_path(str(ROOT / "procc_annotator" / "cli" / "system_packages.py"))
     missing = []
-    for library in LIBRARIES:
+    for library, package in PACKAGES.items():
         try:
             ctypes.CDLL(library)
         except OSError:
-            missing.append((table["PACKAGES"][table["stem_of"](library)].apt,))
+            missing.append((package,))
     if importlib.util.find_spec("ensurepip") is None:
         missing.append((f"python3.{sys.version_info.minor}-venv", "python3-venv"))
     return missing

@@ -51,7 +51,6 @@ def condensed(remarks: Mapping[str, int]) -> dict[str, int]:
 # What each is for, and the library that it brings.
 EXTRAS = {
     "dask": ("a Dask cluster", "distributed"),
-    "parquet": ("Parquet tables", "pyarrow"),
 }
 
 

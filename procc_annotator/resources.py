@@ -22,7 +22,8 @@ def resources_dir() -> Path:
 
 
 def data_folder() -> Path | None:
-    """Where programs keep what is theirs and the user's (on Linux as the XDG base directories say).
+    """Return where programs keep what is theirs and the user's (on Linux as the XDG base
+    directories say).
 
     Returns:
         None when the user has no home.

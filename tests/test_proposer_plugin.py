@@ -99,7 +99,7 @@ def test_the_example_is_used_in_worker_processes_too(
     done = subprocess.run(
         [
             sys.executable, "-m", "procc_annotator", "propose", str(match), str(out),
-            "--with", "usual_views", "--known", str(known), "--workers", "2",
+            "--detector", "usual_views", "--known-positions", str(known), "--workers", "2",
         ],
         env={**os.environ, "PYTHONPATH": f"{ROOT}{os.pathsep}{installed}"},
         capture_output=True,
@@ -121,7 +121,7 @@ def test_what_a_detector_says_is_made_right_on_the_paint(
         "PROPOSER = PictureProposer('mine', 'Mine', lambda picture, field: [NEAR])\n"
     )
     site = with_plugin(tmp_path / "site", code)
-    done = run_here(site, "propose", match, tmp_path / "out", "--with", "mine")
+    done = run_here(site, "propose", match, tmp_path / "out", "--detector", "mine")
     assert done.exit_code == 0, done.output
     helped, found = json.loads(camera_in(tmp_path / "out")), json.loads(alone)
     assert helped["pan_degrees"] == pytest.approx(found["pan_degrees"], abs=0.1)
@@ -135,7 +135,12 @@ def test_labelled_points_become_a_camera(sample_data: Path, match: Path, tmp_pat
         "PROPOSER = PictureProposer('mine', 'Mine', lambda picture, field: [FOUND])\n"
     )
     done = run_here(
-        with_plugin(tmp_path / "site", code), "propose", match, tmp_path / "out", "--with", "mine"
+        with_plugin(tmp_path / "site", code),
+        "propose",
+        match,
+        tmp_path / "out",
+        "--detector",
+        "mine",
     )
     assert done.exit_code == 0, done.output
     assert camera_in(tmp_path / "out")
@@ -156,16 +161,16 @@ def test_a_detector_gone_wrong_is_one_line(
     match: Path, tmp_path: Path, code: str, said: str
 ) -> None:
     site = with_plugin(tmp_path / "site", code)
-    done = run_here(site, "propose", match, tmp_path / "out", "--with", "mine")
+    done = run_here(site, "propose", match, tmp_path / "out", "--detector", "mine")
     assert done.exit_code == 2
     assert said in done.stderr
     assert len(done.stderr.splitlines()) == 1
 
 
 def test_no_detector_of_that_name(match: Path, tmp_path: Path) -> None:
-    done = run_here(tmp_path, "propose", match, tmp_path / "out", "--with", "mine")
+    done = run_here(tmp_path, "propose", match, tmp_path / "out", "--detector", "mine")
     assert done.exit_code == 2
-    assert "--with mine: no such proposer (none is installed)" in done.stderr
+    assert "--detector mine: no such proposer (none is installed)" in done.stderr
 
 
 def test_a_detector_that_sees_nothing_leaves_the_search_as_it_is(
@@ -173,6 +178,6 @@ def test_a_detector_that_sees_nothing_leaves_the_search_as_it_is(
 ) -> None:
     code = "PROPOSER = PictureProposer('mine', 'x', lambda p, f: [FrameAnnotation(())])"
     site = with_plugin(tmp_path / "site", code)
-    done = run_here(site, "propose", match, tmp_path / "out", "--with", "mine")
+    done = run_here(site, "propose", match, tmp_path / "out", "--detector", "mine")
     assert done.exit_code == 0, done.output
     assert camera_in(tmp_path / "out") == alone

@@ -13,7 +13,7 @@ from procc_annotator.report.tables.table import Metric
 INTRODUCTION = """\
 # Every figure
 
-What the columns of tables, files and reports mean. *Key* is the name in CSV, JSON and Parquet; an
+What the columns of tables, files and reports mean. *Key* is the name in CSV and JSON; an
 arrow says which way is better. How the figures are worked out: [metrics](metrics.md),
 [is the difference real](chance.md), [steady over time](over-time.md).
 

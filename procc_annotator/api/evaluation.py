@@ -137,7 +137,7 @@ def project_field(
     protocol: str = "procc",
     clipped: bool = True,
 ) -> dict[str, tuple[FloatArray, ...]]:
-    """Where a camera shows the elements of a field.
+    """Return where a camera shows the elements of a field.
 
     Args:
         camera: as `evaluate` takes it.
@@ -175,7 +175,7 @@ def disagreement(
     camera_size: Size | None = None,
     step_px: int = 4,
 ) -> Disagreement:
-    """How far two cameras of one picture disagree about the ground, pixel by pixel.
+    """Return how far two cameras of one picture disagree about the ground, pixel by pixel.
 
     Args:
         a: a camera as `evaluate` takes it; not projections alone, which know no ground.

@@ -204,5 +204,5 @@ def as_pixels(picture: object) -> PixelArray:
 
 
 def kind_of(value: object) -> str:
-    """What a value is, in a word."""
+    """Return what a value is, in a word."""
     return "nothing" if value is None else type(value).__name__

@@ -23,7 +23,7 @@ def check_labels(
     picture: PixelArray | str | Path | None = None,
     model: str = "R",
 ) -> tuple[Finding, ...]:
-    """What may be wrong with the labels and points of a frame.
+    """Return what may be wrong with the labels and points of a frame.
 
     Args:
         annotation: what is annotated, points normalised.

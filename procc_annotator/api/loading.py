@@ -45,7 +45,7 @@ _ANNOTATIONS = (".json", ".xml")
 
 @dataclass(frozen=True)
 class Dataset:
-    """What lies in a dataset's folder.
+    """Content of a dataset's folder.
 
     Attributes:
         path: the folder, archive or file.
@@ -289,7 +289,7 @@ def _frames(
     on_damaged: OnDamaged | None,
     labels: str | Path | None,
 ) -> list[ExchangedFrame]:
-    """What is annotated, each frame once.
+    """Return what is annotated, each frame once.
 
     Args:
         place: what the annotations are read from.

@@ -54,7 +54,7 @@ Clustering = str | Mapping[str, str] | None
 
 @dataclass(frozen=True, eq=False)
 class SetScore:
-    """What `evaluate_set` found.
+    """Result of `evaluate_set`.
 
     Attributes:
         described: protocol, size and options in words, to stand beside every number; and whether

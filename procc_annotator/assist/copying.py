@@ -156,8 +156,8 @@ def _move_points(
 
 
 def _is_seen(picture: PixelArray, sought: LineTarget, begin: FloatArray, end: FloatArray) -> bool:
-    """Whether a line is seen to go on, also near where it should end: its own end may be in sight
-    by now."""
+    """Return whether a line is seen to go on, also near where it should end: its own end may be in
+    sight by now."""
     length = float(np.hypot(*(end - begin)))
     if length <= _AT_EDGE_PX:
         return True
@@ -168,13 +168,15 @@ def _is_seen(picture: PixelArray, sought: LineTarget, begin: FloatArray, end: Fl
 
 
 def _leaves(end: FloatArray, inner: FloatArray, size: Size) -> bool:
-    """Whether a line ends where it leaves the picture; one along the edge does not leave there."""
+    """Return whether a line ends where it leaves the picture; one along the edge does not leave
+    there."""
     way_out = _continued(end, inner, size) - end
     return bool(np.hypot(way_out[0], way_out[1]) <= _AT_EDGE_PX)
 
 
 def _continued(end: FloatArray, inner: FloatArray, size: Size) -> FloatArray:
-    """Where the line through an end leaves the picture; the end itself if that is outside."""
+    """Return where the line through an end leaves the picture; the end itself if that is
+    outside."""
     limits = np.array(size, dtype=np.float64) - 1
     along = end - inner
     if (end < 0).any() or (end > limits).any() or not along.any():

@@ -27,7 +27,7 @@ def regular_parameters(
     *,
     least: int = 3,
 ) -> FloatArray:
-    """Where along a curve the points of a regular polyline belong.
+    """Return where along a curve the points of a regular polyline belong.
 
     Args:
         parameters: (n,) ascending, of the places.
@@ -86,7 +86,7 @@ class Curve:
 
     @property
     def turns_back(self) -> bool:
-        """Whether it comes back on itself somewhere, so that it has no direction there."""
+        """Return whether it comes back on itself somewhere, so that it has no direction there."""
         with np.errstate(invalid="ignore"):
             return not np.isfinite(self.at(np.linspace(0.0, 1.0, EVERYWHERE))[1]).all()
 

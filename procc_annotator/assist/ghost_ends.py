@@ -50,7 +50,7 @@ _REFINED_PX = 1.0  # across
 
 @dataclass(frozen=True, slots=True)
 class Corner:
-    """Where a line ends.
+    """End of a line.
 
     Attributes:
         place_px: (2,) px.
@@ -88,7 +88,7 @@ def seen_corner(
     may_miss_px: float,
     shifted_px: float,
 ) -> Corner | None:
-    """Where a line's last end meets the paint of an element that it ends at.
+    """Return where a line's last end meets the paint of an element that it ends at.
 
     Args:
         line: of a straight element, found beyond where its last end is expected.
@@ -134,7 +134,8 @@ def _candidates(
     ghost: Ghost,
     shifted_px: float,
 ) -> Iterator[_Candidate]:
-    """Where the other element's paint crosses the line, the nearest to the expected end first."""
+    """Return where the other element's paint crosses the line, the nearest to the expected end
+    first."""
     at = line.expected[1]
     along, anchor = line.directions[at], line.course_px[at]
     course = joint.course_px + (anchor - end.place_px)
@@ -363,8 +364,8 @@ def _corners(
 
 
 def _before(line: VisibleLine, corner: Corner) -> tuple[FloatArray, FloatArray, BoolArray]:
-    """Where a line was seen last, and what lies between it and its last end: (n, 2) px of both, and
-    (n,) whether they are of the second."""
+    """Return where a line was seen last, and what lies between it and its last end: (n, 2) px of
+    both, and (n,) whether they are of the second."""
     course = continued(line.course_px, _HIDDEN_PX)
     past = max(2, int(np.hypot(*(course - corner.place_px).T).argmin()))
     begin, end = line.runs[-1]

@@ -25,7 +25,7 @@ _ONE_PLACE_PX = 3.0
 
 @dataclass(frozen=True, slots=True)
 class GhostPoints:
-    """What accepting a ghost would add.
+    """Points that accepting a ghost would add.
 
     Attributes:
         name: the class.
@@ -45,7 +45,7 @@ class GhostPoints:
 
 @dataclass(frozen=True, slots=True)
 class AcceptedGhosts:
-    """What accepting all ghosts comes to.
+    """Points that accepting all ghosts would add.
 
     Attributes:
         annotation: with those that were accepted.

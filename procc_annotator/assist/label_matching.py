@@ -57,7 +57,7 @@ class LabelledFrame:
 
 @dataclass(frozen=True, slots=True)
 class LabelCount:
-    """How often a label occurs.
+    """Number of occurrences of a label.
 
     Attributes:
         label: as in the files.
@@ -96,14 +96,13 @@ def labelled_frames(found: ReadSet, field: Field) -> list[LabelledFrame]:
 
 
 def _label_of(name: str, found: ReadSet) -> str:
-    """The label that a numbered copy has in the file."""
     copy = _COPY.fullmatch(name)
     own = name.strip() in found.unknown
     return copy[1].strip() if copy and not own else name.strip()
 
 
 def label_counts(frames: Sequence[LabelledFrame]) -> list[LabelCount]:
-    """How often each label occurs, the most frequent first."""
+    """Return how often each label occurs, the most frequent first."""
     copies: dict[str, Counter[int]] = {}
     for frame in frames:
         for label, shapes in frame.shapes.items():
@@ -135,7 +134,7 @@ CameraOf = Callable[[LabelledFrame, tuple[int, int]], CameraOrProjections | None
 
 @dataclass(frozen=True)
 class LabelPlaces:
-    """Where the shapes of a label were found.
+    """Places of the shapes of a label.
 
     Attributes:
         on: class -> how many shapes lie on it, and on nothing nearer.
@@ -399,8 +398,8 @@ def _labelled(
 def _off(
     shapes: Sequence[tuple[str, Points]], frame: LabelledFrame, lines: Mapping[str, FloatArray]
 ) -> float | None:
-    """How far the points of a frame are from their lines under the homography that fits them best,
-    as a share of the picture's width; None where they determine none."""
+    """Return how far the points of a frame are from their lines under the homography that fits them
+    best, as a share of the picture's width; None where they determine none."""
     used = [(lines[name], points) for name, points in shapes if name in lines]
     rows = np.array([line for line, points in used for _ in points])
     if len(used) < _FEWEST_LINES or len(rows) < _FEWEST_EQUATIONS:

@@ -46,7 +46,7 @@ _NO_PLACES = LabelPlaces.none()
 
 @dataclass(frozen=True, slots=True)
 class LabelProposal:
-    """What a label may stand for.
+    """A proposal for a label.
 
     Attributes:
         count: the label, and how often it occurs.

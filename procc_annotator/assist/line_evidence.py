@@ -34,7 +34,7 @@ _STEP_M = 0.05
 
 
 class ExpectedLines:
-    """What each element looks like in one picture.
+    """Expected look of each element in one picture.
 
     Args:
         field: its elements.
@@ -51,15 +51,15 @@ class ExpectedLines:
         self._course = cache(self._projected)
 
     def of(self, class_name: str) -> LineTarget:
-        """What to look for of a class, wherever it is; of one without a place what most elements
-        look like."""
+        """Return what to look for of a class, wherever it is; of one without a place what most
+        elements look like."""
         element = self._field.element(class_name)
         looks = element.appearance if element is not None else self._usual
         bends = element is None or element.is_curved
         return replace(LineTarget.of(looks, self._width_px), bends=bends)
 
     def at(self, class_name: str, place: Place) -> tuple[LineTarget, Place | None]:
-        """What to look for of a class near a place in the picture, and in which direction.
+        """Return what to look for of a class near a place in the picture, and in which direction.
 
         The direction is a unit vector, None where no camera tells it.
         """
@@ -128,7 +128,7 @@ def line_evidence(
     known: Mapping[Polyline, LineEvidence] | None = None,
     go_on: Callable[[], None] = lambda: None,
 ) -> dict[Polyline, LineEvidence]:
-    """What the picture shows along each element; safe from any thread.
+    """Return what the picture shows along each element; safe from any thread.
 
     Args:
         annotation: of the frame; unconfirmed elements are looked at too.

@@ -182,7 +182,7 @@ def _once(
 
 
 def _is_same(before: Polyline, after: Polyline, size: tuple[int, int]) -> bool:
-    """Whether points are as regular as others, on the same line."""
+    """Return whether points are as regular as others, on the same line."""
     if before == after:
         return True
     old, new = points_px(before, size), points_px(after, size)

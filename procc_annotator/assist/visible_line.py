@@ -85,7 +85,7 @@ _END_SHARE = 1.7  # as the larger of the contrast shares, where only one side sh
 
 @dataclass(frozen=True, eq=False)
 class _StripColours:
-    """What a strip shows, place by place: (n, 3) BGR of the line and of the ground beside it."""
+    """Colours of a strip, place by place: (n, 3) BGR of the line and of the ground beside it."""
 
     centre: FloatArray
     left: FloatArray
@@ -138,7 +138,7 @@ def runs_seen(
 
 
 def is_bare(picture: PixelArray, course: FloatArray, across: FloatArray, asked: BoolArray) -> bool:
-    """Whether most of some places show neither a line, by what it is like at the others, nor
+    """Return whether most of some places show neither a line, by what it is like at the others, nor
     anything else that could hide it: across it all is alike. (n, 2) px of each and its normal."""
     if not asked.any() or (~asked).sum() < _RUN_PX:
         return False  # nobody can tell
@@ -244,7 +244,7 @@ def _to_ends(runs: Runs, beside_ground: BoolArray) -> Runs:
 
 
 def _reached(shown: BoolArray) -> int:
-    """How many places from the first on are shown, but for small gaps."""
+    """Return how many places from the first on are shown, but for small gaps."""
     rows = np.flatnonzero(shown)
     if not len(rows) or rows[0] > _END_GAP_PX:
         return 0

@@ -43,7 +43,7 @@ class FrameOfAnnotators(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class ConsensusResult:
-    """What became of one frame; annotators by their places.
+    """Result for one frame; annotators by their places.
 
     Attributes:
         name: of the frame.
@@ -161,7 +161,7 @@ class ConsensusRun(SetRun[FrameOfAnnotators, ConsensusResult, None]):
         )
 
     def describe(self) -> str:
-        """What the numbers depend on, in words."""
+        """Return what the numbers depend on, in words."""
         return f"{self.field.described}, {self.size[0]}x{self.size[1]}"
 
 

@@ -23,7 +23,7 @@ TAU_GRID = np.round(np.arange(0.5, 30.05, 0.1), 1)
 
 @dataclass(frozen=True, slots=True)
 class Pose:
-    """Where a camera stands and looks; degrees, metres, px of the evaluation size."""
+    """Position and direction of a camera; degrees, metres, px of the evaluation size."""
 
     pan_deg: float
     tilt_deg: float
@@ -240,7 +240,7 @@ def mean_curve(audits: Sequence[FrameAudit]) -> FloatArray:
 
 @dataclass(frozen=True, eq=False)
 class Histogram:
-    """How many points have which error.
+    """Histogram of the errors of points.
 
     Attributes:
         edges: (b + 1,) px; the last bar holds everything from its lower edge on.
@@ -374,7 +374,7 @@ def timeline(frames: Sequence[str], audits: Mapping[str, FrameAudit], tau: float
 
 @dataclass(frozen=True, eq=False)
 class SetPoses:
-    """Where a source's camera is over the frames.
+    """Poses of a source's camera over the frames.
 
     Attributes:
         values: (F, 7) in the order of `POSE_QUANTITIES`; NaN where there is no pose. Pan goes on
@@ -410,7 +410,7 @@ def poses(frames: Sequence[str], audits: Mapping[str, FrameAudit]) -> SetPoses:
 
 
 def jumps(values: FloatArray) -> NDArray[np.bool_]:
-    """Where the change from the frame before is a robust outlier among all such changes.
+    """Return where the change from the frame before is a robust outlier among all such changes.
 
     Eight standard deviations (from the median absolute deviation) off the median change, and never
     less than half a degree, half a metre or ten px.

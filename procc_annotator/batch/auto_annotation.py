@@ -26,7 +26,7 @@ _NOTHING = FrameAnnotation(())
 
 @dataclass(frozen=True, slots=True)
 class AnnotatedPicture:
-    """What was found of one picture.
+    """Result for one picture.
 
     Attributes:
         name: of the frame.

@@ -92,7 +92,7 @@ def _worst(measurement: Measurement, name: str) -> float | None:
 
 @dataclass(frozen=True, slots=True)
 class Calibrated:
-    """What became of one annotated frame.
+    """Result for one annotated frame.
 
     Attributes:
         name: the frame.
@@ -131,7 +131,7 @@ class Calibrated:
 
     @property
     def has_camera(self) -> bool:
-        """Whether a camera was found."""
+        """Return whether a camera was found."""
         return bool(self.file_name)
 
 
@@ -280,7 +280,7 @@ class CalibrationRun(SetRun[FrameFile, Calibrated, SetAccumulator]):
 
     @property
     def thresholds(self) -> tuple[float, ...]:
-        """What the frames are scored at, px."""
+        """Return what the frames are scored at, px."""
         return self.task.thresholds
 
     def _take(self, results: Sequence[Calibrated], sums: SetAccumulator) -> None:
@@ -315,7 +315,7 @@ class CalibrationRun(SetRun[FrameFile, Calibrated, SetAccumulator]):
 
 
 def model_words(model: str, chosen: Mapping[str, int]) -> str:
-    """What was fitted, in words.
+    """Return what was fitted, in words.
 
     Args:
         model: what was asked for.
@@ -331,7 +331,7 @@ FOLDER = Path("cameras") / "fitted"  # in the dataset's folder
 
 
 def fitted_folder(dataset: Path) -> Path:
-    """Where the fits of a dataset are kept."""
+    """Return where the fits of a dataset are kept."""
     return dataset / FOLDER
 
 
@@ -407,13 +407,12 @@ def _fitted_from(annotation: FrameAnnotation, fit: FitResult, field: str) -> dic
 
 
 def _cameras_of(folder: Path, frame: str) -> list[Path]:
-    """The files of a frame's camera that are there."""
     paths = [folder / name for name in camera_names(frame)]
     return [path for path in paths if path.exists()]
 
 
 def _is_saved_fit(path: Path, beside: Path) -> bool:
-    """Whether a camera's file was written by `save_fit`."""
+    """Return whether a camera's file was written by `save_fit`."""
     if path.suffix != ".json":
         return beside.exists()
     try:

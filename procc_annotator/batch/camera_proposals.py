@@ -179,7 +179,7 @@ class WithPlugin:
 
 
 def _positions(cameras: Sequence[PinholeCamera]) -> list[KnownPosition]:
-    """Where cameras stand, the first few of different ones."""
+    """Return where cameras stand, the first few of different ones."""
     found: list[np.ndarray] = []
     for camera in cameras:
         place = np.array(camera.position_world)
@@ -197,7 +197,7 @@ def chosen_proposer(name: str) -> PictureProposer:
     by_name, problems = proposers()
     if name not in by_name:
         there = ", ".join(by_name) or "none is installed"
-        raise UsageError("; ".join((f"--with {name}: no such proposer ({there})", *problems)))
+        raise UsageError("; ".join((f"--detector {name}: no such proposer ({there})", *problems)))
     return by_name[name]
 
 
@@ -211,7 +211,7 @@ class Proposer(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class Proposed:
-    """What was proposed for one frame.
+    """Proposal for one frame.
 
     Attributes:
         name: of the frame.
@@ -229,7 +229,7 @@ class Proposed:
 
     @property
     def is_sure(self) -> bool:
-        """Whether there is a camera that may be relied on."""
+        """Return whether there is a camera that may be relied on."""
         return self.proposal is not None and self.proposal.state == SURE
 
 
@@ -323,8 +323,8 @@ class SecondPass:
 
 
 def second_pass(run: ProposalRun, found: Sequence[Proposed]) -> SecondPass | None:
-    """What a second look at a set is to be, if its sure frames agree on a position and others may
-    gain by it.
+    """Return what a second look at a set is to be, if its sure frames agree on a position and
+    others may gain by it.
 
     Args:
         run: that is done; its executor does this one too.

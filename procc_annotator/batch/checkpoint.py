@@ -146,11 +146,7 @@ def _number_type(text: str) -> np.dtype[Any]:
 
 def _plain_class(name: str) -> tuple[Callable[..., Any], list[str] | None]:
     """A dataclass of this package, by its module and name, with the names of what it is made from;
-    or a named tuple, with None.
-
-    Raises:
-        KeptValueError: it is none.
-    """
+    or a named tuple, with None."""
     module, _, qualified = name.partition(":")
     if not module.startswith(f"{_PACKAGE}.") or not qualified.isidentifier():
         raise SerializationError(f"{name} is no class of {_PACKAGE}")
@@ -169,8 +165,8 @@ _KEY_LENGTH = 64
 
 
 def checkpoint_path(out: Path, command: str) -> Path:
-    """Where it lies: in the folder that is written, or beside the archive; hidden, so that no
-    listing of cameras or annotations minds it."""
+    """Return where it lies: in the folder that is written, or beside the archive; hidden, so that
+    no listing of cameras or annotations minds it."""
     if out.suffix.lower() == ".zip":
         return sibling_path(out, ".", f".{command}.unfinished")
     return out / f".{command}.unfinished"
@@ -199,7 +195,7 @@ class Checkpoint:
         self._end = self._read() if resume else 0
 
     def __contains__(self, key: str) -> bool:
-        """Whether a chunk was done before; what is added now does not count."""
+        """Return whether a chunk was done before; what is added now does not count."""
         return key in self._places
 
     def __len__(self) -> int:

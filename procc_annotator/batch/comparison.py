@@ -58,7 +58,7 @@ class CameraPair:
 
 @dataclass(frozen=True, slots=True)
 class ComparedFrame:
-    """What became of one frame that both sources have.
+    """Result for one frame that both sources have.
 
     Attributes:
         name: the frame.
@@ -187,7 +187,7 @@ class ComparisonRun(SetRun[str, ComparedFrame, None]):
         )
 
     def describe(self) -> str:
-        """What the numbers depend on, in words."""
+        """Return what the numbers depend on, in words."""
         return f"{self.field.described}, {self.size[0]}x{self.size[1]}"
 
 
@@ -252,7 +252,6 @@ def _pair(a: CameraSet, b: CameraSet, name: str, size: tuple[int, int]) -> Camer
 
 
 def _every(a: ByFrame[str], b: ByFrame[str]) -> list[str]:
-    """The frames of two sources, those of both by a name that both know."""
     names = [name if name in b else a.called_in(b, name) or name for name in a]
     in_b = {b.name_there(name) for name in names}
     return [*names, *(name for name in b if name not in in_b)]

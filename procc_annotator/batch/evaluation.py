@@ -113,7 +113,7 @@ class EvaluationRun(SetRun[FrameFiles, T, Tally]):
 
     @property
     def setup(self) -> EvaluationSetup:
-        """What every frame is scored with."""
+        """Return what every frame is scored with."""
         return self.task.setup
 
     @property
@@ -149,12 +149,13 @@ class EvaluationRun(SetRun[FrameFiles, T, Tally]):
 
     @property
     def held_out(self) -> LeftOutMetrics:
-        """What is known of elements left out of the fits among the cameras so far."""
+        """Return what is known of elements left out of the fits among the cameras so far."""
         return self._sums.held_out.at(self.setup)
 
     @property
     def annotation_notes(self) -> tuple[str, ...]:
-        """What the annotations so far have that lowers every score, see `AnnotationNotes`."""
+        """Return what the annotations so far have that lowers every score, see
+        `AnnotationNotes`."""
         return self._sums.notes.lines()
 
     def summary(self) -> dict[float, SetSummary]:

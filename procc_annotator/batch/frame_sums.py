@@ -26,7 +26,7 @@ REPEATS = 20
 
 @dataclass(frozen=True)
 class ClickNoise:
-    """How points are moved.
+    """Noise that moves points.
 
     Attributes:
         px: standard deviation along x and along y, px of the evaluation size or of ``of_size``.
@@ -51,7 +51,7 @@ class ClickNoise:
 
     @property
     def described(self) -> str:
-        """How points are moved, in words."""
+        """Return how points are moved, in words."""
         of, told_by = "", ""
         if self.of_size is not None:
             of, told_by = f" of {self.of_size[0]}x{self.of_size[1]}", f", from {self.told_by}"
@@ -223,7 +223,8 @@ class SourceSums:
 
     @property
     def ground_only(self) -> bool:
-        """Whether some of its cameras know only the ground: their errors are of fewer points."""
+        """Return whether some of its cameras know only the ground: their errors are of fewer
+        points."""
         return any(frame.ground_only for frame in self.frames)
 
     @property
@@ -303,7 +304,8 @@ def difference_band(
     frames: Sequence[str],
     order: FrameOrder | None = None,
 ) -> AuditBand:
-    """What the mean JaC of one source has more than that of another, over the frames of both.
+    """Return what the mean JaC of one source has more than that of another, over the frames of
+    both.
 
     Args: as of `mean_band`.
     """

@@ -45,7 +45,7 @@ class ShotFrames:
 
 @dataclass(frozen=True)
 class FrameOrder:
-    """What a table says of frames.
+    """Content of a table of frames.
 
     Attributes:
         told_by: the file.
@@ -192,7 +192,7 @@ _TAGS_ADVICE = "the file needs a header like: frame,stadium,camera type"
 
 @dataclass(frozen=True)
 class Grouping:
-    """What the frames of one set are grouped by.
+    """Groups of the frames of one set.
 
     Attributes:
         by: columns of tags, or `MODEL`.
@@ -267,7 +267,7 @@ class Tags:
 
 
 def check_by(by: Sequence[str], tags: Tags | None, further: Sequence[str] = ()) -> tuple[str, ...]:
-    """What to group by, each once.
+    """Return what to group by, each once.
 
     Args:
         further: what else a person may ask for, to be named where something is asked for that
@@ -311,12 +311,12 @@ class Clusters:
 
     @property
     def count(self) -> int:
-        """How many there are."""
+        """Return their number."""
         return int(self.numbers.max()) + 1 if len(self.numbers) else 0
 
     @property
     def thing(self) -> str:
-        """What there are so many of."""
+        """Return what there are so many of."""
         return "frame" if self.by == NONE else "cluster"
 
     @property

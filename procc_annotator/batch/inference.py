@@ -108,7 +108,7 @@ class Inference:
 
     @cached_property
     def described(self) -> str:
-        """What intervals rest on, in words."""
+        """Return what intervals rest on, in words."""
         kind = {
             "t": "t, jackknife of clusters",
             "percentile": "percentile, expanded",
@@ -120,7 +120,8 @@ class Inference:
 
     @cached_property
     def cautions(self) -> tuple[str, ...]:
-        """What so few clusters cannot tell, a sentence each; figures as in docs/chance.md."""
+        """Return what so few clusters cannot tell, a sentence each; figures as in
+        docs/chance.md."""
         count, alike = self.clusters.count, self.clusters.thing
         said = [self.clusters.caution] if self.clusters.caution else []
         few = bool(said)
@@ -211,8 +212,8 @@ class Inference:
         return None if best is None else self.methods[best]
 
     def can_be_bold(self, a: int, b: int, key: str) -> bool:
-        """Whether a difference of two sources may be told as one between methods: none of them was
-        fitted to the clicks, and their errors are of the same points."""
+        """Return whether a difference of two sources may be told as one between methods: none of
+        them was fitted to the clicks, and their errors are of the same points."""
         if not {a, b} <= set(self.methods):
             return False
         return key != "mean_error" or self.sources[a].ground_only == self.sources[b].ground_only
@@ -257,7 +258,8 @@ class Inference:
         return self._band(self.sources[source].curves(), 0.0)
 
     def curve_of_difference(self, a: int, b: int) -> CurveBand:
-        """What the curve of one source has more than that of another, on the frames both have."""
+        """Return what the curve of one source has more than that of another, on the frames both
+        have."""
         mine, other = self.sources[a].curves(), self.sources[b].curves()
         shared = self._shared(a, b)[:, None]
         more = np.where(shared, mine.parts - other.parts, 0.0)

@@ -57,7 +57,7 @@ class CheckFrames:
     model: str
 
     def __call__(self, chunk: Sequence[FrameToCheck]) -> list[Checked]:
-        """What was found in every frame, or why it cannot be checked."""
+        """Return what was found in every frame, or why it cannot be checked."""
         return [(frame.name, self._check(frame)) for frame in chunk]
 
     def _check(self, frame: FrameToCheck) -> FrameCheck | str:
@@ -80,7 +80,7 @@ class CheckFiles(AnnotationTask):
     looks: bool = False
 
     def __call__(self, chunk: Sequence[FrameFile]) -> tuple[list[Checked], SizesUsed]:
-        """What was found in every frame, or why it cannot be read; and at which sizes."""
+        """Return what was found in every frame, or why it cannot be read; and at which sizes."""
         used = SizesUsed(self.sizes.asked)
         read = [(name, self._read(name, file, used)) for name, file in chunk]
         given = [frame for _, frame in read if not isinstance(frame, str)]

@@ -47,7 +47,7 @@ class LeftOutTally:
     found: dict[LeftOutSettings, list[tuple[LeftOutElement, ...]]] = field(default_factory=dict)
 
     def add(self, of_frame: LeftOutResult | None) -> None:
-        """What is known of a frame's camera."""
+        """Add the result for a frame's camera."""
         if of_frame is not None:
             self.found.setdefault(of_frame.terms, []).append(of_frame.elements)
 
@@ -57,7 +57,7 @@ class LeftOutTally:
             self.found.setdefault(terms, []).extend(frames)
 
     def at(self, setup: EvaluationSetup) -> LeftOutMetrics:
-        """What counts where cameras are judged so."""
+        """Return what counts where cameras are judged so."""
         if not self.found:
             return LeftOutMetrics()
         own = left_out_settings(setup)
@@ -91,12 +91,12 @@ class LeftOutMetrics:
 
 
 def left_out_settings(setup: EvaluationSetup) -> LeftOutSettings:
-    """What elements are judged with."""
+    """Return what elements are judged with."""
     return LeftOutSettings(setup.protocol, setup.size, field_fingerprint(setup.field))
 
 
 def passed(distances_px: Iterable[float | None], tau: float) -> int:
-    """How many elements with such farthest points are correct at a threshold."""
+    """Return how many elements with such farthest points are correct at a threshold."""
     return sum(d is not None and d < tau for d in distances_px)
 
 
@@ -157,7 +157,7 @@ _AT_ONCE = 32
 
 @dataclass(frozen=True, slots=True)
 class FrameResult:
-    """What became of one annotated frame.
+    """Result for one annotated frame.
 
     ``counted`` is False for an unreadable annotation: it is listed but belongs to no figure of the
     set, for nobody knows what a camera should have agreed with. A frame whose camera is missing or
@@ -196,7 +196,7 @@ class Evaluated:
 
 
 class FrameFiles(NamedTuple):
-    """What a worker is told of a frame."""
+    """A worker's input for a frame."""
 
     name: str
     annotation_file: str

@@ -31,7 +31,7 @@ WORTH_WORKERS = 200
 
 
 class NamedFrame(Protocol):
-    """What a worker is told of a frame, with its name."""
+    """A worker's input for a frame, with its name."""
 
     @property
     def name(self) -> str: ...
@@ -112,11 +112,11 @@ class SetRun(Generic[F, R, S]):
                 yield self.task(chunk)
 
     def _digest(self, chunk: Sequence[F]) -> str:
-        """What tells this chunk's work from any other: its frames, and what their files hold."""
+        """Return what tells this chunk's work from any other: its frames, and what their files
+        hold."""
         raise NotImplementedError
 
     def _sums_of(self, results: Sequence[R]) -> S:
-        """What the task would sum up with these results, to the last bit."""
         raise NotImplementedError
 
     def _take(self, results: Sequence[R], sums: S) -> None:
@@ -124,7 +124,7 @@ class SetRun(Generic[F, R, S]):
 
 
 def frames_in_words(chunk: Sequence[NamedFrame | str]) -> str:
-    """How a chunk of frames is called where something happens to its worker."""
+    """Return how a chunk of frames is called where something happens to its worker."""
     first, last = _name_of(chunk[0]), _name_of(chunk[-1])
     return f"frame {first}" if len(chunk) == 1 else f"frames {first} to {last}"
 
@@ -134,7 +134,7 @@ def _name_of(frame: NamedFrame | str) -> str:
 
 
 class ReopenableHandle(Generic[T]):
-    """What a task reads from: open here, and opened once more where the task is sent to.
+    """Source that a task reads: open here, and opened once more where the task is sent to.
 
     Args:
         opening: opens it; survives the trip to a worker.
@@ -147,7 +147,7 @@ class ReopenableHandle(Generic[T]):
 
     @property
     def opened(self) -> T:
-        """What is open in this process, from the first time it is asked for."""
+        """Return what is open in this process, from the first time it is asked for."""
         if self._here is None:
             self._here = self._opening()
         return self._here
@@ -198,7 +198,7 @@ class AnnotationTask:
     def input_digest(
         self, chunk: Sequence[FrameFile], pictures: Callable[[str], Path | None]
     ) -> str:
-        """What tells the work on a chunk from any other, for `SetRun`.
+        """Return what tells the work on a chunk from any other, for `SetRun`.
 
         Args:
             chunk: frames and their files.
@@ -248,7 +248,7 @@ def require_annotations(source: FileSource) -> AnnotationFiles:
 
 
 def ambiguous_folders(sources: Iterable[tuple[Path, ByFrame[str]]]) -> tuple[str, ...]:
-    """What is to say where the only folders that frames of several sources lie in are called
+    """Return what is to say where the only folders that frames of several sources lie in are called
     differently: they may be of several annotators, or of several matches.
 
     Args:
@@ -270,7 +270,7 @@ def ambiguous_folders(sources: Iterable[tuple[Path, ByFrame[str]]]) -> tuple[str
 
 
 def choice_of(source: FileSource | CameraCollection) -> str:
-    """What to choose from where several splits lie in one place."""
+    """Return what to choose from where several splits lie in one place."""
     folders = source.folders()
     if len(folders) < 2:
         return ""

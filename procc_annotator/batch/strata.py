@@ -69,7 +69,6 @@ def strata(certainty: Inference, by: str, values: Sequence[str | None]) -> list[
 def _corrected(
     several: Sequence[Mapping[tuple[int, int], PairedDifference]],
 ) -> list[dict[tuple[int, int], PairedDifference]]:
-    """The differences of all parts, corrected together."""
     at = iter(corrected_for([one for own in several for one in own.values()]))
     return [{pair: next(at) for pair in own} for own in several]
 
@@ -170,7 +169,7 @@ def _models(frames: Iterable[FrameSums]) -> str | None:
 
 
 def _side(poses: Sequence[Pose], field: Field) -> str | None:
-    """Where beside the field a camera stands; the median of several."""
+    """Return where beside the field a camera stands; the median of several."""
     x, y = (_median(p.position_world[axis] for p in poses) for axis in (0, 1))
     if x is None or y is None:
         return None

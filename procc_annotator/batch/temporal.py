@@ -50,15 +50,11 @@ from procc_annotator.metrics.temporal.discontinuities import (
     shift_range,
 )
 from procc_annotator.metrics.temporal.jitter import (
-    FocalDistanceAmbiguity,
     PoseJitter,
-    PositionDrift,
     ShotJitter,
     ShotPoses,
     field_ground_points,
-    focal_distance_ambiguity,
     pose_jitter,
-    position_drift,
     projection_jitter,
     shot_poses,
     shot_rms,
@@ -91,7 +87,7 @@ def frame_jitter(
     hidden: Container[str] = (),
     order: FrameOrder | None = None,
 ) -> FrameJitter:
-    """How far every frame is from steady motion between its neighbours in its shot.
+    """Return how far every frame is from steady motion between its neighbours in its shot.
 
     Args:
         cameras: of one source; a damaged one counts as none.
@@ -115,7 +111,8 @@ def frame_jitter(
 
 
 def moves_on(steps_px: FloatArray, size: tuple[int, int]) -> bool:
-    """Whether frames show what those before them showed; where few are known, nobody says no."""
+    """Return whether frames show what those before them showed; where few are known, nobody says
+    no."""
     known = steps_px[np.isfinite(steps_px)]
     return len(known) < _FEWEST_STEPS or bool(np.median(known) < TOO_FAR * size[0])
 
@@ -186,16 +183,6 @@ class ShotOverTime:
         """Of pan, tilt, roll, zoom and position."""
         return pose_jitter(self.poses, self.shot.numbers, self.broken.unsteady)
 
-    @cached_property
-    def wander(self) -> PositionDrift | None:
-        """Of the position, implied or not."""
-        return position_drift(self.poses)
-
-    @cached_property
-    def vertigo(self) -> FocalDistanceAmbiguity | None:
-        """Position against focal length."""
-        return focal_distance_ambiguity(self.poses)
-
     @property
     def outage_share(self) -> float:
         """Frames without a camera, of all."""
@@ -208,15 +195,9 @@ class ShotOverTime:
         known = self.jac[np.isfinite(self.jac)]
         return float(known.mean()) if len(known) else None
 
-    def jac_by_third(self, third: int) -> float | None:
-        """Mean JaC in the first (0), the middle (1) and the last (2) third of the shot."""
-        own = np.array_split(self.jac, 3)[third]
-        known = own[np.isfinite(own)]
-        return float(known.mean()) if len(known) else None
-
     @property
     def follows(self) -> bool:
-        """Whether the frames of the shot show what those before them showed."""
+        """Return whether the frames of the shot show what those before them showed."""
         return moves_on(self.steady.step_px, self.size)
 
 
@@ -469,7 +450,7 @@ def _shown(projected: tuple[FloatArray, np.ndarray]) -> FloatArray:
 def _motion_difference_px(
     motion: CameraMotion, before: FloatArray | None, now: FloatArray | None, size: tuple[int, int]
 ) -> float:
-    """How far the pictures' motion and the cameras' are apart over what is in sight, px."""
+    """Return how far the pictures' motion and the cameras' are apart over what is in sight, px."""
     if before is None or now is None:
         return float("nan")
     inside = ((before >= 0) & (before <= np.array(size) - 1)).all(axis=1)

@@ -149,7 +149,7 @@ class ShotToTrack:
 
 @dataclass(frozen=True, eq=False)
 class TrackedShot:
-    """What became of a shot.
+    """Result for a shot.
 
     Attributes:
         first: number of its first frame.

@@ -63,7 +63,7 @@ def next_worst(order: Sequence[int], last: int, here: int) -> int | None:
 
 @dataclass(frozen=True)
 class SetDisagreement:
-    """How far two sources are apart over a set.
+    """Disagreement of two sources over a set.
 
     Attributes:
         metres: the median disagreement on the ground by frame name, of frames in which it is known.

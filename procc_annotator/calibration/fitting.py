@@ -107,7 +107,7 @@ def _fit_steps(
 
 
 def pixel_coordinates_error(point: Point) -> str:
-    """What is wrong with an annotation in pixels, of which this is a point."""
+    """Return what is wrong with an annotation in pixels, of which this is a point."""
     return translatable(
         "coordinates look like pixels, expected 0 to 1 (x = {x:g}, y = {y:g})", x=point.u, y=point.v
     )

@@ -150,7 +150,8 @@ def _is_plausible(found: CameraSolution, field: Field) -> bool:
 def fit_result_from(
     found: CameraSolution, field: Field, frame: ImageFrame, model: str, warm: bool
 ) -> FitResult:
-    """What a fit hands back: its camera with residuals and uncertainty, or what speaks against it.
+    """Return what a fit hands back: its camera with residuals and uncertainty, or what speaks
+    against it.
 
     Args:
         found: the fit.
@@ -391,7 +392,7 @@ def _candidate_fits_from_start(
 
 
 def _is_acceptable_start_fit(found: CameraSolution, field: Field) -> bool:
-    """Whether a fit from a start need not be looked for anew."""
+    """Return whether a fit from a start need not be looked for anew."""
     around = camera_placement_prior(field)
     # Its prior is that of the side the start stands on.
     moved = wide_prior(
@@ -403,7 +404,8 @@ def _is_acceptable_start_fit(found: CameraSolution, field: Field) -> bool:
 
 
 def _has_significant_k1(found: CameraSolution) -> bool:
-    """Whether the radial coefficient is so many deviations from 0 that it need not be compared."""
+    """Return whether the radial coefficient is so many deviations from 0 that it need not be
+    compared."""
     error_px = point_error_sd(found)
     deviation = math.sqrt(parameter_covariance(found, error_px)[KAPPA, KAPPA])
     return bool(abs(found.vector[KAPPA]) > _CLEAR_SIGNIFICANCE_SD * deviation)

@@ -26,7 +26,7 @@ PosedCamera = PinholeCamera | FisheyeCamera
 
 @dataclass(frozen=True, slots=True)
 class ElementResidual:
-    """How far the points of one element are from where the fitted camera shows it.
+    """Residuals of one element's points under the fitted camera.
 
     Attributes:
         name: the class.
@@ -142,7 +142,7 @@ class FitResult:
         return tuple(e.name for e in self.elements if e.left_out)
 
     def projected_covariance(self, points_world: FloatArray) -> FloatArray:
-        """How surely the fit knows where field points appear.
+        """Return how surely the fit knows where field points appear.
 
         Args:
             points_world: (N, 3) metres, world frame.
@@ -197,7 +197,8 @@ ILL_CONDITIONED_LIMITS = translatable(
 
 
 def ill_conditioned_reason(fit: FitResult) -> str:
-    """What the points leave open beyond the limits, in words: ``pan ± 1.4°, position ± 12 m``.
+    """Return what the points leave open beyond the limits, in words: ``pan ± 1.4°, position ± 12
+    m``.
 
     Empty where they determine the camera, and for fits that tell no pose: homographies, and those
     that failed.

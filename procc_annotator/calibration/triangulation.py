@@ -24,7 +24,7 @@ _MAX_NOISE, _MAX_QUANTILE = 2.0, 3.0
 
 
 def noise_factor(squares: float, spare: int) -> float:
-    """How many times as far off as expected clicks are, drawn towards 1 where little tells.
+    """Return how many times as far off as expected clicks are, drawn towards 1 where little tells.
 
     Args:
         squares: sum of the squares of residuals, in standard deviations of a click.
@@ -123,7 +123,7 @@ class Triangulation:
 
 
 def default_click_sd_px(width: int) -> float:
-    """What a click is usually off by along each axis of a picture that many px wide."""
+    """Return what a click is usually off by along each axis of a picture that many px wide."""
     return DEFAULT_CLICK_SD_PX * width / _REFERENCE_WIDTH_PX
 
 
@@ -279,7 +279,7 @@ class _RobustTriangulation:
         return np.asarray(away[:, 0] <= max(self._gate(away[:, 0]), second), dtype=bool)
 
     def _gate(self, away: FloatArray) -> float:
-        """How many standard deviations off a view may be.
+        """Return how many standard deviations off a view may be.
 
         Where the noise is not known all views may be noisier than usual, up to a limit.
         """
@@ -375,7 +375,7 @@ def _ray_intersections(lines: Sequence[ViewingRay]) -> FloatArray:
 
 
 def _max_ray_angle(lines: Sequence[ViewingRay]) -> float:
-    """Degrees, the largest angle between any two lines."""
+    """Largest angle between any two lines, degrees."""
     directions = np.array([line.direction for line in lines])
     least = float(np.abs(directions @ directions.T).min())
     return float(np.degrees(np.arccos(min(least, 1.0))))
@@ -392,7 +392,7 @@ def _parallel_rays_reason(angle_degrees: float) -> str:
 
 @dataclass(frozen=True)
 class SurveyAgreement:
-    """How clicks agree with a place that is known.
+    """Agreement of clicks with a known place.
 
     Attributes:
         residuals_px: frame -> distance from the click to where its camera shows the place; frames

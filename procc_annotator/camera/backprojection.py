@@ -218,7 +218,7 @@ def _newton_step(camera: Camera, at: FloatArray, px: FloatArray, target: FloatAr
 def ground_jacobian(
     camera: Camera, at: FloatArray, px: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """How far the picture of a ground point moves with it, by central differences.
+    """Return how far the picture of a ground point moves with it, by central differences.
 
     Args:
         camera: any model with ``project``.
@@ -368,7 +368,7 @@ def viewing_ray(camera: Camera, point_px: FloatArray) -> ViewingRay | None:
 
 
 def projection_jacobian(camera: Camera, points_world: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Where places appear, and the derivatives by the place, from central differences.
+    """Return where places appear, and the derivatives by the place, from central differences.
 
     Args:
         camera: any model.

@@ -42,7 +42,8 @@ class Camera(Protocol):
 
 
 def projects_only_ground(camera: object) -> bool:
-    """Whether the model knows the plane z = 0 only; a homography has ``ground_only = True``."""
+    """Return whether the model knows the plane z = 0 only; a homography has ``ground_only =
+    True``."""
     return bool(getattr(camera, "ground_only", False))
 
 
@@ -63,8 +64,8 @@ class ElementProjections:
     pieces: Mapping[str, tuple[FloatArray, ...]]
 
     def is_clipped(self, size: tuple[int, int]) -> bool:
-        """Whether pieces end at the border of a picture of (width, height) px and none goes on
-        beyond it: somebody cut them to the picture.
+        """Return whether pieces end at the border of a picture of (width, height) px and none goes
+        on beyond it: somebody cut them to the picture.
 
         What a camera shows ends there by chance only. Programs cut at the centres of the last
         pixels, or, as the official evaluation does, at width and height.

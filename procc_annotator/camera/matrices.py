@@ -49,8 +49,8 @@ class CameraPose:
 
 
 def focal_warnings(fx: float, fy: float) -> tuple[str, ...]:
-    """What a person should see of focal lengths, px: no lens has negative ones, though a file may
-    mean a turned picture by them, and they are taken as they are."""
+    """Return what a person should see of focal lengths, px: no lens has negative ones, though a
+    file may mean a turned picture by them, and they are taken as they are."""
     if fx > 0 and fy > 0:
         return ()
     shown = "upside down" if fx > 0 else "left for right"

@@ -61,7 +61,7 @@ class PinholeCamera:
 
     @cached_property
     def is_distorted(self) -> bool:
-        """Whether any distortion coefficient differs from zero."""
+        """Return whether any distortion coefficient differs from zero."""
         return any(self.radial) or any(self.tangential) or any(self.thin_prism)
 
     @cached_property

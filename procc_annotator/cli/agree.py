@@ -26,8 +26,9 @@ from procc_annotator.cli.input_files import (
 )
 from procc_annotator.cli.options import chosen_field
 from procc_annotator.dataset.annotation_source import open_annotations
-from procc_annotator.dataset.layout import annotations_of
-from procc_annotator.errors import UsageError
+from procc_annotator.dataset.layout import annotations_of, folder_of_dataset
+from procc_annotator.errors import InputError, UsageError
+from procc_annotator.formats.csv_tables import read_frame_table
 from procc_annotator.formats.file_listing import list_annotations, qualify_by_folder
 from procc_annotator.messages import list_names
 from procc_annotator.report import agreement
@@ -36,8 +37,10 @@ from procc_annotator.report.consensus import (
     compare_annotators,
     consensus_line,
     consensus_tables,
+    short_names,
     write_agreed,
 )
+from procc_annotator.report.reference import AgainstReference
 
 HELP = """\
 Two or more (up to 26) dataset folders, or folders or zip archives of annotation files, one for each
@@ -51,6 +54,10 @@ elements whose points all lie within tau / elements any of the two annotated.
 Clicks beyond the other's ends (5 % of its length, at least 3 px) are left out and counted as
 "beyond". An element of which the two share (almost) no stretch is "apart", and no agreement: none
 of its clicks is compared, all count as "beyond". Swapped classes look like that where they meet.
+
+With --reference: each annotator against answers that are known to be right, of the frames that the
+reference's gold.csv (or --frames) names, or all; one annotator is enough. --output then takes a
+.json with all tables, or a .csv with a row a frame and annotator.
 
 With --power: how many frames make JaC known to 1, 2 and 5 points, distances to 5, 10 and 20 %.
 
@@ -67,15 +74,19 @@ Example:
 \b
   procc-annotator agree anna/annotations ben/annotations --tau 5 --tau 2 --output agreement.csv
   procc-annotator agree anna/ ben/ cleo/ --cluster shot --consensus agreed/ --output agreement.json
+  procc-annotator agree anna/ ben/ --reference match/ --output reference.json
 """
+
+
+GOLD_FILE = "gold.csv"  # of a reference: frames whose annotation is known to be right
 
 
 @dataclass(frozen=True, kw_only=True)
 class AgreeOptions:
-    """What `agree` is asked for."""
+    """Options of `agree`."""
 
     annotators: Annotated[
-        list[Path], typer.Argument(metavar="A B [C]...", help="Annotations of each annotator.")
+        list[Path], typer.Argument(metavar="A [B]...", help="Annotations of each annotator.")
     ]
     threshold: Annotated[
         list[float] | None,
@@ -95,6 +106,21 @@ class AgreeOptions:
         bool,
         typer.Option("--power", help="Also how many frames such a study needs to be surer."),
     ] = False
+    reference: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="DIR", show_default=False, help="Annotations that are known to be right."
+        ),
+    ] = None
+    frames: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE.csv",
+            show_default=False,
+            help="Frames of --reference to compare, in a column 'frame'."
+            "  [default: its gold.csv, else all]",
+        ),
+    ] = None
     consensus: Annotated[
         Path | None,
         typer.Option(
@@ -113,6 +139,12 @@ class AgreeOptions:
 
 def agree(given: AgreeOptions) -> None:
     count = len(given.annotators)
+    if given.reference is not None:
+        if given.consensus is not None or given.power:
+            raise UsageError("--reference goes without --consensus and --power")
+        raise typer.Exit(_against_reference(given, given.reference))
+    if given.frames is not None:
+        raise UsageError("--frames needs --reference")
     if not 2 <= count <= MAX_ANNOTATORS:
         raise UsageError(f"annotations of {count} given, expected those of 2 to {MAX_ANNOTATORS}")
     files = outputs.figure_files(given.output)
@@ -157,6 +189,67 @@ def agree(given: AgreeOptions) -> None:
     if len(sources) == 2:
         _report_frames(agreed)
     raise typer.Exit(report_unreadable(errors))
+
+
+def _against_reference(given: AgreeOptions, reference: Path) -> int:
+    """Compare, print and write; returns the exit code."""
+    files = outputs.figure_files(given.output)
+    places = (reference, *given.annotators)
+    shown = chosen_field(given.field, *places)
+    names = options.label_map(given.labels, shown)
+    call = shown, options.parse_size(given.size), options.thresholds_or_default(given.threshold)
+    described = f"{shown.described}, {call[1][0]}x{call[1][1]}"
+    with ExitStack() as opened:
+        answers, *sources = (
+            opened.enter_context(open_annotations(annotations_of(path), shown, names))
+            for path in places
+        )
+        outputs.check_not_inputs(files, (answers, *sources))
+        answered = list_annotations(answers)
+        lists = qualify_by_folder([answered, *map(list_annotations, sources)])
+        report_remarks(ambiguous_folders(zip(places, lists, strict=True)))
+        marked = _frames_of(reference, given.frames) or tuple(answered)
+        if lacking := sorted(name for name in marked if name not in answered):
+            raise UsageError(
+                f"{list_names(lacking, 'frame')} without an annotation in {answers.path}"
+            )
+        among = frozenset(filter(None, map(answered.name_there, marked)))
+        against = AgainstReference(answers.path)
+        clusters_of, run = given.alike.of([answers.path]), None
+        for source, place, name in zip(
+            sources, given.annotators, short_names(given.annotators), strict=True
+        ):
+            own = list_annotations(source)
+            if not any(own.called_in(answered, frame) in among for frame in own):
+                echo(f"note: {name} has annotated none of the reference frames", err=True)
+                continue
+            run = AgreementRun(source, answers, *call, among=among)
+            against.add(name, place, run, clusters_of, with_progress)
+    if run is None or not against.rows:
+        raise UsageError(
+            "nothing to do: nobody has annotated any of"
+            f" {list_names(sorted(among), 'reference frame')}"
+        )
+    for path in files:  # before the tables: whoever reads them may stop after the first
+        against.write(run, described, path)
+    stdout_console().print(against.sheet(described))
+    for path in files:
+        echo(f"written: {path}")
+    return report_unreadable(against.errors)
+
+
+def _frames_of(reference: Path, file: Path | None) -> tuple[str, ...]:
+    """Names of the frames that a file, or else the reference's own, names; empty without one."""
+    folder = folder_of_dataset(reference)
+    if file is None and folder is not None and (folder / GOLD_FILE).is_file():
+        file = folder / GOLD_FILE
+    if file is None:
+        return ()
+    advice = "the file needs a header with a column 'frame', and a row for each frame"
+    _, rows = read_frame_table(file, (), advice)
+    if not rows:
+        raise InputError(file, "names no frame", advice=advice)
+    return tuple(row["frame"] for _, row in rows)
 
 
 def _agree_all(

@@ -116,11 +116,7 @@ def annotate(
 def _with_camera(
     frames: Sequence[Frame], collection: CameraCollection, cameras: Path
 ) -> list[Frame]:
-    """The frames that have a camera.
-
-    Raises:
-        UsageError: none has.
-    """
+    """The frames that have a camera."""
     found = [frame for frame in frames if frame.name in collection.frames]
     if not found:
         if instead := found_instead_of_cameras(cameras):
@@ -174,7 +170,7 @@ def _workspaces(pictures: PictureSource, out: Path) -> dict[Path, bool]:
 
 
 def _interrupted_message(done: Done, total: int, out: Path) -> str:
-    """What an interrupted run left, and how to go on."""
+    """Return what an interrupted run left, and how to go on."""
     looked_at = len(done.frames) + len(done.bare) + len(done.kept) + len(done.errors)
     return (
         f"{looked_at} of {pluralize(total, 'frame')} looked at,"
@@ -202,12 +198,12 @@ def _report(done: Done, passed_over: int, pictures: PictureSource, out: Path) ->
 
 
 def _window_annotation_folder(pictures: PictureSource, out: Path) -> Path | None:
-    """Where the window looks for annotations of these pictures, if that is not OUT."""
+    """Return where the window looks for annotations of these pictures, if that is not OUT."""
     return None if _is_usual(pictures, out) or not holds_annotations(out) else _usual(pictures)
 
 
 def _usual(pictures: PictureSource) -> Path:
-    """Where the window looks for annotations of these pictures."""
+    """Return where the window looks for annotations of these pictures."""
     if pictures.is_video:
         return pictures.folder
     apart = pictures.folder / ANNOTATIONS_FOLDER

@@ -59,8 +59,8 @@ the annotated points are met a little less closely. Where a group has one positi
 enough for a camera. positions.csv tells the positions and how the frames' own ones scattered.
 
 The JaC compares the cameras with the points they were fitted to. It tells how well the model can
-explain the annotation, not how well it would show what nobody annotated. --held-out tells that:
-every element is left out in turn and judged by the camera of the others, which takes some ten times
+explain the annotation, not how well it would show what nobody annotated. --leave-one-out does:
+each element is left out in turn and judged by the camera of the others, which takes some ten times
 as long. The distances go to held_out.csv, and evaluate and report tell them beside the cameras'
 figures.
 
@@ -93,7 +93,7 @@ SharedPosition = Annotated[
 HeldOut = Annotated[
     bool,
     typer.Option(
-        "--held-out",
+        "--leave-one-out",
         help="Also leave out every element in turn, and judge it by the camera of the others.",
     ),
 ]
@@ -104,7 +104,7 @@ Overwrite = Annotated[
 
 @dataclass(frozen=True)
 class CalibrateOptions:
-    """What `calibrate` is asked for."""
+    """Options of `calibrate`."""
 
     dataset: options.AnnotatedSet
     out: Out
@@ -131,7 +131,7 @@ def calibrate(given: CalibrateOptions) -> None:
     if given.groups is not None and not given.shared_position:
         raise UsageError("--groups is for --shared-position")
     if given.held_out and given.shared_position:
-        raise UsageError("--held-out is for cameras of their own, not for --shared-position")
+        raise UsageError("--leave-one-out is for cameras of their own, not for --shared-position")
     setup = options.make_setup(
         given.field,
         given.size,
@@ -196,7 +196,7 @@ def _terms(
     held_out: bool,
     shared_position: bool,
 ) -> dict[str, str]:
-    """What a run has to share with the one that it goes on with."""
+    """Return what a run has to share with the one that it goes on with."""
     return {
         "way to calibrate": " ".join(
             word
@@ -212,7 +212,7 @@ def _terms(
 
 
 def _interrupted_message(stopped: Interrupted, out: Path) -> str:
-    """What an interrupted run left, and how to go on."""
+    """Return what an interrupted run left, and how to go on."""
     go_on = "run it again with --resume to go on"
     if is_archive(out):
         return f"{out} was not written; {go_on}"
@@ -270,9 +270,6 @@ def _check_out(out: Path, source: FileSource, *, overwrite: bool, positions: boo
 
     Args:
         positions: a table of positions is to be written too.
-
-    Raises:
-        UsageError: OUT cannot be what is asked for.
     """
     if is_archive(out):
         if out.is_dir():

@@ -69,7 +69,9 @@ Output = Annotated[
 ]
 Least = Annotated[
     str,
-    typer.Option("--least", metavar="error|warning|hint", help="Leave out what is less severe."),
+    typer.Option(
+        "--min-severity", metavar="error|warning|hint", help="Leave out what is less severe."
+    ),
 ]
 FailOn = Annotated[
     str | None,
@@ -88,7 +90,8 @@ Model = Annotated[
 Paint = Annotated[
     bool,
     typer.Option(
-        "--paint/--no-paint", help="Look for paint under the elements, where there are pictures."
+        "--line-evidence/--no-line-evidence",
+        help="Look for line pixels under the elements, if there are pictures.",
     ),
 ]
 

@@ -137,7 +137,7 @@ Dask = Annotated[
 
 @dataclass(frozen=True, kw_only=True)
 class CompareOptions:
-    """What `compare` is asked for."""
+    """Options of `compare`."""
 
     a: First
     b: Second
@@ -337,11 +337,7 @@ def _check_outputs(
     cameras: Sequence[CameraSet],
     dataset: Path | None,
 ) -> None:
-    """Nothing may be written over what is read, or among it.
-
-    Raises:
-        UsageError: it would be.
-    """
+    """Nothing may be written over what is read, or among it."""
     with ExitStack() as files:
         inputs: list[outputs.Input] = list(cameras)
         if dataset is not None and dataset.exists():

@@ -85,7 +85,6 @@ def _longest(column: Column, parts: Callable[[str], list[str]]) -> int:
 
 
 def _texts(column: Column) -> list[str]:
-    """Heading and cells."""
     cells = [column.header, *column.cells]
     return [cell.plain if isinstance(cell, Text) else str(cell) for cell in cells]
 
@@ -130,7 +129,7 @@ class _Console(Console):
 
 
 class _Printable:
-    """What is printed, without what a terminal would obey in its texts."""
+    """Printed text without what a terminal would obey."""
 
     def __init__(self, content: Any) -> None:
         self._content = content
@@ -142,7 +141,7 @@ class _Printable:
 
 
 def stdout_console() -> Console:
-    """Where tables go; names are shown as they are, brackets and colons too.
+    """Return where tables go; names are shown as they are, brackets and colons too.
 
     As wide as the terminal, or as ``COLUMNS`` says; else wide enough for every table.
     """

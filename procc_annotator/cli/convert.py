@@ -129,7 +129,7 @@ Method = Annotated[
 
 @dataclass(frozen=True)
 class ConvertOptions:
-    """What `convert` is asked for."""
+    """Options of `convert`."""
 
     source: Source
     out: Out
@@ -248,11 +248,7 @@ def _convert_cameras(given: ConvertOptions) -> int:
 def _cameras(
     given: ConvertOptions,
 ) -> Iterator[tuple[CameraCollection, Callable[[int, int], None]]]:
-    """The cameras to convert, at least one, and a bar while somebody watches.
-
-    Raises:
-        UsageError: there is none, or what would be written is there already or is what is read.
-    """
+    """The cameras to convert, at least one, and a bar while somebody watches."""
     source, out = given.source, given.out
     if not source.exists():
         raise UsageError(f"{source}: does not exist")
@@ -268,6 +264,5 @@ def _cameras(
 
 @contextmanager
 def _progress() -> Iterator[Callable[[int, int], None]]:
-    """A bar on stderr while somebody watches."""
     with progress_bar("converting") as progress:
         yield progress

@@ -73,13 +73,14 @@ def desktop_entry(
 
 
 def data_home() -> Path:
-    """Where the user's own data of programs lie; a relative path in the variable does not count."""
+    """Return where the user's own data of programs lie; a relative path in the variable does not
+    count."""
     given = Path(os.environ.get("XDG_DATA_HOME", ""))
     return given if given.is_absolute() else Path.home() / ".local" / "share"
 
 
 def entry_files() -> dict[str, bytes]:
-    """What is installed: its place below the data folder, and its content.
+    """Return what is installed: its place below the data folder, and its content.
 
     Raises:
         InputError: the installation of the program is incomplete.
@@ -104,7 +105,7 @@ def entry_files() -> dict[str, bytes]:
 
 
 def window_command() -> list[str]:
-    """What starts the window of this very installation."""
+    """Return what starts the window of this very installation."""
     if getattr(sys, "frozen", False):  # the standalone folder
         return [sys.executable, "open"]
     script = Path(sys.executable).with_name("procc-annotator-window")

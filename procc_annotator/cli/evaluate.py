@@ -31,20 +31,13 @@ from procc_annotator.cli.input_files import (
     report_remarks,
     report_unreadable,
 )
-from procc_annotator.cli.manifest import (
-    FieldArguments,
-    FurtherResults,
-    ManifestOption,
-    ManifestRequest,
-    manifest_request,
-)
+from procc_annotator.cli.manifest_option import ManifestFile, ManifestOfRun
 from procc_annotator.errors import ProccError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.formats.frame_names import FrameTable
 from procc_annotator.messages import first_names, pluralize
 from procc_annotator.metrics.setup import EvaluationSetup
 from procc_annotator.report.scores.inference import InferenceSettings, StatisticalResult
-from procc_annotator.report.scores.score_table import append_rows, check_table
 from procc_annotator.report.scores.scoring import Evaluations, RequestedOutputs, Scored
 from procc_annotator.report.temporal import TemporalMetrics
 
@@ -72,7 +65,7 @@ Example:
   procc-annotator evaluate annotations/ cameras.zip -t 5 -t 2 --output scores.json
   procc-annotator evaluate --set wc14=wc14/annotations --set ts=ts/annotations \\
       --cameras 'pnl={set}/pnlcalib' --cameras 'nbjw:wc14={set}/nbjw.zip' \\
-      --size 960x540 --size 1280x720 --table leaderboard.csv
+      --size 960x540 --size 1280x720 --output scores.csv
   procc-annotator evaluate annotations/ cameras/ --tags stadiums.csv --by stadium --by model
 """
 
@@ -106,28 +99,18 @@ By = Annotated[
         "  [default: every tag of --tags]",
     ),
 ]
-TableFile = Annotated[
-    list[Path] | None,
-    typer.Option(
-        metavar="FILE",
-        show_default=False,
-        help="Add a row a frame and threshold to a .csv or .parquet table, or to several; rows of"
-        " the same set, method, frame, threshold and way of evaluating are replaced.",
-    ),
-]
 
 
 @dataclass(frozen=True)
 class _EvaluateRequest:
-    """What a call asks for.
+    """A call as it was read.
 
     Attributes:
         fields: of each set.
         setups: one a picture size.
         by: what to group frames by.
         written_to: files of figures.
-        tables: those that grow.
-        recipe: where what the figures were made from is written, if anywhere.
+        manifest: of this run, if it is to be written.
         over_time: what is asked over the shots of the sets, if anything.
     """
 
@@ -139,15 +122,14 @@ class _EvaluateRequest:
     by: tuple[str, ...]
     camera_size: tuple[int, int] | None
     written_to: Sequence[Path]
-    tables: Sequence[Path]
-    recipe: ManifestRequest | None
+    manifest: ManifestOfRun | None
     over_time: temporal_options.TemporalRequest | None
     chance: InferenceSettings | None
 
 
 @dataclass(frozen=True, kw_only=True)
 class EvaluateOptions:
-    """What `evaluate` is asked for."""
+    """Options of `evaluate`."""
 
     annotations: Annotations = None
     cameras: Cameras = None
@@ -171,8 +153,7 @@ class EvaluateOptions:
     seed: inference_options.Seed = inference_options.USUAL_SEED
     submission: Submission = None
     output: options.FigureFiles = None
-    table: TableFile = None
-    recipe: ManifestOption = None
+    manifest: ManifestFile = None
     steady: temporal_options.OverTime = False
     shots: temporal_options.Shots = None
     pictures: temporal_options.Pictures = None
@@ -199,14 +180,9 @@ def evaluate(context: typer.Context, given: EvaluateOptions) -> None:
 
 
 def _request_of(context: typer.Context, given: EvaluateOptions) -> _EvaluateRequest:
-    """What is to be done; all that was given is looked at before anything is."""
+    """Return what is to be done; all that was given is looked at before anything is."""
     written_to = outputs.figure_files(given.output)
-    growing = outputs.each_once(given.table or ())
-    for path in growing:
-        check_table(path)
-        outputs.check_output_folder(path)
-    if given.recipe is not None:
-        outputs.check_output_folder(given.recipe)
+    manifest = ManifestOfRun.of(context, given.manifest)
     plan = _plan(given)
     fields = plan.fields(given.field, given.lines)
     setups = _setups(given, next(iter(fields.values())))
@@ -217,17 +193,13 @@ def _request_of(context: typer.Context, given: EvaluateOptions) -> _EvaluateRequ
     groups, derived = inference_options.groups_asked(given.by, tags, given.chance.cluster)
     chance = _chance(given, plan, tags, (*groups, *derived), asked=bool(derived))
     noise = inference_options.noise_file(given.chance.click_noise)
-    beside = {"tags": given.tags, "click noise": noise, "shots": given.shots}
-    outputs.check_not_inputs(written_to, filter(None, beside.values()))
+    outputs.check_not_inputs(written_to, filter(None, (given.tags, noise, given.shots)))
     shown = options.shown_size(given.camera_size)
-    recipe = manifest_request(
-        given.recipe, context, FieldArguments(given.field, given.lines), beside
-    )
     steady = temporal_options.TemporalRequest.of(
         given.steady, given.shots, given.pictures, given.over_time_output
     )
     return _EvaluateRequest(
-        plan, fields, setups, thresholds, tags, groups, shown, written_to, growing, recipe, steady,
+        plan, fields, setups, thresholds, tags, groups, shown, written_to, manifest, steady,
         chance,
     )  # fmt: skip
 
@@ -242,7 +214,6 @@ def _plan(given: EvaluateOptions) -> Plan:
 
 
 def _setups(given: EvaluateOptions, field: Field) -> list[EvaluationSetup]:
-    """One a picture size."""
     terms = given.protocol, given.off_plane, given.mirrored, given.planar_only
     sizes = dict.fromkeys(given.size or [options.DEFAULT_SIZE])
     return [options.setup_for(field, size, *terms) for size in sizes]
@@ -251,12 +222,14 @@ def _setups(given: EvaluateOptions, field: Field) -> list[EvaluationSetup]:
 def _chance(
     given: EvaluateOptions, plan: Plan, tags: Tags | None, by: Sequence[str], *, asked: bool
 ) -> InferenceSettings | None:
-    """How intervals are found, if anything asks for them."""
+    """Return how intervals are found, if anything asks for them."""
     chance = given.chance
     told = chance.click_noise is not None or chance.cluster is not None
     if not (asked or told or given.intervals or chance.power):
         if (chance.interval_method, chance.draws, given.seed) != inference_options.USUAL:
-            raise UsageError("--interval-method, --draws and --seed need --intervals or the like")
+            raise UsageError(
+                "--interval-method, --resamples and --seed need --intervals or the like"
+            )
         return None
     parts = [name for name in by if name != MODEL]
     return chance.terms(tags, dict(plan.sets), parts, given.seed, given.shots)
@@ -267,9 +240,8 @@ def _score(
 ) -> tuple[list[Scored], Sequence[StatisticalResult], list[TemporalMetrics]]:
     """Do the work; what could not be written goes to ``unwritten``."""
     named = call.plan.named or len(call.setups) > 1
-    outcome = RequestedOutputs(
-        call.written_to, named=named, rows=bool(call.tables), chance=call.chance
-    )
+    written_to = [*call.written_to, *([] if call.manifest is None else [call.manifest.metrics])]
+    outcome = RequestedOutputs(written_to, named=named, chance=call.chance)
     with ExitStack() as files:
         asked = call.plan.open(
             files, call.fields, call.setups, call.by, call.tags, camera_size=call.camera_size
@@ -282,17 +254,15 @@ def _score(
         inputs: list[outputs.Input] = [s for one in asked for s in (one.annotations, one.cameras)]
         if call.tags is not None:
             inputs.append(call.tags.path)
-        own = [*call.tables]
-        own += [] if call.recipe is None else [call.recipe.path]
+        own = [] if call.manifest is None else [call.manifest.path]
         outputs.check_not_inputs((*call.written_to, *own, *more), inputs)
         evaluations = Evaluations.prepare(asked, call.thresholds, outcome)
         with make_executor(workers, dask, frames=evaluations.frames) as executor:
             steady = call.over_time
             found = [] if steady is None else steady.run(asked, call.thresholds[0], executor)
             scored = evaluations.score(executor, progress=with_progress, unwritten=unwritten)
-        if call.recipe is not None:
-            further = FurtherResults(call.chance, evaluations.told, call.over_time, found)
-            call.recipe.write(asked, [one.summaries for one in scored], further)
+        if call.manifest is not None:
+            call.manifest.write(asked, found)
         return scored, evaluations.told, found
 
 
@@ -302,14 +272,9 @@ def _print_results(
     told: Sequence[StatisticalResult],
     unwritten: dict[Path, ProccError],
 ) -> int:
-    """Add to the table, print everything; returns the exit code for what was read."""
+    """Print everything; returns the exit code for what was read."""
     said = [f"written: {path}" for path in call.written_to if path not in unwritten]
-    said += [] if call.recipe is None else [f"written: {call.recipe.path}"]
-    for table in call.tables:
-        try:
-            said.append(_add_to_table(table, scored))
-        except ProccError as error:
-            unwritten[table] = error
+    said += [] if call.manifest is None else [f"written: {call.manifest.path}"]
     print_all(scored)
     print_inference(told)
     for line in said:
@@ -321,7 +286,8 @@ def _print_results(
 
 
 def _tags_of_no_frame(tags: Tags, frames: Mapping[str, tuple[str, ...]]) -> list[str]:
-    """What to say of rows of the file of tags whose frame is annotated in none of the sets."""
+    """Return the remark on rows of the file of tags whose frame is annotated in none of the
+    sets."""
     there: dict[str | None, FrameTable[str]]
     there = {of_set: _table(names) for of_set, names in frames.items()}
     there[None] = _table(chain.from_iterable(frames.values()))
@@ -334,10 +300,3 @@ def _tags_of_no_frame(tags: Tags, frames: Mapping[str, tuple[str, ...]]) -> list
 
 def _table(names: Iterable[str]) -> FrameTable[str]:
     return FrameTable((name, name) for name in names)
-
-
-def _add_to_table(table: Path, scored: list[Scored]) -> str:
-    """Add the rows to the table; returns what to say about it."""
-    rows = [row for one in scored for row in one.rows]
-    append_rows(table, rows)
-    return f"added: {pluralize(len(rows), 'row')} to {table}"

@@ -225,7 +225,7 @@ def _with_field(
 
 
 def set_name_of(annotations: Path) -> str:
-    """What a set is called that was given by its annotations alone."""
+    """Return what a set is called that was given by its annotations alone."""
     name = name_of(str(annotations))
     if name.casefold() in _ANY_SET:
         return annotations.resolve().parent.name or name

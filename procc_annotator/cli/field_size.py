@@ -135,11 +135,7 @@ def _print_sizes(sizes: list[FieldSize], fitted: FittedFrames, setup: Evaluation
 
 
 def _workspace_of(dataset: Path) -> Path:
-    """The folder whose workspace the window and the other commands read.
-
-    Raises:
-        UsageError: there is none.
-    """
+    """The folder whose workspace the window and the other commands read."""
     folder = folder_of_dataset(dataset)
     if folder is None:
         raise UsageError(f"{dataset}: is an archive, --save needs a folder, which has a workspace")
@@ -153,9 +149,6 @@ def _save(
 
     Returns:
         What was kept where, a line each.
-
-    Raises:
-        UsageError: nothing was kept. FieldError, InputError, SaveError: see below.
     """
     named, of_set = [s for s in sizes if s.group], [s for s in sizes if not s.group]
     told, problems = [], []
@@ -179,11 +172,6 @@ def _save_of_set(dataset: Path, field: Field, size: FieldSize) -> str:
 
     Returns:
         What was kept where.
-
-    Raises:
-        UsageError: none is, or a single frame says so.
-        FieldError: together with what was kept before they are no field.
-        SaveError: they could not be written.
     """
     if size.stadium is not None and size.stadium.frames == 1:
         raise UsageError(
@@ -207,7 +195,7 @@ def _save_of_set(dataset: Path, field: Field, size: FieldSize) -> str:
 
 
 def _kept_stadiums(dataset: Path, field: Field) -> Stadiums:
-    """What was kept before; raises `InputError` where that cannot be used."""
+    """Return what was kept before; raises `InputError` where that cannot be used."""
     path = dataset / STADIUMS_FILE
     return read_stadiums(path, field) if path.is_file() else Stadiums({}, {})
 
@@ -219,11 +207,6 @@ def _save_stadiums(
 
     Returns:
         What was written where.
-
-    Raises:
-        UsageError: none is determined.
-        InputError: what was kept before cannot be used.
-        SaveError: they could not be written.
     """
     found = {
         size.group: size.stadium.values

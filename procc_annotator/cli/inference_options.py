@@ -122,15 +122,20 @@ Power = Annotated[
 Noise = Annotated[
     str | None,
     typer.Option(
-        "--click-noise",
+        "--annotation-noise",
         metavar="PX|FILE.json",
         show_default=False,
         help="Also what clicks leave open: everything again and again with every point moved by so"
         " much (standard deviation, px of the evaluation size), or by what agree's JSON tells.",
     ),
 ]
-Count = Annotated[int, typer.Option(min=100, max=1_000_000, metavar="N", help="Sets to draw.")]
-Seed = Annotated[int, typer.Option(min=0, metavar="N", help="Of the sets drawn.")]
+Count = Annotated[
+    int,
+    typer.Option(
+        "--resamples", min=100, max=1_000_000, metavar="N", help="Number of bootstrap resamples."
+    ),
+]
+Seed = Annotated[int, typer.Option(min=0, metavar="N", help="Random seed of the resamples.")]
 
 
 @dataclass(frozen=True)
@@ -147,7 +152,7 @@ class ClusterOptions:
 
 @dataclass(frozen=True)
 class IntervalOptions:
-    """How intervals are found, and what else is asked of them."""
+    """Options of confidence intervals and tests."""
 
     cluster: Cluster = None
     interval_method: IntervalMethod = USUAL_METHOD
@@ -185,7 +190,7 @@ class IntervalOptions:
 
 
 def cluster_of(name: str | None, tags: Tags | None) -> str | None:
-    """What to cluster by, if it is there.
+    """Return what to cluster by, if it is there.
 
     Raises:
         UsageError: there is no such tag.
@@ -221,7 +226,7 @@ def clustering(
 def groups_asked(
     by: Sequence[str] | None, tags: Tags | None, cluster: str | None
 ) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """What ``--by`` asks for: tags and the model, and what annotations and cameras say.
+    """Return what ``--by`` asks for: tags and the model, and what annotations and cameras say.
 
     Without it every tag is meant but the one that frames are clustered by.
 
@@ -268,8 +273,8 @@ def annotation_noise(text: str, seed: int) -> ClickNoise:
         return noise_from(file, seed)
     if not _LEAST_NOISE <= float(text) <= _MOST_NOISE:
         raise UsageError(
-            f"--click-noise {text}: expected {_LEAST_NOISE:g} to {_MOST_NOISE:g} px, or the JSON of"
-            " agree"
+            f"--annotation-noise {text}: expected {_LEAST_NOISE:g} to {_MOST_NOISE:g} px,"
+            " or the JSON of agree"
         )
     return ClickNoise(float(text), seed=seed)
 

@@ -96,7 +96,6 @@ def open_dataset(
 
 
 def _classes_of(workspace: Workspace) -> frozenset[str]:
-    """Of some annotated frames, from all over the set."""
     readers = [partial(workspace.read, index) for index in range(len(workspace.frames))]
     return classes_in(readers[:: max(1, len(readers) // MOST_FRAMES)])
 
@@ -237,7 +236,7 @@ def report_mismatch_of(
 
 
 def _unknown_words(unknown: Mapping[str, int], field: Field) -> str:
-    """What to say of labels that stand for no class, and what helps."""
+    """Return the remark on labels that stand for no class, and what helps."""
     counts = [f"{printable(label)} ({count})" for label, count in unknown.items()]
     more = f", and {len(counts) - _LABELS} more" if len(counts) > _LABELS else ""
     return (
@@ -250,7 +249,7 @@ def _unknown_words(unknown: Mapping[str, int], field: Field) -> str:
 def mismatch_at(
     classes: Collection[str], field: Field, place: Path
 ) -> tuple[Mismatch | None, Field | None]:
-    """What is to say of the classes of a set, and the field that its dataset says it shows.
+    """Return the remark on the classes of a set, and the field that its dataset says it shows.
 
     Args: as of `report_mismatch_of`.
     """

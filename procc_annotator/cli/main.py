@@ -73,6 +73,27 @@ def _filled(group: Any, given: dict[str, Any]) -> Any:
     )
 
 
+# Options of the release before, by command: they go with the next one.
+_INFERENCE = {"--click-noise": "--annotation-noise", "--draws": "--resamples"}
+RENAMED_OPTIONS = {
+    "evaluate": {**_INFERENCE, "--recipe": "--manifest"},
+    "report": {**_INFERENCE, "--recipe": "--manifest"},
+    "compare": _INFERENCE,
+    "calibrate": {"--held-out": "--leave-one-out"},
+    "check": {
+        "--least": "--min-severity",
+        "--paint": "--line-evidence",
+        "--no-paint": "--no-line-evidence",
+    },
+    "propose": {"--known": "--known-positions", "--with": "--detector"},
+    "release": {
+        "--by": "--creator",
+        "--before": "--previous",
+        "--second": "--second-annotator",
+    },
+    "triangulate": {"--click-px": "--click-sd"},
+}
+
 _NEW_OBJECTS = 20_000  # before garbage is looked for: arrays and frozen values make hardly any
 
 
@@ -125,7 +146,16 @@ class LazyCommand(TyperCommand):
     def make_context(
         self, info_name: str | None, args: list[str], parent: Any = None, **extra: Any
     ) -> Any:
+        args = [self._renamed(argument) for argument in args]
         return self.load().make_context(info_name, args, parent, **extra)
+
+    def _renamed(self, argument: str) -> str:
+        option, equals, value = argument.partition("=")
+        new = RENAMED_OPTIONS.get(str(self.name), {}).get(option)
+        if new is None:
+            return argument
+        echo(f"note: {option} is deprecated, use {new}", err=True)
+        return new + equals + value
 
 
 EXAMPLES = """
@@ -141,8 +171,9 @@ Examples:
 COMMANDS = (
     LazyCommand("open", "Open the window.", "open_window"),
     LazyCommand("evaluate", "Score cameras against annotations."),
-    LazyCommand("gold", "Say how far annotators are from gold frames, and how that changes."),
-    LazyCommand("agree", "Compare two or more annotators of the same frames."),
+    LazyCommand(
+        "agree", "Compare annotators of the same frames, or each with reference annotations."
+    ),
     LazyCommand(
         "compare",
         "Compare two sources of cameras: how far apart is what each pixel means to them?",
@@ -150,7 +181,7 @@ COMMANDS = (
     LazyCommand(
         "report", "Report how well sources of cameras agree with annotations, side by side."
     ),
-    LazyCommand("repeat", "Make the figures of a recipe again, and say what differs."),
+    LazyCommand("repeat", "Run the command of a manifest again, and list every difference."),
     LazyCommand(
         "calibrate", "Fit a camera to the annotation of every frame; pictures are not looked at."
     ),
@@ -256,12 +287,14 @@ class CommandOrPath(TyperGroup):
 
 
 def _is_of_qt(error: ImportError) -> bool:
-    """Whether it is Qt, or a library of the system that Qt needs, that could not be imported."""
+    """Return whether it is Qt, or a library of the system that Qt needs, that could not be
+    imported."""
     return "PySide6" in f"{error.name} {error.path}" or "shiboken6" in f"{error.name} {error.path}"
 
 
 def _interrupted_message(stopped: KeyboardInterrupt) -> str:
-    """What a command that was stopped said of its work: the interrupt's text, if it has one."""
+    """Return what a command that was stopped said of its work: the interrupt's text, if it has
+    one."""
     return f": {stopped}" if str(stopped) else ""
 
 

@@ -111,7 +111,8 @@ def _exists(text: str) -> bool:
 
 
 def name_of(path: str) -> str:
-    """What a source without a name is called: like its folder, or its file without the suffix.
+    """Return what a source without a name is called: like its folder, or its file without the
+    suffix.
 
     Where the path has a place for the set, that part of it names nothing.
     """

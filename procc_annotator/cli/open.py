@@ -7,8 +7,10 @@ import gc
 import importlib.util
 import os
 import re
+import shutil
 import subprocess
 import sys
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
@@ -18,7 +20,6 @@ import typer
 from procc_annotator.cli.echo import echo
 from procc_annotator.cli.method_arguments import parse_sources
 from procc_annotator.cli.options import Lines, Sources, chosen_field
-from procc_annotator.cli.system_packages import how_to_install
 from procc_annotator.dataset.layout import FIELD_FILE, frames_folder
 from procc_annotator.errors import UsageError
 from procc_annotator.image.headers import VIDEO_SUFFIXES
@@ -26,6 +27,20 @@ from procc_annotator.image.headers import VIDEO_SUFFIXES
 _NOT_FOUND = re.compile(r"^\s*(\S+) => not found", re.MULTILINE)
 _NAMED = re.compile(r"(\S+\.so[.\d]*): cannot open shared object file")
 _WIDGETS = "lib/libQt6Widgets.so.6"
+# All that Qt's window needs: what is there already is passed over.
+_INSTALL = {
+    "apt-get": "sudo apt-get install libgl1 libegl1 libopengl0 libglib2.0-0 libdbus-1-3"
+    " libfontconfig1 libfreetype6 libx11-xcb1 libsm6 libxkbcommon-x11-0 libxcb-cursor0"
+    " libxcb-icccm4 libxcb-image0 libxcb-keysyms1 libxcb-randr0 libxcb-render-util0 libxcb-shape0"
+    " libxcb-shm0 libxcb-sync1 libxcb-util1 libxcb-xfixes0 libxcb-xkb1 libwayland-cursor0"
+    " libwayland-egl1",
+    "dnf": "sudo dnf install libglvnd-glx libglvnd-egl libglvnd-opengl glib2 dbus-libs fontconfig"
+    " freetype libX11-xcb libSM libxkbcommon-x11 libxcb xcb-util xcb-util-cursor xcb-util-wm"
+    " xcb-util-image xcb-util-keysyms xcb-util-renderutil libwayland-cursor libwayland-egl",
+    "pacman": "sudo pacman -S libglvnd glib2 dbus fontconfig freetype2 libx11 libsm"
+    " libxkbcommon-x11 libxcb xcb-util xcb-util-cursor xcb-util-wm xcb-util-image"
+    " xcb-util-keysyms xcb-util-renderutil wayland",
+}
 
 
 def require_qt_libraries(folder: Path | None = None) -> None:
@@ -49,12 +64,12 @@ def require_qt_libraries(folder: Path | None = None) -> None:
     if not plugins or any(map(_loads, plugins)):
         return
     if missing := missing_libraries(plugins[0]):
-        raise UsageError(f"system libraries of the window are {how_to_install(missing)}")
+        raise UsageError(f"system libraries of the window are {_how_to_install(missing)}")
 
 
 def qt_missing_words(error: ImportError) -> str:
-    """What to say of Qt that could not be imported: which system libraries are missing, or the
-    error itself."""
+    """Return the remark on Qt that could not be imported: which system libraries are missing, or
+    the error itself."""
     folder = _qt_folder()
     found = set(_NAMED.findall(str(error)))
     if folder is not None and found and sys.platform.startswith("linux"):
@@ -62,8 +77,14 @@ def qt_missing_words(error: ImportError) -> str:
         for name in _platforms()[:1]:
             found |= set(missing_libraries(folder / "plugins" / "platforms" / f"libq{name}.so"))
     if found:
-        return f"system libraries that Qt needs are {how_to_install(found)}"
+        return f"system libraries that Qt needs are {_how_to_install(found)}"
     return f"this needs Qt, which cannot be loaded here: {error}"
+
+
+def _how_to_install(libraries: Iterable[str]) -> str:
+    commands = [command for tool, command in _INSTALL.items() if shutil.which(tool)][:1]
+    what = " or ".join(commands) or "your package manager"
+    return f"missing here: {', '.join(sorted(libraries))}; install with: {what}"
 
 
 def missing_libraries(file: Path) -> list[str]:
@@ -138,7 +159,7 @@ Example:
 
 @dataclass(frozen=True)
 class OpenOptions:
-    """What `open` is asked for."""
+    """Options of `open`."""
 
     path: Annotated[
         Path | None, typer.Argument(help="Folder of pictures, one picture, or a video.")
@@ -217,7 +238,7 @@ def _selftest(path: Path | None, field: str | None, lines: str | None) -> int:
 
 
 def display_available() -> bool:
-    """Whether Qt can show a window here; asking Qt itself would end the process."""
+    """Return whether Qt can show a window here; asking Qt itself would end the process."""
     if not sys.platform.startswith("linux"):
         return True
     return any(os.environ.get(n) for n in ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"))

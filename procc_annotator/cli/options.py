@@ -54,7 +54,7 @@ def _named_field(text: str) -> Field:
 
 
 def named_field(text: str) -> tuple[str, dict[str, float]]:
-    """What the option names: a field, and dimensions in metres by name.
+    """Return what the option names: a field, and dimensions in metres by name.
 
     Raises:
         UsageError: dimensions that are not written as ``name=metres``.
@@ -77,12 +77,13 @@ def named_field(text: str) -> tuple[str, dict[str, float]]:
 
 
 def _is_dimension(name: str, colon: str, given: str) -> bool:
-    """Whether what follows a colon can only be meant for a dimension: it belongs to no path."""
+    """Return whether what follows a colon can only be meant for a dimension: it belongs to no
+    path."""
     return bool(colon) and not any(mark in given for mark in "/\\.") and len(name) > 1
 
 
 def _dimension_example(name: str, key: str) -> str:
-    """How a dimension is written: the one that was meant, if the field has it."""
+    """Return how a dimension is written: the one that was meant, if the field has it."""
     try:
         field = load_field(name)
     except FieldError:
@@ -105,7 +106,8 @@ def _own_field(*datasets: Path | None) -> Field:
 
 
 def _packs_field_file(place: Path) -> bool:
-    """Whether an archive holds a field's description; one that cannot be read says so elsewhere."""
+    """Return whether an archive holds a field's description; one that cannot be read says so
+    elsewhere."""
     if place.suffix.lower() != ".zip" or not place.is_file():
         return False
     try:
@@ -418,7 +420,7 @@ def shown_size(size: str | None) -> tuple[int, int] | None:
 
 
 def is_resuming(left: Path, table: Path, out: Path, *, resume: bool, overwrite: bool) -> bool:
-    """Whether a run goes on with what another one left.
+    """Return whether a run goes on with what another one left.
 
     Args:
         left: see `procc_annotator.batch.checkpoint.unfinished_file`.

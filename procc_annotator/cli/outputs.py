@@ -1,4 +1,4 @@
-"""Where a command may write: never over what it reads, nor among it."""
+"""Guards of output files: never over what it reads, nor among it."""
 
 from __future__ import annotations
 
@@ -115,7 +115,8 @@ def check_no_annotations(folder: Path) -> None:
 def holds_cameras(
     out: Path, frames: Iterable[str], kinds: Iterable[str] = (f"{CAMERA_PREFIX}*.json",)
 ) -> bool:
-    """Whether cameras, of whatever frames, lie in a folder that those of some frames would go to.
+    """Return whether cameras, of whatever frames, lie in a folder that those of some frames would
+    go to.
 
     Args:
         out: the folder, which need not be there.

@@ -1,4 +1,5 @@
-"""Who paints pictures: Qt, as in the window; where its libraries are missing, a plainer painter."""
+"""Painters of pictures: Qt, as in the window; where its libraries are missing, a plainer
+painter."""
 
 from __future__ import annotations
 

@@ -51,14 +51,14 @@ not sure go to OUT/unsure. proposals.csv has a row a frame: state (sure, unsure,
 coverage (share of the visible model on paint), explained (share of the paint on the model),
 residual in px, margin (how much better than the next camera), standard deviations, seconds.
 
---known CAMERAS gives positions of cameras: cameras of other frames of the match, or positions.csv
-of calibrate --shared-position. They are searched in addition to all others, and never replace a
+--known-positions CAMERAS: cameras of other frames of the match, or positions.csv of calibrate
+--shared-position. They are searched in addition to all others, and never replace a
 better camera found without them. A position on which three frames or more agree, two of them sure,
 is known in a second search of those that are not sure.
 
---with NAME asks a detector, too: a package that proposes cameras or labelled points for a picture
-(docs/examples/proposer_plugin). Where its cameras stand is searched, too; what is found there is
-made right and judged alike.
+--detector NAME uses a detector, too: a package that proposes cameras or labelled points for a
+picture (docs/examples/proposer_plugin). Where its cameras stand is searched, too; what is found
+there is made right and judged alike.
 
 A run that was stopped or killed goes on with --resume, in the same words: what was looked at is not
 looked at again, and the cameras are those of one run.
@@ -83,7 +83,7 @@ Source = Annotated[Path, typer.Argument(help="Folder of pictures, one picture, o
 Known = Annotated[
     Path | None,
     typer.Option(
-        "--known",
+        "--known-positions",
         metavar="CAMERAS",
         show_default=False,
         help="Where cameras stand: a folder, zip or file of cameras, or positions.csv.",
@@ -92,7 +92,7 @@ Known = Annotated[
 With = Annotated[
     str | None,
     typer.Option(
-        "--with",
+        "--detector",
         metavar="NAME",
         show_default=False,
         help="A detector that is installed: its cameras or points are judged among the others.",
@@ -118,7 +118,7 @@ Overwrite = Annotated[
 
 @dataclass(frozen=True)
 class ProposeOptions:
-    """What `propose` is asked for."""
+    """Options of `propose`."""
 
     dataset: Source
     out: Out
@@ -195,7 +195,7 @@ def _require_free(out: Path, frames: Sequence[Frame]) -> None:
 
 @dataclass(frozen=True)
 class _FramesToPropose:
-    """What is to be looked at.
+    """Pictures to look at.
 
     Attributes:
         frames: these.
@@ -211,11 +211,7 @@ class _FramesToPropose:
 def _frames_to_propose(
     frames: tuple[Frame, ...], field: Field, annotated: FrameAnnotations | None
 ) -> _FramesToPropose:
-    """The frames to look at: those that nobody put a point in, or all.
-
-    Raises:
-        UsageError: none is left.
-    """
+    """The frames to look at: those that nobody put a point in, or all."""
     if annotated is None:
         return _FramesToPropose(list(frames))
     input_files.report_remarks(annotated.notices)
@@ -234,7 +230,7 @@ def _frames_to_propose(
 
 
 def _interrupted_message(stopped: Interrupted, out: Path) -> str:
-    """What an interrupted run left, and how to go on."""
+    """Return what an interrupted run left, and how to go on."""
     go_on = "run it again with --resume to go on"
     if not stopped.written:
         return f"no sure camera was written; {go_on}"

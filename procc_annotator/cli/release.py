@@ -74,7 +74,7 @@ Example:
 
 \b
   procc-annotator release match/ match-1.1/ --version 1.1 --licence CC-BY-4.0 \\
-      --splits splits.csv --second second_annotator/ --before match-1.0/
+      --splits splits.csv --second-annotator second/ --previous match-1.0/
 """
 
 _AGREEMENT_TAU = 5.0
@@ -91,7 +91,7 @@ Licence = Annotated[
 ]
 By = Annotated[
     list[str] | None,
-    typer.Option("--by", metavar="NAME", show_default=False, help="Who made it; repeat."),
+    typer.Option("--creator", metavar="NAME", show_default=False, help="Who made it; repeat."),
 ]
 Url = Annotated[str, typer.Option(metavar="URL", help="Where it is found.")]
 Description = Annotated[str, typer.Option(metavar="TEXT", help="A paragraph for the card.")]
@@ -109,11 +109,15 @@ Splits = Annotated[
 Second = Annotated[
     Path | None,
     typer.Option(
-        metavar="DIR", show_default=False, help="Annotations of the same frames by somebody else."
+        "--second-annotator",
+        metavar="DIR",
+        show_default=False,
+        help="Annotations of the same frames by somebody else.",
     ),
 ]
 Before = Annotated[
-    Path | None, typer.Option(metavar="DIR", show_default=False, help="The release before.")
+    Path | None,
+    typer.Option("--previous", metavar="DIR", show_default=False, help="The release before."),
 ]
 Pictures = Annotated[bool, typer.Option("--pictures/--no-pictures", help="Pass pictures on.")]
 Check = Annotated[bool, typer.Option("--check/--no-check", help="Run the label check.")]
@@ -125,7 +129,7 @@ Date = Annotated[
 
 @dataclass(frozen=True)
 class ReleaseOptions:
-    """What `release` is asked for."""
+    """Options of `release`."""
 
     dataset: options.AnnotatedSet
     out: Annotated[Path, typer.Argument(help="Folder or .zip to write.")]
@@ -198,11 +202,7 @@ def release(given: ReleaseOptions) -> None:
 
 
 def _check_out(out: Path, source: FileSource, dataset: Path, *, overwrite: bool) -> None:
-    """Fail before the work.
-
-    Raises:
-        UsageError: OUT is, or lies in, what is read; or holds a release nobody asked to replace.
-    """
+    """Fail before the work."""
     outputs.check_place(out, [source])
     if dataset.is_dir() and out.resolve().is_relative_to(dataset.resolve()):
         raise UsageError(f"{out}: lies in what is read, write to another place than {dataset}")
@@ -215,11 +215,7 @@ def _check_out(out: Path, source: FileSource, dataset: Path, *, overwrite: bool)
 
 
 def _splits(path: Path | None) -> FrameTable[str]:
-    """Frame -> split.
-
-    Raises:
-        InputError: no such table.
-    """
+    """Frame -> split."""
     if path is None:
         return FrameTable()
     found: dict[str, str] = {}
@@ -232,11 +228,7 @@ def _splits(path: Path | None) -> FrameTable[str]:
 
 
 def _date(text: str | None) -> str:
-    """The day of a release; today if None.
-
-    Raises:
-        UsageError: it is none.
-    """
+    """The day of a release; today if None."""
     if text is None:
         return datetime.date.today().isoformat()
     try:
@@ -246,7 +238,7 @@ def _date(text: str | None) -> str:
 
 
 class _ReleaseBuilder:
-    """What is found out about a dataset for its release; its files are added as they come.
+    """Facts about a dataset for its release; its files are added as they come.
 
     Nothing is told of frames that are not released.
     """
@@ -315,7 +307,6 @@ class _ReleaseBuilder:
 
 
 def _as_file(suffix: str, write: Callable[[Path], T]) -> tuple[T, bytes]:
-    """What a function says, and what it writes."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / f"file{suffix}"
         return write(path), path.read_bytes()

@@ -1,54 +1,33 @@
-"""``procc-annotator repeat``: make the figures of a recipe again, and say what differs."""
+"""``procc-annotator repeat``: run the command of a manifest again, and compare the metrics."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from contextlib import ExitStack
+import io
+import re
+from collections.abc import Iterator
+from contextlib import chdir, redirect_stdout
 from pathlib import Path
-from typing import Annotated
+from tempfile import TemporaryDirectory
+from typing import Annotated, Any
 
 import typer
 
-from procc_annotator.batch.execution.executor import make_executor
 from procc_annotator.cli import options, outputs
-from procc_annotator.cli.console import with_progress
 from procc_annotator.cli.echo import echo
-from procc_annotator.cli.manifest import (
-    evaluated_here,
-    hashed_input,
-    inference_settings_again,
-    reopen_field,
-    reopen_label_map,
-    temporal_again,
-)
-from procc_annotator.dataset.annotation_source import open_annotations
-from procc_annotator.errors import InputError, UsageError
+from procc_annotator.cli.main import LazyCommand
+from procc_annotator.cli.manifest_option import DROPPED
+from procc_annotator.errors import UsageError
 from procc_annotator.formats.atomic import write_atomic
-from procc_annotator.formats.cameras.collection import CameraCollection
-from procc_annotator.formats.file_source import read_file
 from procc_annotator.messages import pluralize
-from procc_annotator.report.run_manifest import (
-    ManifestEvaluation,
-    ManifestInput,
-    RunManifest,
-    differing_figures,
-    differing_files,
-    differing_inference,
-    differing_over_time,
-    hashed,
-    read_manifest,
-    setup_of,
-)
-from procc_annotator.report.scores.scoring import EvaluationRequest, Evaluations, RequestedOutputs
+from procc_annotator.report.manifest import Manifest, differences, read_manifest
 from procc_annotator.report.tables.data_files import json_bytes
-from procc_annotator.version import __version__
 
 HELP = """\
-RECIPE is what evaluate or report wrote with --recipe. Its inputs are looked for by their relative
-paths in --data DIR; without it beside the recipe, in the folder above it, and in the current one.
+MANIFEST is what evaluate or report wrote with --manifest. Its inputs are found by their relative
+paths in --data DIR; without it beside the manifest, in the folder above it, or in the current one.
 
-Every file is held against its SHA-256, everything is evaluated again, and what differs is listed:
-a missing file, other content, a file that the recipe does not know, another field, another figure.
+The same command runs again on these inputs. Every difference is listed: another version, a missing
+file, other content, a file that the manifest does not know, another field, another metric.
 
 Exit code: 0 if nothing differs; 1 if something does; 2 if it cannot be repeated.
 """
@@ -57,16 +36,18 @@ EXAMPLE = """
 Example:
 
 \b
-  procc-annotator evaluate wc14/annotations wc14/cameras_pnlcalib --recipe wc14.json
+  procc-annotator evaluate wc14/annotations wc14/cameras_pnlcalib --manifest wc14.json
   procc-annotator repeat wc14.json --data downloads/wc14
 """
 
+_COMMANDS = ("evaluate", "report")
 _LISTED = 50
 
 
 def repeat(
-    recipe: Annotated[
-        Path, typer.Argument(metavar="RECIPE", help="The recipe, a JSON file.", show_default=False)
+    manifest: Annotated[
+        Path,
+        typer.Argument(metavar="MANIFEST", help="The manifest, a JSON file.", show_default=False),
     ],
     data: Annotated[
         Path | None,
@@ -81,157 +62,78 @@ def repeat(
 ) -> None:
     if output is not None:
         outputs.check_output_folder(output)
-    known = read_manifest(recipe)
-    root = _root(known, recipe, data)
-    differences = _other_version(known)
-    with ExitStack() as opened:
-        asked, found = _open(known, root, opened)
-        differences += found
-        again, more = _reevaluate(known, root, asked, workers, dask)
-    for was, now in zip(known.evaluations, again, strict=True):
-        differences += differing_figures(was, now)
-    differences += more
-    _print_differences(known, differences)
-    if output is not None:
-        write_atomic(output, json_bytes({"recipe": recipe.name, "differences": differences}))
-        echo(f"written: {output}")
-    raise typer.Exit(1 if differences else 0)
-
-
-def _root(known: RunManifest, recipe: Path, data: Path | None) -> Path:
-    """The folder of the inputs.
-
-    Raises:
-        UsageError: there is none.
-    """
-    if not known.evaluations or not known.inputs:
-        raise UsageError(f"{recipe}: holds no evaluation")
-    if any(_leads_out(one.path) for one in known.inputs):
-        raise UsageError(f"{recipe}: names paths outside of its folder")
-    beside = recipe.absolute().parent
-    places = [data] if data is not None else [beside, beside.parent, Path.cwd()]
-    paths = {path for one in known.evaluations for path in (one.annotations, one.cameras)}
-    for place in places:
-        missing = [path for path in sorted(paths) if not (place / path).exists()]
-        if not missing:
-            return place
-    raise UsageError(
-        f"{missing[0]}: is not in {data}; --data names the folder that it lies in by that path"
-        if data is not None
-        else f"{missing[0]}: is not beside the recipe; say where with --data DIR"
-    )  # fmt: skip
-
-
-def _leads_out(path: str) -> bool:
-    return Path(path).is_absolute() or ".." in Path(path).parts
-
-
-def _other_version(known: RunManifest) -> list[str]:
-    own = __version__
-    return [] if known.version == own else [f"other version: {own}, was {known.version}"]
-
-
-def _open(
-    known: RunManifest, root: Path, opened: ExitStack
-) -> tuple[list[EvaluationRequest], list[str]]:
-    """The evaluations with what is here, and which files differ.
-
-    Raises:
-        UsageError, InputError: an input is not there at all, or cannot be opened.
-    """
-    asked: list[EvaluationRequest] = []
-    here: dict[tuple[str, str], ManifestInput] = {}
-    for one in known.evaluations:
-        for path in (one.annotations, one.cameras):
-            if _leads_out(path):
-                raise UsageError(f"{path}: leads out of the folder of the inputs")
-        cameras = opened.enter_context(CameraCollection.open(root / one.cameras, one.format))
-        place = root / one.annotations
-        shown = reopen_field(one.field, root, place)
-        names = reopen_label_map(known, root, shown)
-        annotations = opened.enter_context(open_annotations(place, shown, names))
-        asked.append(
-            EvaluationRequest(
-                one.set, one.source, annotations, cameras, setup_of(one, shown),
-                camera_size=one.camera_size,
-            )
-        )  # fmt: skip
-        for role, path, source in (
-            ("annotations", one.annotations, annotations),
-            ("cameras", one.cameras, cameras),
-        ):
-            if (role, path) not in here:
-                here[role, path] = hashed_input(role, source, root.absolute())
-    differences: list[str] = []
-    for wanted in known.inputs:
-        now = here.get((wanted.role, wanted.path)) or _single(wanted, root)
-        differences += differing_files(wanted, now)
-    return asked, differences
-
-
-def _single(wanted: ManifestInput, root: Path) -> ManifestInput:
-    try:
-        file = hashed(".", read_file(root / wanted.path))
-    except InputError:
-        return ManifestInput(wanted.role, wanted.path, ())
-    return ManifestInput(wanted.role, wanted.path, (file,))
-
-
-def _reevaluate(
-    known: RunManifest,
-    root: Path,
-    asked: Sequence[EvaluationRequest],
-    workers: int | None,
-    dask: str | None,
-) -> tuple[list[ManifestEvaluation], list[str]]:
-    """The evaluations as they are here, and what of the other figures differs."""
-    different: list[str] = []
-    terms = None if known.chance is None else inference_settings_again(known.chance, known, root)
-    outcome = RequestedOutputs(named=len(asked) > 1, chance=terms)
-    evaluations = Evaluations.prepare(asked, _thresholds(known), outcome)
-    with make_executor(workers, dask, frames=evaluations.frames) as executor:
-        scored = evaluations.score(executor, progress=with_progress)
-        if known.over_time is not None:
-            found = temporal_again(known.over_time, root, asked, executor)
-            if isinstance(found, str):
-                different.append(found)
-            else:
-                different += differing_over_time(known.over_time, found)
-    if known.chance is not None:
-        different += differing_inference(known.chance, evaluations.told)
-    again = [
-        evaluated_here(was, own.summaries, one)
-        for was, own, one in zip(known.evaluations, scored, asked, strict=True)
-    ]
-    return again, different
-
-
-def _thresholds(known: RunManifest) -> tuple[float, ...]:
-    """Of all evaluations: those of a command have the same.
-
-    Raises:
-        UsageError: they have not.
-    """
-    found = {one.thresholds for one in known.evaluations}
-    if len(found) > 1:
-        raise UsageError("the recipe's evaluations have different thresholds: no command does that")
-    return found.pop()
-
-
-def _print_differences(known: RunManifest, differences: Sequence[str]) -> None:
-    for line in differences[:_LISTED]:
+    known = read_manifest(manifest)
+    if known.command not in _COMMANDS:
+        raise UsageError(f"{manifest}: {known.command!r} is not repeated, only {_COMMANDS} are")
+    for text in (*known.inputs, *_texts(known.options)):
+        # Options hold paths as NAME=PATH, NAME:FORMAT=PATH and FILE:length=104.
+        if any(Path(p).anchor or ".." in Path(p).parts for p in re.split("[=:,]", text)):
+            raise UsageError(f"{manifest}: {text[:200]!r} leads out of the folder of the inputs")
+    work = [f"--workers={workers}"] * (workers is not None) + [f"--dask={dask}"] * bool(dask)
+    found = list(differences(known, _run(known, _root(known, manifest, data), work)))
+    for line in found[:_LISTED]:
         echo(line)
-    if (more := len(differences) - _LISTED) > 0:
+    if (more := len(found) - _LISTED) > 0:
         echo(f"... and {pluralize(more, 'more difference')}")
-    files = sum(len(one.files) for one in known.inputs)
-    figures = sum(len(f) for one in known.evaluations for f in one.figures.values())
-    if known.chance is not None:
-        sheets = [rows for one in known.chance.told for rows in one.values()]
-        figures += sum(len(row) for rows in sheets for row in rows)
-    if known.over_time is not None:
-        figures += sum(len(row) for row in known.over_time.rows)
-    if not differences:
-        echo(
-            f"the same: {pluralize(files, 'file')} and {pluralize(figures, 'figure')} of"
-            f" {pluralize(len(known.evaluations), 'evaluation')}"
+    if not found:
+        echo(f"the same: {pluralize(len(known.inputs), 'file')} and all metrics")
+    if output is not None:
+        write_atomic(output, json_bytes({"manifest": manifest.name, "differences": found}))
+        echo(f"written: {output}")
+    raise typer.Exit(1 if found else 0)
+
+
+def _texts(value: Any) -> Iterator[str]:
+    if isinstance(value, dict | list):
+        for one in value.values() if isinstance(value, dict) else value:
+            yield from _texts(one)
+    else:
+        yield str(value)
+
+
+def _root(known: Manifest, manifest: Path, data: Path | None) -> Path:
+    """Find the folder of the inputs: the one that holds most of them."""
+    beside = manifest.absolute().parent
+    places = [data.absolute()] if data is not None else [beside, beside.parent, Path.cwd()]
+    held = {place: sum((place / name).is_file() for name in known.inputs) for place in places}
+    best = max(places, key=held.__getitem__)
+    if not held[best]:
+        first = next(iter(known.inputs), "no input")
+        raise UsageError(
+            f"{first}: is not in {data}; --data names the folder that it lies in by that path"
+            if data is not None
+            else f"{first}: is not beside the manifest; say where with --data DIR"
         )
+    return best
+
+
+def _run(known: Manifest, root: Path, work: list[str]) -> Manifest:
+    """Run the command in the folder of the inputs; its tables are not printed."""
+    command = LazyCommand(known.command, "").load()
+    with TemporaryDirectory(prefix="procc-repeat-") as folder:
+        own = [f"--manifest={folder}/manifest.json", *work]
+        if known.command == "report":
+            own.append(f"--output={folder}/report.json")
+        arguments = [*own, *_arguments(command, known.options)]
+        with chdir(root), redirect_stdout(io.StringIO()):
+            code = command.main(arguments, known.command, standalone_mode=False, obj=root)
+        if code not in (0, 1):
+            raise UsageError(f"{known.command} failed: nothing can be compared")
+        return read_manifest(Path(folder) / "manifest.json")
+
+
+def _arguments(command: Any, given: dict[str, Any]) -> Iterator[str]:
+    """Spell options as they are typed; those that write files are left out."""
+    if unknown := given.keys() - {one.name for one in command.params}:
+        raise UsageError(f"{command.name} has no option {min(unknown)[:60]!r}")
+    places: list[str] = []
+    for parameter in command.params:
+        values = given.get(parameter.name, []) if parameter.name not in DROPPED else []
+        for value in values if isinstance(values, list) else [values]:
+            if parameter.param_type_name == "argument":
+                places.append(str(value))
+            elif isinstance(value, bool):
+                yield (parameter.opts if value else parameter.secondary_opts)[0]
+            else:
+                yield f"{max(parameter.opts, key=len)}={value}"
+    yield from ("--", *places)

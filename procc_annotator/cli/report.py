@@ -16,13 +16,7 @@ from procc_annotator.batch.grouping import Tags
 from procc_annotator.cli import inference_options, input_files, options, outputs, temporal_options
 from procc_annotator.cli.console import with_progress
 from procc_annotator.cli.echo import echo
-from procc_annotator.cli.manifest import (
-    FieldArguments,
-    FurtherResults,
-    ManifestOption,
-    ManifestRequest,
-    manifest_request,
-)
+from procc_annotator.cli.manifest_option import ManifestFile, ManifestOfRun
 from procc_annotator.cli.method_arguments import SourceSpec, parse_sources
 from procc_annotator.cli.painters import overlay_painter, pair_painter
 from procc_annotator.dataset.annotation_source import open_annotations
@@ -57,7 +51,6 @@ from procc_annotator.report.page.report_data import (
 )
 from procc_annotator.report.scores.inference import InferenceSettings
 from procc_annotator.report.scores.scoring import EvaluationRequest
-from procc_annotator.report.tables.latex import COLUMN_PT
 
 HELP = """\
 DATASET is a folder of pictures and annotations, or a folder or zip of annotations alone: overlay
@@ -152,20 +145,9 @@ PictureWidth = Annotated[
 ]
 
 
-LatexWidth = Annotated[
-    float,
-    typer.Option(
-        min=100,
-        metavar="PT",
-        help="Width that tables in a .tex file may have: 229 fits the column of any paper with"
-        " two; 345 is the text of an article, 505 both columns. Beyond 260 a table spans both.",
-    ),
-]
-
-
 @dataclass(frozen=True, kw_only=True)
 class ReportOptions:
-    """What `report` is asked for."""
+    """Options of `report`."""
 
     dataset: Dataset
     cameras: options.Sources = None
@@ -193,8 +175,7 @@ class ReportOptions:
     disagreement: Disagreement = None
     reference: Reference = None
     picture_width: PictureWidth = 960
-    latex_width: LatexWidth = COLUMN_PT
-    recipe: ManifestOption = None
+    manifest: ManifestFile = None
     steady: temporal_options.OverTime = False
     shots: temporal_options.Shots = None
     workers: options.Workers = None
@@ -203,6 +184,7 @@ class ReportOptions:
 
 def report(context: typer.Context, given: ReportOptions) -> None:
     written = _written(given.cameras, given.output)
+    manifest = ManifestOfRun.of(context, given.manifest)
     setup = options.make_setup(
         given.field,
         given.size,
@@ -220,7 +202,7 @@ def report(context: typer.Context, given: ReportOptions) -> None:
         given.title or f"Cameras of {name}", given.date or datetime.date.today().isoformat(),
         given.worst, given.random, given.seed,
         tuple(_pair(text) for text in given.disagreement or ()), reference=given.reference or "",
-        recipe="" if given.recipe is None else given.recipe.name, latex_width_pt=given.latex_width,
+        manifest="" if manifest is None else manifest.path.name,
     )  # fmt: skip
     check_request(request, [spec.name for spec in specs])
     place = annotation_place(given.dataset, setup.field, given.annotations)
@@ -228,16 +210,9 @@ def report(context: typer.Context, given: ReportOptions) -> None:
     groups, derived = inference_options.groups_asked(given.by, read_tags, given.chance.cluster)
     parts = (*groups, *derived)
     chance = given.chance.terms(read_tags, {name: place[0]}, parts, given.seed, given.shots)
-    if given.recipe is not None:
-        outputs.check_output_folder(given.recipe)
-    noise = inference_options.noise_file(given.chance.click_noise)
-    beside = {"tags": given.tags, "click noise": noise, "shots": given.shots}
-    asked = manifest_request(
-        given.recipe, context, FieldArguments(given.field, given.lines), beside
-    )
     call = _ReportRequest(
         name, specs, setup, thresholds, request, written, given.picture_width, chance,
-        options.label_map(given.labels, setup.field), asked,
+        options.label_map(given.labels, setup.field), manifest,
         temporal_options.TemporalRequest.of(given.steady, given.shots, None, None),
     )  # fmt: skip
     gathered, problems = _make(
@@ -248,7 +223,7 @@ def report(context: typer.Context, given: ReportOptions) -> None:
 
 @dataclass(frozen=True)
 class _ReportRequest:
-    """What a call asks for; specs: the sources; picture_width: px, of the widest picture; labels:
+    """A call as it was read; specs: the sources; picture_width: px, of the widest picture; labels:
     what names of another program stand for."""
 
     name: str
@@ -260,16 +235,12 @@ class _ReportRequest:
     picture_width: int
     chance: InferenceSettings
     labels: LabelMap | None
-    recipe: ManifestRequest | None
+    manifest: ManifestOfRun | None
     over_time: temporal_options.TemporalRequest | None
 
 
 def _written(cameras: list[str] | None, output: list[Path] | None) -> list[Path]:
-    """The files to write.
-
-    Raises:
-        UsageError: nothing to report of, or a file that is no report or cannot be written.
-    """
+    """The files to write."""
     if not cameras:
         raise UsageError("a report needs sources of cameras: --cameras NAME=PATH")
     if output is None and is_foreign_file(_USUAL):
@@ -299,7 +270,7 @@ def _make(
         named = list(zip(call.specs, collections, strict=True))
         for spec, collection in named:
             input_files.report_remarks(f"{spec.name}: {notice}" for notice in collection.notices)
-        files = (*call.written, *([call.recipe.path] if call.recipe else []))
+        files = (*call.written, *([call.manifest.path] if call.manifest else []))
         outputs.check_not_inputs(files, [source, *collections])
         work_ahead = len(list_annotations(source)) * _frame_cost(call.request, len(call.specs))
         executor = opened.enter_context(make_executor(workers, dask, frames=work_ahead))
@@ -317,19 +288,17 @@ def _make(
             call.name, source, judged, call.setup, call.thresholds, work, call.chance
         )
         sets = [CameraSet(collection, spec.name, camera_size) for spec, collection in named]
-        if call.recipe is not None:
-            figures = [one.summaries for one in gathered.sources]
-            used = [(one, own) for one, own in zip(asked, figures, strict=True) if own]
-            further = FurtherResults(call.chance, [gathered.told], steady, found)
-            call.recipe.write([one for one, _ in used], [own for _, own in used], further)
         material = ReportInputs(source, sets, pictures, tuple(found))
-        drawing = _drawing(call)
-        return gathered, write_report(gathered, material, call.request, drawing, call.written, work)
+        written = (*call.written, *([call.manifest.metrics] if call.manifest else []))
+        problems = write_report(gathered, material, call.request, _drawing(call), written, work)
+        if call.manifest is not None:
+            call.manifest.write(asked)
+        return gathered, problems
 
 
 def _print_summary(call: _ReportRequest, gathered: AuditReport, problems: list[str]) -> int:
     """Say what was written and what went wrong; returns the exit code."""
-    for path in (*call.written, *([call.recipe.path] if call.recipe else [])):
+    for path in (*call.written, *([call.manifest.path] if call.manifest else [])):
         echo(f"written: {path}")
     notes = dict.fromkeys(note for s in gathered.sources for note in s.annotation_notes)
     input_files.report_remarks(notes)
@@ -340,13 +309,14 @@ def _print_summary(call: _ReportRequest, gathered: AuditReport, problems: list[s
 
 
 def _frame_cost(request: ReportRequest, sources: int) -> int:
-    """What a frame of the set costs, in scored frames: comparing two cameras is dear."""
+    """Return what a frame of the set costs, in scored frames: comparing two cameras is dear."""
     legacy = sources - 1 if request.reference else 0
     return sources + _COMPARED_FRAME * (len(set(request.disagreement)) + legacy)
 
 
 def dataset_name(dataset: Path) -> str:
-    """What people call it: its folder, or the one around ``annotations``; an archive's stem."""
+    """Return what people call it: its folder, or the one around ``annotations``; an archive's
+    stem."""
     whole = dataset.absolute()
     if whole.name in ("", "..") or whole.is_symlink():
         whole = dataset.resolve()
@@ -358,7 +328,7 @@ def dataset_name(dataset: Path) -> str:
 def annotation_place(
     dataset: Path, field: Field, annotations: Path | None
 ) -> tuple[Path, dict[str, Path]]:
-    """Where the annotations of a dataset are, and its pictures by frame name.
+    """Return where the annotations of a dataset are, and its pictures by frame name.
 
     Raises:
         UsageError: no such dataset or folder.

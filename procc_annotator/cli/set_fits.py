@@ -26,7 +26,7 @@ class FittedFrames:
 
 
 def fit_sizes(source: FileSource, place: Path, dataset: Path, size: str | None) -> FitSizes:
-    """What each frame of a set is fitted at.
+    """Return what each frame of a set is fitted at.
 
     Args:
         source: the annotations, open.

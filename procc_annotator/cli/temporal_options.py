@@ -44,7 +44,7 @@ OverTime = Annotated[
     typer.Option(
         "--over-time",
         help="Also how steady the cameras are over the shots of the set: jitter, jumps, outages,"
-        " wandering positions, cameras that are some frames late.",
+        " cameras that are some frames late.",
     ),
 ]
 Shots = Annotated[
@@ -82,7 +82,7 @@ Output = Annotated[
 
 @dataclass(frozen=True)
 class TemporalRequest:
-    """What is asked over time.
+    """Options of figures over time.
 
     Attributes:
         shots: table that says which frames follow each other.
@@ -215,6 +215,6 @@ def _measured(
 
 
 def errors(found: Sequence[TemporalMetrics], known: Collection[str]) -> list[str]:
-    """What could not be read on the way and is not told yet."""
+    """Return what could not be read on the way and is not told yet."""
     lines = dict.fromkeys(error for one in found for error in one.errors)
     return [line for line in lines if line not in known]

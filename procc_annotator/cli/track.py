@@ -176,12 +176,7 @@ def _track_shots(
     table: TrackTable,
     label: str,
 ) -> None:
-    """Follow shots and write what comes of it.
-
-    Raises:
-        SaveError: writing failed.
-        Interrupted: see `write_tracks`.
-    """
+    """Follow shots and write what comes of it."""
     run = TrackRun(shots, shown, follow_shot)
     run.executor = executor
     with progress_bar(label) as progress:
@@ -189,7 +184,7 @@ def _track_shots(
 
 
 def _has_new_anchors(shot: ShotToTrack, table: TrackTable) -> bool:
-    """Whether a shot that was followed before has anchors that it had not then."""
+    """Return whether a shot that was followed before has anchors that it had not then."""
     names = (shot.frames[number - shot.first].name for number in shot.anchors)
     return any(row["state"] != "anchor" for name in names if (row := table.rows.get(name)))
 
@@ -204,11 +199,7 @@ def _shots_to_retry(
 
 
 def _number_of(text: str, pictures: PictureSource) -> int:
-    """The number of a frame that is told by its name, or by its number.
-
-    Raises:
-        UsageError: there is none.
-    """
+    """The number of a frame that is told by its name, or by its number."""
     for number, frame in enumerate(pictures.frames):
         if frame.name == text:
             return number
@@ -222,11 +213,7 @@ def _number_of(text: str, pictures: PictureSource) -> int:
 
 
 def _table(out: Path, names: tuple[str, ...], *, overwrite: bool) -> TrackTable:
-    """The table in OUT; a new one in place of one of something else.
-
-    Raises:
-        InputError: it is of something else, and not to be replaced.
-    """
+    """The table in OUT; a new one in place of one of something else."""
     try:
         return read_table(out, names)
     except InputError:
@@ -283,7 +270,7 @@ def _shots(pictures: PictureSource, anchors: TrackAnchors, start: int | None) ->
 
 
 def _interrupted_message(stopped: Interrupted, out: Path) -> str:
-    """What an interrupted run left, and how to go on."""
+    """Return what an interrupted run left, and how to go on."""
     return (
         f"{stopped.written} of {pluralize(stopped.total, 'frame')} are in {out}/{TABLE_FILE};"
         " run it"

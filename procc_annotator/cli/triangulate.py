@@ -96,7 +96,7 @@ Surveyed = Annotated[
 ClickPx = Annotated[
     float | None,
     typer.Option(
-        "--click-px",
+        "--click-sd",
         metavar="PX",
         show_default=False,
         help="Standard deviation of a click and its camera together, px of --size.  [default: 1.5"
@@ -126,7 +126,7 @@ def check_values(model: str, click_px: float | None) -> None:
     if model == "H":
         raise UsageError("a homography tells no place in space: choose P, R, R+ or auto, not H")
     if click_px is not None and not click_px > 0:
-        raise UsageError(f"--click-px must be a positive number of pixels, not {click_px:g}")
+        raise UsageError(f"--click-sd must be a positive number of pixels, not {click_px:g}")
 
 
 def add_surveyed(known: LandmarkFile, measured: Iterable[str], field: Field) -> LandmarkFile:
@@ -176,7 +176,7 @@ def named_in_options(
 
 
 def target_file(dataset: Path, output: Path | None) -> Path:
-    """Where the landmarks are written to.
+    """Return where the landmarks are written to.
 
     Raises:
         UsageError: nowhere.

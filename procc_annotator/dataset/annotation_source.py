@@ -33,7 +33,6 @@ from procc_annotator.formats.annotations.registry import (
     read_set,
 )
 from procc_annotator.formats.annotations.soccernet import write_annotation
-from procc_annotator.formats.csv_tables import read_frame_table
 from procc_annotator.formats.file_listing import AnnotationFiles, list_annotations
 from procc_annotator.formats.file_source import FileSource, FolderSource, open_source, read_optional
 from procc_annotator.messages import pluralize
@@ -256,7 +255,7 @@ class FrameAnnotations:
             return cls(notices=(str(error),))
 
     def read(self, frame: Frame, field: Field) -> FrameAnnotation | None:
-        """What is annotated in a frame; None where it has no annotation.
+        """Return what is annotated in a frame; None where it has no annotation.
 
         Raises:
             InputError: it cannot be read.
@@ -272,13 +271,13 @@ class FrameAnnotations:
         return None if file is None else self._source.read(file)
 
     def has(self, frame: Frame) -> bool:
-        """Whether a frame has an annotation, be it empty; not whether it can be read."""
+        """Return whether a frame has an annotation, be it empty; not whether it can be read."""
         if self._source is None:
             return frame.annotation_path.exists()
         return frame.name in self._files
 
     def display(self, frame: Frame) -> str:
-        """How to name a frame's annotation to a person."""
+        """Return how to name a frame's annotation to a person."""
         if self._source is None:
             return str(frame.annotation_path)
         return self._source.display(self._files.get(frame.name, frame.name))
@@ -290,19 +289,3 @@ def _annotations_at(place: Path, field: Field, names: LabelMap | None) -> FrameA
         return FrameAnnotations(source)
     with source:
         return FrameAnnotations(notices=list_annotations(source).notices)
-
-
-REFERENCE_FRAMES_FILE = "gold.csv"
-_ADVICE = "the file needs a header with a column 'frame', and a row for each gold frame"
-
-
-def read_reference_frames(path: Path) -> tuple[str, ...]:
-    """The names of gold frames, in the file's order.
-
-    Raises:
-        InputError: it cannot be read, or what is wrong and where.
-    """
-    _, rows = read_frame_table(path, (), _ADVICE)
-    if not rows:
-        raise InputError(path, "names no frame", advice=_ADVICE)
-    return tuple(row["frame"] for _, row in rows)

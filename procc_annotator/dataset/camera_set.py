@@ -49,7 +49,7 @@ class FrameCameras(Protocol):
 
     @property
     def origin(self) -> str:
-        """Where the cameras come from, for people."""
+        """Return where the cameras come from, for people."""
 
     @property
     def frames(self) -> Mapping[str, object]:
@@ -132,7 +132,8 @@ class CameraSet:
         return found
 
     def written_since(self, frame_name: str) -> bool:
-        """Whether a frame's camera file is another one than was read; one look at the file."""
+        """Return whether a frame's camera file is another one than was read; one look at the
+        file."""
         file = self.frames.get(frame_name) if self._is_folder else ""
         return file is not None and bool(self._stamps.changed(self._file, only=(file,)))
 
@@ -179,7 +180,7 @@ class CameraSet:
         return str(self.path)
 
     def opener(self, base: Path | None) -> Callable[[], CameraSet]:
-        """What opens the same set once more, as in another process.
+        """Return what opens the same set once more, as in another process.
 
         Args:
             base: what a relative path starts from, where that is another folder there.
@@ -211,7 +212,8 @@ class CameraSet:
             return found
 
     def fitted_on(self, frame_name: str) -> str | None:
-        """What a frame's camera was fitted to, see `LoadedCamera`; None of one that is damaged."""
+        """Return what a frame's camera was fitted to, see `LoadedCamera`; None of one that is
+        damaged."""
         try:
             return self._cameras.read(frame_name).fitted_on
         except CameraError:
@@ -247,7 +249,6 @@ def _unless_since(begun: int, stamp: Stamp) -> Stamp:
 
 
 def _folders_of(files: Iterable[str]) -> set[str]:
-    """The folders below the top one that files lie in, deeper or not."""
     own = [PurePosixPath(folder) for folder in {file.rpartition("/")[0] for file in files}]
     return {str(path) for folder in own for path in (folder, *folder.parents)} - {"."}
 

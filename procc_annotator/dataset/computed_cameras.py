@@ -41,7 +41,7 @@ class FittedCameras:
 
     @property
     def origin(self) -> str:
-        """Where the cameras come from, for people."""
+        """Return where the cameras come from, for people."""
         return translatable("Fitted to the clicks of each frame; nothing of it is in a file")
 
     @cached_property
@@ -82,7 +82,7 @@ _MOST_RESIDUAL = 2.0 / 1280  # of the picture's width
 
 
 def most_residual_px(width: int) -> float:
-    """How far the paint may be from the lines in a frame that is sure, px.
+    """Return how far the paint may be from the lines in a frame that is sure, px.
 
     Args:
         width: of the picture, px.
@@ -126,7 +126,7 @@ class TrackedCameras:
 
     @property
     def origin(self) -> str:
-        """Where the cameras come from, for people."""
+        """Return where the cameras come from, for people."""
         return translatable("Followed through the shot; nothing of it is in a file")
 
     @cached_property

@@ -125,7 +125,7 @@ DIMENSIONS_SETTING = "field_dimensions"
 
 @dataclass(frozen=True)
 class StoredDimensions:
-    """What a workspace keeps of its field.
+    """Field settings that a workspace keeps.
 
     Attributes:
         values: metres, by name; empty where all are nominal.
@@ -200,7 +200,7 @@ LINES_SETTING = "field_lines"
 
 @dataclass(frozen=True)
 class StoredLines:
-    """What a workspace keeps of them.
+    """Line settings that a workspace keeps.
 
     Attributes:
         lines: one of `LINES`; empty where nothing is kept.
@@ -212,7 +212,7 @@ class StoredLines:
 
 
 def lines_in_settings(settings: Mapping[str, str], field: Field) -> StoredLines:
-    """Where a dataset's clicks lie on the lines.
+    """Return where a dataset's clicks lie on the lines.
 
     Args:
         settings: of its workspace, by key.
@@ -264,7 +264,8 @@ def own_field_file(folder: Path) -> Path | None:
 
 
 def stored_field_source(folder: Path, settings: Mapping[str, str]) -> str | Path | None:
-    """What `load_field` takes for a dataset: a name or a file; None where the dataset does not say.
+    """Return what `load_field` takes for a dataset: a name or a file; None where the dataset does
+    not say.
 
     Args:
         folder: of the dataset.

@@ -32,8 +32,8 @@ _LOOKED_INTO = 3
 
 
 def found_instead_of_annotations(source: FileSource) -> str:
-    """What a source without annotations holds, to go on after "nothing to do: .."; empty where
-    that tells nothing."""
+    """Return what a source without annotations holds, to go on after "nothing to do: .."; empty
+    where that tells nothing."""
     try:
         names = source.tree()
     except InputError:  # too large or too deep for a set: nothing is to be said of it
@@ -102,8 +102,8 @@ def refuse_other_content(source: FileSource) -> None:
 
 
 def found_instead_of_cameras(place: Path) -> str:
-    """What a place without cameras holds, to go on after "nothing to do: .."; empty where that
-    tells nothing. The program's own annotations are told by the reader of cameras."""
+    """Return what a place without cameras holds, to go on after "nothing to do: .."; empty where
+    that tells nothing. The program's own annotations are told by the reader of cameras."""
     try:
         with open_source(place) as source:
             told = [known for known in detect_formats(source) if known.name != PLAIN]
@@ -176,7 +176,7 @@ _NEARLY_ALL = 0.8
 
 @dataclass(frozen=True, slots=True)
 class FieldMatch:
-    """How many of some classes a field knows.
+    """Number of classes that a field knows.
 
     Attributes:
         name: what `load_field` takes.
@@ -229,12 +229,12 @@ class Mismatch:
 
     @property
     def is_worth_reporting(self) -> bool:
-        """Whether the field must be wrong: another knows more, or it does not know most."""
+        """Return whether the field must be wrong: another knows more, or it does not know most."""
         return self.better is not None or 2 * len(self.unknown) > self.classes
 
     @property
     def is_whole(self) -> bool:
-        """Whether it knows so few that nothing can be said class by class."""
+        """Return whether it knows so few that nothing can be said class by class."""
         return len(self.unknown) >= _NEARLY_ALL * self.classes
 
 
@@ -267,7 +267,7 @@ def rank_fields(classes: Collection[str], more: Sequence[Field] = ()) -> tuple[F
 def mismatch_of(
     classes: Collection[str], field: Field, more: Sequence[Field] = ()
 ) -> Mismatch | None:
-    """What is to say of the classes of a set; None where its field knows them all.
+    """Return the remark on the classes of a set; None where its field knows them all.
 
     Args:
         classes: names as in files.
@@ -324,6 +324,6 @@ def _stripped(field: Field) -> frozenset[str]:
 
 
 def loadable(field: Field) -> str:
-    """What `load_field` takes for a field: its name, or the path of the user's own file."""
+    """Return what `load_field` takes for a field: its name, or the path of the user's own file."""
     own = field.source is not None and not is_builtin_field(field.source)
     return str(field.source) if own else field.name

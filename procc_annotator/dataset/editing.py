@@ -273,12 +273,12 @@ class History:
 
     @property
     def undo_label(self) -> str | None:
-        """What undo would take back."""
+        """Return what undo would take back."""
         return self._steps[self._position][0] if self.can_undo else None
 
     @property
     def redo_label(self) -> str | None:
-        """What redo would do again."""
+        """Return what redo would do again."""
         return self._steps[self._position + 1][0] if self.can_redo else None
 
     def push(self, label: str, annotation: FrameAnnotation) -> bool:

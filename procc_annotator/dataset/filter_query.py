@@ -52,7 +52,7 @@ QUERY_HELP = (
 
 @dataclass(frozen=True, slots=True)
 class FrameFacts:
-    """What a filter may ask about one frame.
+    """Properties of one frame that a filter can use.
 
     Attributes:
         status: one of `STATUSES`; ``in_progress`` is read as ``in progress``.
@@ -89,7 +89,7 @@ _NEEDS_NOTHING, _CHECK, _ANNOTATION, _JAC = range(4)  # what a condition needs, 
 
 @dataclass(frozen=True, slots=True)
 class _Term:
-    """What a word was read as; without a test it is not finished and every frame matches."""
+    """A parsed word; without a test it is not finished and every frame matches."""
 
     test: _Test | None
     needs: int = _NEEDS_NOTHING
@@ -118,21 +118,21 @@ class FrameQuery:
 
     @property
     def is_empty(self) -> bool:
-        """Whether every frame matches because nothing is asked."""
+        """Return whether every frame matches because nothing is asked."""
         return not self._conditions
 
     @property
     def needs_annotation(self) -> bool:
-        """Whether the frames' files must have been read for the answer to be right."""
+        """Return whether the frames' files must have been read for the answer to be right."""
         return any(c.needs == _ANNOTATION for c in self._conditions)
 
     @property
     def needs_check(self) -> bool:
-        """Whether it is asked what the label check found."""
+        """Return whether it is asked what the label check found."""
         return any(c.needs == _CHECK for c in self._conditions)
 
     def matches(self, facts: FrameFacts) -> bool:
-        """Whether a frame meets all conditions; costly ones are asked last."""
+        """Return whether a frame meets all conditions; costly ones are asked last."""
         for condition in self._conditions:
             result = condition.test(facts)
             if result is None or result is condition.negated:

@@ -114,7 +114,7 @@ class NumberRange:
     high_open: bool = False
 
     def holds(self, value: float) -> bool:
-        """Whether a number is among them."""
+        """Return whether a number is among them."""
         above = value > self.low if self.low_open else value >= self.low
         return above and (value < self.high if self.high_open else value <= self.high)
 
@@ -165,7 +165,7 @@ def _range(low: str, high: str, place: int, whole: bool, example: str) -> Number
 
 
 def _begun(text: str) -> bool:
-    """Whether a number, or a range, is about to follow: nothing, ``.``, ``0.``."""
+    """Return whether a number, or a range, is about to follow: nothing, ``.``, ``0.``."""
     return text in ("", ".") or (text.endswith(".") and bool(_NUMBER.fullmatch(text[:-1])))
 
 
@@ -230,7 +230,7 @@ def _unknown(
 
 
 def other_key_hint(names: Iterable[str], key: str) -> dict[str, str]:
-    """What belongs behind another key, and how it is written there."""
+    """Return what belongs behind another key, and how it is written there."""
     return {name: f"{key}:{quoted(name)}" for name in names}
 
 

@@ -100,8 +100,8 @@ def _add(node: _Node, above: str, depth: int, found: list[Folder]) -> None:
 def rows_of(
     folders: Sequence[Folder], folded: Collection[str], shown: Sequence[int] | None
 ) -> list[int]:
-    """What a list shows, row by row: a frame, or -1 - k for folder k; folders without a frame that
-    is shown are left out.
+    """Return what a list shows, row by row: a frame, or -1 - k for folder k; folders without a
+    frame that is shown are left out.
 
     Args:
         folders: of `folders_of`.
@@ -156,7 +156,7 @@ class Frame:
 
     @property
     def annotation_path(self) -> Path:
-        """Where its annotation is or will be."""
+        """Return where its annotation is or will be."""
         return self.annotation_folder / (
             f"{self.annotation_stem or self.name}{self.annotation_suffix}"
         )
@@ -278,7 +278,7 @@ def _unusual_suffixes(names: Sequence[str]) -> dict[str, str]:
 
 
 def _folder_of(root: Path, below: str, names: Iterable[str], *, in_tree: bool) -> Path:
-    """Where the annotations of a folder's pictures are, or are to be made."""
+    """Return where the annotations of a folder's pictures are, or are to be made."""
     if in_tree:
         return _folder_in_tree(root, below, names)
     if not below:
@@ -302,7 +302,7 @@ def _folder_in_tree(root: Path, below: str, names: Iterable[str]) -> Path:
 
 
 def _has_any_of(folder: Path, names: Iterable[str]) -> bool:
-    """Whether a folder has a JSON file called like one of these pictures."""
+    """Return whether a folder has a JSON file called like one of these pictures."""
     stems = _stems_in(folder)
     return any(os.path.splitext(name)[0] in stems for name in names)
 
@@ -312,9 +312,9 @@ def _stems_in(folder: Path) -> ByFrame[str]:
 
 
 def _taken_by_others(root: Path, found: PictureTree) -> bool:
-    """Whether a file of another program has the name that an annotation beside its picture would
-    have, as labelme's have: those that are made here go to ``annotations/``. The first such file
-    tells."""
+    """Return whether a file of another program has the name that an annotation beside its picture
+    would have, as labelme's have: those that are made here go to ``annotations/``. The first such
+    file tells."""
     for below, names in found.folders:
         folder = root / below
         stems = _stems_in(folder) if annotation_folder(folder) == folder else ByFrame[str]()

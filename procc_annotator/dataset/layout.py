@@ -51,11 +51,11 @@ class PictureTree:
         return self.folders[0][0] if len(self.folders) == 1 and not self.in_tree else ""
 
     def called(self, below: str) -> str:
-        """What the names of the frames in one of the folders begin with."""
+        """Return what the names of the frames in one of the folders begin with."""
         return below.removeprefix(self.container) if self.in_tree else ""
 
     def has(self, folder: str) -> bool:
-        """Whether the names of frames begin with a folder, with a slash at its end."""
+        """Return whether the names of frames begin with a folder, with a slash at its end."""
         return any(self.called(below).startswith(folder) for below, _ in self.folders)
 
     def frames(self) -> Iterator[tuple[str, str]]:
@@ -98,7 +98,7 @@ def _container(root: Path, folders: Sequence[str]) -> str:
 
 
 def has_pictures(root: Path) -> bool:
-    """Whether there is any picture in a folder, or below it.
+    """Return whether there is any picture in a folder, or below it.
 
     Raises:
         InputError: as of `find_pictures`.
@@ -123,7 +123,8 @@ def _below(
 
 
 def video_frames_folder_name(name: str) -> str:
-    """What the folder is called that keeps annotations and pictures of a video, beside it."""
+    """Return what the folder is called that keeps annotations and pictures of a video, beside
+    it."""
     return f"{os.path.splitext(name)[0]}_frames"
 
 
@@ -215,14 +216,14 @@ def camera_name_remark_in(place: Path) -> str:
 
 
 def annotation_folder(root: Path) -> Path:
-    """Where annotations of a folder's pictures are: in its ``annotations/`` if that holds any JSON,
-    or beside them."""
+    """Return where annotations of a folder's pictures are: in its ``annotations/`` if that holds
+    any JSON, or beside them."""
     inner = root / ANNOTATIONS_FOLDER
     return inner if json_stems(inner) else root
 
 
 def frames_folder(video: Path) -> Path:
-    """Where annotations and kept pictures of a video belong: ``match_frames`` beside it."""
+    """Return where annotations and kept pictures of a video belong: ``match_frames`` beside it."""
     return video.with_name(video_frames_folder_name(video.name))
 
 
@@ -248,15 +249,15 @@ def folder_of_dataset(place: Path) -> Path | None:
 
 
 def _has_own_files(folder: Path) -> bool:
-    """Whether a folder called ``annotations`` was worked on as a dataset itself."""
+    """Return whether a folder called ``annotations`` was worked on as a dataset itself."""
     if any((folder / name).is_file() for name in OWN_FILES_AND_FOLDERS):
         return True
     return (folder / WORKSPACE_FOLDER).is_dir() and bool(pictures_in(folder))
 
 
 def annotations_of(dataset: Path) -> Path:
-    """Where the annotations of a dataset are: in its ``annotations/`` if that holds any, or in it;
-    for a video, or a folder of one, in ``match_frames/`` beside ``match.mp4``.
+    """Return where the annotations of a dataset are: in its ``annotations/`` if that holds any, or
+    in it; for a video, or a folder of one, in ``match_frames/`` beside ``match.mp4``.
 
     Args:
         dataset: a folder of pictures and annotations, a folder or archive of annotations alone, an
@@ -296,8 +297,8 @@ def annotations_or_path(place: Path) -> Path:
 
 
 def _beside_only_pictures(dataset: Path) -> Path | None:
-    """Where the annotations are of a dataset whose pictures all lie in one folder just below, if
-    they are there and none is at its top."""
+    """Return where the annotations are of a dataset whose pictures all lie in one folder just
+    below, if they are there and none is at its top."""
     if not dataset.is_dir() or _annotated_at_top(dataset):
         return None
     only = find_pictures(dataset).only_folder
@@ -348,9 +349,9 @@ def annotated_videos(folder: Path) -> list[Path]:
 
 
 def has_pictures_below(dataset: Path) -> bool:
-    """Whether the pictures of a dataset, if it has any, are those of the folders below it: neither
-    pictures nor annotations lie at its top. Beside annotations such folders are other things, of
-    overlays for example.
+    """Return whether the pictures of a dataset, if it has any, are those of the folders below it:
+    neither pictures nor annotations lie at its top. Beside annotations such folders are other
+    things, of overlays for example.
 
     Raises:
         InputError: it cannot be listed.
@@ -361,7 +362,8 @@ def has_pictures_below(dataset: Path) -> bool:
 
 
 def _annotated_at_top(folder: Path) -> bool:
-    """Whether annotations lie in a folder itself; a list of labels that CVAT adds is none."""
+    """Return whether annotations lie in a folder itself; a list of labels that CVAT adds is
+    none."""
     with open_source(folder) as source:
         found = list_annotations(source)
         looked_at = [] if found.in_tree else list(found.values())[:_LOOKED_INTO]
@@ -369,7 +371,7 @@ def _annotated_at_top(folder: Path) -> bool:
 
 
 def _may_be_json_object(source: FileSource, file: str) -> bool:
-    """Whether JSON is an object, or damaged so that nobody knows."""
+    """Return whether JSON is an object, or damaged so that nobody knows."""
     try:
         return type(msgspec.json.decode(strip_bom(source.read(file)))) is dict
     except (InputError, msgspec.DecodeError, UnicodeDecodeError, RecursionError):
@@ -377,13 +379,14 @@ def _may_be_json_object(source: FileSource, file: str) -> bool:
 
 
 def is_known_dataset(folder: Path) -> bool:
-    """Whether a folder was worked on as a dataset, so that it may be looked through unasked."""
+    """Return whether a folder was worked on as a dataset, so that it may be looked through
+    unasked."""
     own = any((folder / name).is_file() for name in OWN_FILES_AND_FOLDERS)
     return own or (folder / WORKSPACE_FOLDER).is_dir()
 
 
 def holds_annotations(folder: Path, *, deeper: bool = True) -> bool:
-    """Whether there is any annotation file in a folder, or deeper in it."""
+    """Return whether there is any annotation file in a folder, or deeper in it."""
     if not folder.is_dir():
         return False
     with open_source(folder) as source:
@@ -419,9 +422,9 @@ class ForeignAnnotations:
 
 
 def find_foreign_annotations(folder: Path) -> ForeignAnnotations | None:
-    """What lies in a dataset's folder of another program; None where there is nothing of the kind,
-    where it is of several formats, or beside annotations of this program, for then somebody has
-    taken it in already."""
+    """Return what lies in a dataset's folder of another program; None where there is nothing of the
+    kind, where it is of several formats, or beside annotations of this program, for then somebody
+    has taken it in already."""
     try:
         place = annotations_of(folder)
         with open_source(place) as source:

@@ -138,7 +138,7 @@ class PictureSizes:
 
 
 def picture_folders(dataset: Path, annotations: Path) -> list[Path]:
-    """Where the pictures of a dataset may be, the likeliest place first.
+    """Return where the pictures of a dataset may be, the likeliest place first.
 
     Args:
         dataset: as the user named it: a folder, archive or file.
@@ -269,7 +269,8 @@ class FitSizes:
 def pictures_of_another_shape(
     annotations: Path, frames: Sequence[str], sizes: Iterable[Size]
 ) -> list[str]:
-    """What to know where frames are compared at a fixed size and their pictures differ from it.
+    """Return what to know where frames are compared at a fixed size and their pictures differ from
+    it.
 
     Args:
         annotations: what they are read from; pictures are looked for around it.
@@ -323,7 +324,7 @@ def fit_size_for(picture: Size) -> Size:
 
 
 def same_shape(one: Size, other: Size) -> bool:
-    """Whether two sizes have the same ratio of width to height, to a hundredth."""
+    """Return whether two sizes have the same ratio of width to height, to a hundredth."""
     ratio = one[0] * other[1] / (one[1] * other[0])
     return abs(ratio - 1) <= _SAME_SHAPE
 
@@ -347,7 +348,7 @@ class SizesUsed:
         return " and ".join(map(_words, fitted)) if len(fitted) < 3 else "960 px wide"
 
     def remarks(self) -> list[str]:
-        """What to know about pictures that are not 16:9, or not of the shape that was asked for."""
+        """Return remarks on pictures that are not 16:9, or not of the shape that was asked for."""
         frames: Counter[FrameSize] = Counter()
         for size, count in self.counts.items():
             if size.picture is not None:

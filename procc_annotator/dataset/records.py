@@ -17,7 +17,7 @@ from procc_annotator.translation import word
 
 
 class Status(StrEnum):
-    """How far a frame's annotation has come; set by people, never guessed."""
+    """Progress of a frame's annotation; set by people, never guessed."""
 
     UNTOUCHED = word("untouched", "a frame")
     IN_PROGRESS = word("in progress", "a frame")
@@ -27,7 +27,7 @@ class Status(StrEnum):
 
 
 class OriginKind(StrEnum):
-    """How a point came to be where it is."""
+    """Kind of a point's origin."""
 
     CLICKED = word("clicked", "points")
     SNAPPED = word("snapped", "points")
@@ -49,7 +49,7 @@ class OriginKind(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Origin:
-    """Who put a point where it is, how, and when (seconds since 1970, UTC)."""
+    """Author, kind and time of a point's origin (seconds since 1970, UTC)."""
 
     kind: OriginKind
     author: str
@@ -97,7 +97,7 @@ class Version:
 
 @dataclass(frozen=True, slots=True)
 class FrameRecord:
-    """What is remembered about a frame; ``seconds`` is the time spent on it by everybody."""
+    """Record of a frame; ``seconds`` is the time spent on it by everybody."""
 
     status: Status = Status.UNTOUCHED
     committed: bool = False
@@ -107,7 +107,7 @@ class FrameRecord:
 
 
 def digest_of(data: bytes) -> bytes:
-    """What tells two versions apart (16 bytes)."""
+    """Return what tells two versions apart (16 bytes)."""
     return hashlib.blake2b(data, digest_size=16).digest()
 
 
@@ -164,7 +164,8 @@ def new_origins(
 def count_points_by_origin(
     annotation: FrameAnnotation, origins: Mapping[PointKey, Origin]
 ) -> dict[OriginKind, int]:
-    """How many confirmed points are of each kind; points nothing is known of are from the file."""
+    """Return how many confirmed points are of each kind; points nothing is known of are from the
+    file."""
     counts = Counter(
         origins[key].kind if (key := (p.u, p.v)) in origins else OriginKind.FILE
         for polyline in annotation.polylines
@@ -174,7 +175,7 @@ def count_points_by_origin(
 
 
 class FaultParty(StrEnum):
-    """Who is to blame for what a frame's score says of a camera source."""
+    """Cause of a frame's bad score under a camera source."""
 
     CAMERA = word("camera", "a verdict")
     ANNOTATION = word("annotation", "a verdict")
@@ -211,7 +212,7 @@ class Verdict:
 
 @lru_cache(maxsize=256)  # asked for every frame of a list
 def place_of(cameras: Path, fmt: str, dataset: Path) -> str:
-    """Where a source's cameras lie and how they are read, as ``format:path``.
+    """Return where a source's cameras lie and how they are read, as ``format:path``.
 
     The path is relative to the dataset's folder for what lies in it or beside it, so that a dataset
     may be moved with its cameras; otherwise absolute.

@@ -44,13 +44,13 @@ class StoredFinding:
     places: tuple[tuple[str, int], ...]
 
     def holds_for(self, annotation: FrameAnnotation) -> bool:
-        """Whether its elements have the points that it was found in."""
+        """Return whether its elements have the points that it was found in."""
         return _key(self.finding, annotation) == self.key
 
 
 @dataclass(frozen=True, slots=True)
 class FrameCheck:
-    """What the label check found in one annotation.
+    """Findings of the label check in one annotation.
 
     Attributes:
         content: of the annotation, see `content_of`; empty for what is left of a check after an
@@ -93,7 +93,7 @@ def store_check(
     fitted: bool = True,
     with_paint: bool = False,
 ) -> FrameCheck:
-    """What to keep of a check.
+    """Return what to keep of a check.
 
     Args:
         annotation: that was checked.
@@ -135,8 +135,8 @@ def with_set_findings(checked: FrameCheck, found: StoredFinding) -> FrameCheck:
 
 
 def still_valid(checked: FrameCheck, annotation: FrameAnnotation) -> FrameCheck:
-    """What still holds of a check once the annotation is another one: what was found in elements
-    that did not change. It passes for the check of no annotation."""
+    """Return what still holds of a check once the annotation is another one: what was found in
+    elements that did not change. It passes for the check of no annotation."""
     kept = tuple(f for f in checked.found if f.holds_for(annotation))
     return replace(checked, content="", found=kept)
 
@@ -232,7 +232,7 @@ def _worst_point(polyline: Polyline, fit: FitResult | None) -> int:
 
 
 def by_severity(found: Iterable[StoredFinding]) -> Mapping[Severity, int]:
-    """How many of some findings there are of each severity."""
+    """Return how many of some findings there are of each severity."""
     counted = Counter(f.finding.severity for f in found)
     return {severity: counted[severity] for severity in Severity}
 
@@ -260,7 +260,7 @@ _COMMIT_SETTING = "blind commit of "
 
 
 class BlindStatus(StrEnum):
-    """What may be said of a frame's clicks."""
+    """Results on a frame's clicks that may be shown."""
 
     UNKNOWN = ""  # not committed in blind mode: cameras may have been shown all along
     BLIND = "blind"
@@ -282,13 +282,13 @@ class BlindCommit:
     content: str
 
     def work(self, annotation: FrameAnnotation) -> BlindStatus:
-        """Whether a frame that holds this annotation now is still what was committed."""
+        """Return whether a frame that holds this annotation now is still what was committed."""
         same = self.content == content_of(annotation)
         return BlindStatus.BLIND if same else BlindStatus.EDITED
 
 
 def setting_of(frame: str) -> str:
-    """What a frame's commit is kept under with the dataset."""
+    """Return what a frame's commit is kept under with the dataset."""
     return _COMMIT_SETTING + frame
 
 
@@ -309,7 +309,7 @@ def write_commit(commit: BlindCommit) -> str:
 
 
 def blind_status(text: str | None, annotation: FrameAnnotation) -> BlindStatus:
-    """What may be said of a frame's clicks.
+    """Return what may be said of a frame's clicks.
 
     Args:
         text: what is kept under `setting_of` the frame.
@@ -336,8 +336,8 @@ class LockEvent:
 
 
 def read_events(text: str | None) -> tuple[LockEvent, ...]:
-    """What happened, oldest first. A text that cannot be read is a lock by nobody known: whoever
-    may not see the fit must not come to see it through a damaged entry."""
+    """Return what happened, oldest first. A text that cannot be read is a lock by nobody known:
+    whoever may not see the fit must not come to see it through a damaged entry."""
     if text is None:
         return ()
     try:

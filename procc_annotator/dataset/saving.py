@@ -27,7 +27,7 @@ K = TypeVar("K", bound=Hashable)
 
 
 def stamp_of(path: Path) -> Stamp:
-    """What differs once a file was written; None where there is none."""
+    """Return what differs once a file was written; None where there is none."""
     try:
         status = path.stat()
     except OSError:
@@ -99,7 +99,7 @@ _TOGETHER = 8  # most of a save is waiting for the disk, which takes several at 
 
 @dataclass(frozen=True)
 class PendingSave:
-    """What a frame's file is to hold. Knows only files, so any thread may write it.
+    """Content to be saved to a frame's file. Knows only files, so any thread may write it.
 
     Attributes:
         index: the frame.
@@ -129,7 +129,7 @@ class PendingSave:
         return write_annotation(self.annotation)
 
     def look(self) -> bytes | None:
-        """What the file holds; None when there is none.
+        """Return what the file holds; None when there is none.
 
         Raises:
             SaveError: it cannot be read.
@@ -192,7 +192,7 @@ class PendingSave:
 
 @dataclass(frozen=True)
 class SaveResult:
-    """What became of a save.
+    """Result for a save.
 
     Attributes:
         save: what was to be written.
@@ -247,7 +247,7 @@ def _skip_check() -> None:
 
 
 def digest(data: bytes | None) -> bytes | None:
-    """What tells the content of a file from another one."""
+    """Return what tells the content of a file from another one."""
     return None if data is None else hashlib.blake2b(data, digest_size=16).digest()
 
 
@@ -255,7 +255,7 @@ EMPTY = FrameAnnotation()
 
 
 class FrameState:
-    """What happened to a frame in this session.
+    """State of a frame in this session.
 
     Attributes:
         history: its annotations; the current one is what is shown.
@@ -284,21 +284,21 @@ class FrameState:
 
     @property
     def counts(self) -> bool:
-        """Whether the frame belongs to the figures of a set: a frame without a file does not, one
-        with a file does even if nothing is in it, as for `evaluate`."""
+        """Return whether the frame belongs to the figures of a set: a frame without a file does
+        not, one with a file does even if nothing is in it, as for `evaluate`."""
         if self.error is not None:
             return False
         return self.digest is not None or bool(self.history.current.annotated)
 
     @property
     def is_undone(self) -> bool:
-        """Whether a file that was made here would hold nothing any more."""
+        """Return whether a file that was made here would hold nothing any more."""
         made = self.made_here and (self.digest is not None or bool(self.attempted))
         return made and self.history.current.same_content(EMPTY)
 
     @property
     def dirty(self) -> bool:
-        """Whether what is shown differs from the file, or may do so."""
+        """Return whether what is shown differs from the file, or may do so."""
         unsure = self.being_written or bool(self.attempted)
         return unsure or not self.history.current.same_content(self._on_disk)
 
@@ -315,7 +315,7 @@ class FrameState:
 
 
 def pending_of(index: int, frame: Frame, state: FrameState, root: Path) -> PendingSave:
-    """What is to be written of a frame as it is now.
+    """Return what is to be written of a frame as it is now.
 
     Args:
         root: the dataset. Links may lead anywhere within it, or within the folder chosen for

@@ -61,7 +61,7 @@ class PictureSource:
     def annotated(
         self, annotations: Path | None, field: Field, names: LabelMap | None = None
     ) -> FrameAnnotations:
-        """What is annotated in them.
+        """Return what is annotated in them.
 
         Args:
             annotations: a folder, archive or file of annotations, if they are not where they would
@@ -152,7 +152,7 @@ class FrameSequence:
 
     @property
     def count(self) -> int:
-        """How many frames the source has, from the first number to the last."""
+        """Return how many frames the source has, from the first number to the last."""
         return self.last - self.first + 1
 
     def nearest(self, number: float) -> int:
@@ -205,7 +205,7 @@ class SequencePictures:
 def sequence_of(
     frames: Sequence[Frame], go_on: Callable[[], None] = lambda: None
 ) -> FrameSequence | None:
-    """What the frames of a dataset follow one another in; None for unrelated pictures.
+    """Return what the frames of a dataset follow one another in; None for unrelated pictures.
 
     Those of one video do. Those of a folder, and of each folder of a tree, do if their names end
     with numbers that count on, by one or by some frames of a video at a time, and if most of some
@@ -244,7 +244,7 @@ def _of_video(frames: Sequence[Frame]) -> FrameSequence | None:
 
 
 def _numbered_names(names: Sequence[str]) -> tuple[NDArray[np.int64], int] | None:
-    """How far names have counted, and by what, if they end with numbers that count on."""
+    """Return how far names have counted, and by what, if they end with numbers that count on."""
     if len(names) < FEWEST:
         return None
     found = [_NUMBERED.fullmatch(name) for name in names]
@@ -276,7 +276,7 @@ def _counted_in_folders(frames: Sequence[Frame]) -> tuple[NDArray[np.int64], int
 def _neighbours_similar(
     frames: Sequence[Frame], numbers: NDArray[np.int64], go_on: Callable[[], None]
 ) -> bool:
-    """Whether neighbours look alike, by some of them all over the set."""
+    """Return whether neighbours look alike, by some of them all over the set."""
     pairs = np.flatnonzero(np.diff(numbers) == 1)
     chosen = pairs[np.unique(np.linspace(0, len(pairs) - 1, _LOOKED_AT).round().astype(int))]
     alike = []
@@ -297,7 +297,7 @@ _LOOKED_AT_PX = 320
 
 
 def find_shots(source: PictureSource, progress: Callable[[int, int], None]) -> list[range]:
-    """Where one camera hands over to another: the numbers of the frames of each shot.
+    """Return where one camera hands over to another: the numbers of the frames of each shot.
 
     What changes the picture at once without another camera (a banner, a flash) is no cut: the
     stadium moves on steadily behind it.
@@ -347,7 +347,7 @@ def _cuts_in_folder(frames: Sequence[Frame], progress: Callable[[int, int], None
 
 
 def _is_cut(frames: Sequence[Frame], number: int) -> bool:
-    """Whether nothing of the stadium moves on from one picture to the next."""
+    """Return whether nothing of the stadium moves on from one picture to the next."""
     try:
         before, now = (decode_bgra(frames[n].image_path) for n in (number - 1, number))
     except ImageError:

@@ -101,8 +101,8 @@ class Workspace:
 
     @property
     def own_folders(self) -> tuple[Path, ...]:
-        """Where nothing but annotations may be written: of pictures, of annotations, and those that
-        annotations are looked for in."""
+        """Return where nothing but annotations may be written: of pictures, of annotations, and
+        those that annotations are looked for in."""
         if not self.frames:
             return ()
         pictures = dict.fromkeys((self.folder, self.frames[0].image_folder))
@@ -185,7 +185,7 @@ class Workspace:
         return self.parse(index, data) if data is not None else None
 
     def has_file(self, index: int) -> bool:
-        """Whether a frame has an annotation file, be it empty."""
+        """Return whether a frame has an annotation file, be it empty."""
         frame = self.frames[index]
         return frame.annotation_path.exists() if self.given is None else self.given.has(frame)
 
@@ -197,7 +197,7 @@ class Workspace:
         return state.history.current
 
     def annotated_count(self, index: int) -> int:
-        """How many classes of a frame have points; raises as `read` does."""
+        """Return how many classes of a frame have points; raises as `read` does."""
         return len(self.read(index).annotated)
 
     def edit(self, index: int, label: str, annotation: FrameAnnotation) -> bool:
@@ -267,7 +267,7 @@ class Workspace:
                 raise written.error
 
     def prepare_saves(self, indices: Iterable[int]) -> list[PendingSave]:
-        """What is to be written of some frames, for a thread of its own.
+        """Return what is to be written of some frames, for a thread of its own.
 
         Until `note_saved` is told what became of it a frame is not saved, whatever it shows.
         """
@@ -336,7 +336,8 @@ class Workspace:
             raise written.error
 
     def knows_file(self, index: int) -> bool:
-        """Whether a frame's file is the one that was read or written last; one look at it."""
+        """Return whether a frame's file is the one that was read or written last; one look at
+        it."""
         try:
             return digest(self._bytes(index)) == self.state(index).digest
         except InputError:
@@ -435,7 +436,7 @@ class AnnotatedFrames(Protocol):
 
     @property
     def field(self) -> Field:
-        """What is annotated."""
+        """Return what is annotated."""
 
     @property
     def names(self) -> Sequence[str]:
@@ -443,7 +444,7 @@ class AnnotatedFrames(Protocol):
 
     @property
     def folders(self) -> Sequence[Path]:
-        """Where nothing may be written."""
+        """Return where nothing may be written."""
 
     def read(self, index: int) -> FrameAnnotation | None:
         """A frame's annotation, however short; None where nobody annotated it.

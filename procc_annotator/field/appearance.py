@@ -19,7 +19,7 @@ COLOURS = WHITE, BLACK, RED, ORANGE, YELLOW, BLUE, ANY
 
 @dataclass(frozen=True, slots=True)
 class Appearance:
-    """What an element's paint looks like, as far as its rules say.
+    """Look of an element's line marking, as far as its rules say.
 
     Attributes:
         kind: one of `KINDS`.

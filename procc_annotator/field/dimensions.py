@@ -36,7 +36,7 @@ class Dimension:
 
     @property
     def is_open(self) -> bool:
-        """Whether the rules leave it a range."""
+        """Return whether the rules leave it a range."""
         return self.minimum < self.maximum
 
 
@@ -65,7 +65,7 @@ class Relation:
         return left, right
 
     def violation(self, values: Mapping[str, float]) -> str:
-        """What is wrong with these dimensions, metres by name; empty if nothing is."""
+        """Return what is wrong with these dimensions, metres by name; empty if nothing is."""
         asked = f"the rules ask for {self}"
         try:
             left, right = self.sides(values)
@@ -119,7 +119,7 @@ def _relation_of(text: str) -> Relation:
 
 
 def violated_relation(relations: tuple[Relation, ...], values: Mapping[str, float]) -> str:
-    """What is wrong by the first relation that does not hold; empty where all do.
+    """Return what is wrong by the first relation that does not hold; empty where all do.
 
     Args:
         relations: of one field.

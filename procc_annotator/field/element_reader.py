@@ -229,7 +229,7 @@ class MarkingProperties:
 
 
 class MarkingReader:
-    """What a file says of all its elements, and of each.
+    """Content of a file on all its elements, and on each.
 
     Args:
         values: of the file.
@@ -255,7 +255,7 @@ class MarkingReader:
             self._look(place, LINE, 0.0, table, {})
 
     def of(self, place: str, geometry: Geometry, entry: Mapping[str, Any]) -> MarkingProperties:
-        """What an element's own table says, and what is said of all such elements.
+        """Return what an element's own table says, and what is said of all such elements.
 
         Raises:
             FieldError: names the place of what is wrong.
@@ -328,7 +328,6 @@ class MarkingReader:
 
 
 def _default_inside(geometry: Geometry) -> Vector:
-    """Of a round element its own centre, else the centre of the field."""
     return geometry.centre if isinstance(geometry, Arc | Circle) else (0.0, 0.0, 0.0)
 
 

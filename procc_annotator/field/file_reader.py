@@ -205,7 +205,7 @@ class _Reader:
         return name
 
     def _lines(self) -> str:
-        """Where elements are to lie; those read here lie where the file has them."""
+        """Return where elements are to lie; those read here lie where the file has them."""
         lines = self.data.get("lines", MEASURED_LINE)
         if lines not in LINE_POSITIONS:
             raise self._error(
@@ -255,7 +255,7 @@ class _Reader:
             yield Dimension(name, title, value, **numbers)
 
     def _value(self, name: str, numbers: Mapping[str, float]) -> float:
-        """What is asked for, within what the rules allow, or the nominal value."""
+        """Return what is asked for, within what the rules allow, or the nominal value."""
         if name not in self.chosen:
             return numbers["nominal"]
         try:
@@ -275,7 +275,6 @@ class _Reader:
         )
 
     def _refused(self, problem: str, advice: str) -> FieldError:
-        """What is asked for is wrong, and no place of the file is."""
         return FieldError(self.values.path, problem, advice=advice)
 
     def _elements(self) -> Iterable[Element]:

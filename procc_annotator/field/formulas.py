@@ -153,7 +153,7 @@ _MAX_SUGGESTION_LENGTH = 60
 
 
 def did_you_mean(word: object, known: Iterable[str]) -> str:
-    """What was meant by an unknown word, to end an error with; "" where nothing is near."""
+    """Return what was meant by an unknown word, to end an error with; "" where nothing is near."""
     # Comparing takes time by the square of the length, and both sides may come from the file.
     if not isinstance(word, str) or len(word) > _MAX_SUGGESTION_LENGTH:
         return ""
@@ -194,7 +194,7 @@ _MAX_TEXT_LENGTH = 200
 
 
 class FieldFileValues:
-    """What formulas of one file may name, and the file's path for errors."""
+    """Names that formulas of one file may use, and the file's path for errors."""
 
     def __init__(self, path: Path) -> None:
         self.path = path
@@ -202,7 +202,7 @@ class FieldFileValues:
         self._coming: frozenset[str] = frozenset()
 
     def announce(self, names: Iterable[str]) -> None:
-        """What will be defined, so that a formula that names it too early is told so."""
+        """Announce what will be defined: a formula that names it too early is an error."""
         self._coming = frozenset(names)
         self._formulas = Formulas(self._names)
 

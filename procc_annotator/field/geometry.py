@@ -107,7 +107,7 @@ def ends_of(geometry: Geometry) -> tuple[Vector, Vector] | None:
 
 
 def is_closed(geometry: Geometry) -> bool:
-    """Whether a geometry comes back to where it began."""
+    """Return whether a geometry comes back to where it began."""
     return ends_of(geometry) is None
 
 
@@ -159,7 +159,7 @@ def middle_of(geometry: Geometry) -> Vector:
 
 
 def is_on_ground(geometry: Geometry) -> bool:
-    """Whether all of it lies on the plane z = 0."""
+    """Return whether all of it lies on the plane z = 0."""
     return all(_part_on_ground(part) for part in parts_of(geometry))
 
 
@@ -185,7 +185,8 @@ def rotated(geometry: Geometry, turn_rad: float) -> Geometry:
 
 
 def same_geometry(one: Geometry, other: Geometry, within_m: float = SAME_PLACE_M) -> bool:
-    """Whether two geometries are the same set of points, whichever way each one is walked."""
+    """Return whether two geometries are the same set of points, whichever way each one is
+    walked."""
     if isinstance(one, Circle) and isinstance(other, Circle):
         apart = math.dist(one.centre, other.centre)
         normals = np.cross(one.ahead, one.aside), np.cross(other.ahead, other.aside)
@@ -269,7 +270,8 @@ def offset_parts(geometry: Geometry, normal: FloatArray, offset: float) -> list[
 
 
 def extended_corner(one: tuple[Line | Arc, bool], other: tuple[Line | Arc, bool]) -> Vector | None:
-    """Where an end of one shape and an end of another would meet if they went on as they run.
+    """Return where an end of one shape and an end of another would meet if they went on as they
+    run.
 
     Args:
         one: with whether its last end is meant, else its first.
@@ -340,7 +342,7 @@ def _intersection(one: Line, other: Line) -> Vector | None:
 
 
 def _line_arc_intersection(line: Line, arc: Arc, near: Vector) -> Vector | None:
-    """Where a line crosses the circle of an arc, near a place."""
+    """Return where a line crosses the circle of an arc, near a place."""
     start, centre = np.array(line.start), np.array(arc.centre)
     way = np.array(line.end) - start
     way /= np.linalg.norm(way)

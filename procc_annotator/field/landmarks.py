@@ -176,5 +176,5 @@ def landmark_covariances(field: Field) -> Mapping[str, Covariance]:
 
 
 def is_moving(landmark: Landmark) -> bool:
-    """Whether its position holds for an instant only."""
+    """Return whether its position holds for an instant only."""
     return landmark.moving or landmark.instant is not None

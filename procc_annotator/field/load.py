@@ -35,7 +35,8 @@ def field_names() -> tuple[str, ...]:
 
 @cache
 def field_titles() -> dict[str, str]:
-    """What people call the fields the package ships, by name; in the order of their titles."""
+    """Return what people call the fields the package ships, by name; in the order of their
+    titles."""
     titles = {}
     for name in field_names():
         # What stands before the first table is read at once; the elements take far longer.
@@ -45,12 +46,12 @@ def field_titles() -> dict[str, str]:
 
 
 def builtin_field_file(name: str) -> Path:
-    """Where the package keeps a field's description."""
+    """Return where the package keeps a field's description."""
     return resources_dir() / "field" / f"{name}.toml"
 
 
 def is_builtin_field(source: Path) -> bool:
-    """Whether a description is one of the package's, not a file of the user's own."""
+    """Return whether a description is one of the package's, not a file of the user's own."""
     return source == builtin_field_file(source.stem)
 
 
@@ -131,7 +132,8 @@ def _field_from_text(
 
 
 def place_in_file(field: Field, place: str) -> str:
-    """Where something in a field's description stands, as errors name it: file, line and place.
+    """Return where something in a field's description stands, as errors name it: file, line and
+    place.
 
     Args:
         field: as it was loaded.
@@ -206,7 +208,6 @@ def with_lines(field: Field, lines: str) -> Field:
 
 
 def _with_dataset_additions(loaded: Field, of: Field) -> Field:
-    """A description's field with what a dataset gave to another one of it."""
     found = with_landmarks(loaded, of.landmarks, of.instant, of.instants)
     return found if of.stadiums is None else replace(found, stadiums=of.stadiums)
 

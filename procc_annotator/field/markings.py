@@ -119,7 +119,8 @@ def marking_normal(element: Element) -> FloatArray | None:
 
 
 def border_offsets(element: Element, normal: FloatArray) -> tuple[float, ...]:
-    """How far the borders are from the element, metres, to the side of ``normal x direction``.
+    """Return how far the borders are from the element, metres, to the side of ``normal x
+    direction``.
 
     Args:
         element: a painted one.
@@ -187,7 +188,7 @@ def with_centred_markings(field: Field) -> Field:
 
 
 def has_off_centre_markings(field: Field) -> bool:
-    """Whether it makes a difference to a field, or has made one."""
+    """Return whether it makes a difference to a field, or has made one."""
     return field.lines == MIDDLE_LINE or any(_centred_element(e) is not e for e in field.elements)
 
 

@@ -68,22 +68,22 @@ class Element:
 
     @property
     def is_straight(self) -> bool:
-        """Whether it is one straight line."""
+        """Return whether it is one straight line."""
         return isinstance(self.geometry, Line)
 
     @property
     def is_spot(self) -> bool:
-        """Whether it is a single place, annotated with one click."""
+        """Return whether it is a single place, annotated with one click."""
         return isinstance(self.geometry, Spot)
 
     @property
     def is_curved(self) -> bool:
-        """Whether it runs other than straight: an arc, a circle, a chain."""
+        """Return whether it runs other than straight: an arc, a circle, a chain."""
         return not (self.is_straight or self.is_spot)
 
     @property
     def on_ground(self) -> bool:
-        """Whether the whole element lies on the plane z = 0."""
+        """Return whether the whole element lies on the plane z = 0."""
         return is_on_ground(self.geometry)
 
 
@@ -121,7 +121,7 @@ class Landmark:
 
     @property
     def shown_title(self) -> str:
-        """What people call it."""
+        """Return what people call it."""
         return self.title or self.name.strip()
 
 
@@ -144,7 +144,7 @@ class Symmetry:
 
 @dataclass(frozen=True, slots=True)
 class CameraPlacement:
-    """Where cameras of a sport stand, metres: from the edge of the field, and above the ground.
+    """Camera-placement prior of a sport, metres: from the edge of the field, and above the ground.
 
     Each is (least, usual, most). ``ceiling`` is the height of cameras under the roof that look
     down; 0 where there are none.
@@ -204,7 +204,7 @@ class Field:
 
     @property
     def is_nominal(self) -> bool:
-        """Whether every dimension has its nominal value, wherever its lines are."""
+        """Return whether every dimension has its nominal value, wherever its lines are."""
         return all(d.value == d.nominal for d in self.dimensions)
 
     @property
@@ -248,7 +248,7 @@ class Field:
 
     @cached_property
     def of_stadiums(self) -> dict[str, Field]:
-        """What `field.load` has made of it for each stadium so far."""
+        """Return what `field.load` has made of it for each stadium so far."""
         return {}
 
     @cached_property
@@ -266,12 +266,12 @@ class Field:
         return self._by_stripped.get(class_name.strip(), class_name)
 
     def title_of(self, class_name: str) -> str:
-        """What people call a class; its name in files where it has no other."""
+        """Return what people call a class; its name in files where it has no other."""
         element = self.element(class_name)
         return element.title if element is not None else class_name.strip()
 
     def knows(self, class_name: str) -> bool:
-        """Whether the class belongs to this field, with or without geometry."""
+        """Return whether the class belongs to this field, with or without geometry."""
         return class_name in self.index or class_name in self.classes_without_geometry
 
     def symmetric_names(self, class_name: str) -> tuple[str, ...]:

@@ -86,7 +86,6 @@ def normalised_words(label: str) -> Words:
 
 @cache
 def _synonyms() -> dict[str, str]:
-    """Word of others -> word or words here."""
     return {other: own for own, others in _synonym_table()["words"].items() for other in others}
 
 
@@ -106,7 +105,7 @@ def _split_word(word: str) -> list[str]:
 
 
 def _alternative_readings(words: Words) -> list[Words]:
-    """What a label's words may say, too."""
+    """Return what a label's words may say, too."""
     ways = []
     for own, others in _synonym_table()["phrases"].items():
         for other in others:

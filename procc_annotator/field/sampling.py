@@ -349,7 +349,7 @@ def _end_points(element: Element) -> list[tuple[float, float, float]]:
 
 
 def _crossings(elements: tuple[Element, ...]) -> tuple[list[str], FloatArray]:
-    """Where chords of elements on the ground cross those of others; (n, 3) metres."""
+    """Return where chords of elements on the ground cross those of others; (n, 3) metres."""
     flat = [e for e in elements if e.on_ground and not isinstance(e.geometry, Spot)]
     chords = [_element_chords(e) for e in flat]
     if not chords:

@@ -33,7 +33,7 @@ _MAX_NAMED = 3  # elements a remark names before it counts the others
 
 
 class WarningSeverity(IntEnum):
-    """How much a remark matters."""
+    """Severity of a remark."""
 
     ERROR = 0
     WARNING = 1

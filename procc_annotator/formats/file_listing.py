@@ -65,7 +65,8 @@ def other_json_among(source: FileSource, files: Mapping[str, str]) -> tuple[str,
 
 
 def other_json_notices(names: tuple[str, ...]) -> tuple[str, ...]:
-    """What a person should know of files that were set apart; nothing where there are none."""
+    """Return what a person should know of files that were set apart; nothing where there are
+    none."""
     if not names:
         return ()
     shown = ", ".join(f"{printable(name)}.json" for name in names[:_SHOWN])
@@ -79,7 +80,8 @@ def other_json_notices(names: tuple[str, ...]) -> tuple[str, ...]:
 
 
 def is_other_json(content: Any) -> bool:
-    """Whether a decoded value certainly is no annotation, neither a good nor a damaged one."""
+    """Return whether a decoded value certainly is no annotation, neither a good nor a damaged
+    one."""
     if type(content) is not dict or not content or CAMERA_KEY in content:
         return False
     return not any(_could_be_points(value) for value in content.values())
@@ -107,8 +109,8 @@ def _could_be_points(value: Any) -> bool:
 
 
 def _is_set(content: Any) -> bool:
-    """Whether it is one file of many pictures, as COCO and game state write it, or CVAT's list of
-    labels."""
+    """Return whether it is one file of many pictures, as COCO and game state write it, or CVAT's
+    list of labels."""
     if type(content) is list:
         return bool(content) and all(type(e) is dict and not {"x", "y"} & set(e) for e in content)
     return type(content) is dict and all(
@@ -117,7 +119,7 @@ def _is_set(content: Any) -> bool:
 
 
 def _content(source: FileSource, file: str) -> Any:
-    """What JSON holds; None where it is damaged: whoever reads the set says so."""
+    """Return what JSON holds; None where it is damaged: whoever reads the set says so."""
     try:
         return msgspec.json.decode(strip_bom(source.read(file)))
     except (InputError, msgspec.DecodeError, UnicodeDecodeError, RecursionError):
@@ -172,8 +174,8 @@ class CameraFiles(ByFrame[str]):
 
 
 def may_be_annotation(file_name: str) -> bool:
-    """Whether a JSON file of this name can be a frame's annotation, and so whether a picture of
-    this stem can be a frame: not cameras, nor what this program writes itself."""
+    """Return whether a JSON file of this name can be a frame's annotation, and so whether a picture
+    of this stem can be a frame: not cameras, nor what this program writes itself."""
     return not file_name.startswith(CAMERA_PREFIX) and file_name not in OWN_FILES
 
 
@@ -185,7 +187,7 @@ class AnnotationFiles(FrameTable[str]):
     in_tree: bool = False
 
     def is_part_of(self, other: ByFrame[str]) -> bool:
-        """Whether all lie in an only folder that the tree of others has."""
+        """Return whether all lie in an only folder that the tree of others has."""
         called = (name.startswith(self.only_folder) for name in other)
         return bool(self.only_folder) and any(called)
 

@@ -75,7 +75,7 @@ def walk(
 
 
 def too_deep_message(path: Path) -> InputError:
-    """What is said of a tree with folders deeper than `DEEPEST`."""
+    """Return the remark on a tree with folders deeper than `DEEPEST`."""
     return InputError(
         path, f"holds folders more than {DEEPEST} deep", advice="name a folder further down"
     )
@@ -112,7 +112,7 @@ def _named_like_file(name: str) -> bool:
 
 
 def is_listed(name: str) -> bool:
-    """Whether a file or folder of this name, in an archive, is one to be listed."""
+    """Return whether a file or folder of this name, in an archive, is one to be listed."""
     parts = PurePosixPath(name).parts
     return (
         bool(parts) and _RESOURCE_FORKS not in parts and not any(p.startswith(".") for p in parts)
@@ -167,7 +167,7 @@ class FileSource(Protocol):
         """A file's bytes; InputError when it cannot be read."""
 
     def display(self, name: str) -> str:
-        """How to name a file to a person."""
+        """Return how to name a file to a person."""
 
     def opener(self, base: Path) -> Callable[[], FileSource]:
         """Opens the same once more, in another process; base as of `open_source`."""
@@ -332,7 +332,6 @@ class ZipSource(_Opened):
                 )
 
     def _have_only(self, folder: str) -> None:
-        """Look alike to what is in one of the folders."""
         inside = (name for name in self._members() if name.startswith(folder))
         self._stored = {name.removeprefix(folder): self._stored[name] for name in inside}
 
@@ -360,7 +359,7 @@ class ZipSource(_Opened):
         return [n for n in self._stored if not n.endswith("/") and is_listed(n)]
 
     def has(self, name: str) -> bool:
-        """Whether there is such a file."""
+        """Return whether there is such a file."""
         return name in self._stored
 
     def names(self) -> list[str]:

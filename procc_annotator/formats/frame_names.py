@@ -21,7 +21,8 @@ _LONGEST_PATH = 600  # of the folders above a picture
 
 
 def escapes_folder(path: str) -> bool:
-    """Whether a path with slashes, as a file tells it, may lead out of the folder it belongs in."""
+    """Return whether a path with slashes, as a file tells it, may lead out of the folder it belongs
+    in."""
     return (
         path.startswith("/")
         or "\\" in path
@@ -52,7 +53,8 @@ def _can_be_folder(path: str) -> bool:
 
 
 def is_file_name(name: str) -> bool:
-    """Whether a file or folder can have a name on every system, and a terminal can show it."""
+    """Return whether a file or folder can have a name on every system, and a terminal can show
+    it."""
     return name not in ("", ".", "..") and name.isprintable() and not set(name) & set('/\\:*?"<>|')
 
 
@@ -105,7 +107,7 @@ class ByFrame(dict[str, T]):
     _composed: tuple[int, dict[str, str]] | None = None
 
     def name_there(self, frame: str) -> str | None:
-        """How a frame is called here; None where there is nothing of it."""
+        """Return how a frame is called here; None where there is nothing of it."""
         if (found := self._name_of(frame)) is not None:
             return found
         if self.only_folder:
@@ -115,8 +117,8 @@ class ByFrame(dict[str, T]):
         return self._beside_pictures(frame) if self.picture_folders else None
 
     def called_in(self, others: ByFrame[D], frame: str) -> str | None:
-        """How one of these frames is called among others, where either may be called without the
-        only folder it lies in; None where there is nothing of it."""
+        """Return how one of these frames is called among others, where either may be called without
+        the only folder it lies in; None where there is nothing of it."""
         return others.name_there(self.only_folder + frame) or others.name_there(frame)
 
     def _name_of(self, frame: str) -> str | None:
@@ -165,7 +167,7 @@ class ByFrame(dict[str, T]):
 
 
 class FrameTable(ByFrame[T]):
-    """What a table tells of frames, whichever folders keep their pictures."""
+    """Table by frame name, whichever folders keep the pictures."""
 
     picture_folders = PICTURE_FOLDERS
 
@@ -174,8 +176,8 @@ _LONGEST_NAME = 200
 
 
 class PictureFrames:
-    """How the pictures of one file are called as frames: by their last parts, or by their paths
-    where they lie in several folders, or in one folder of the dataset's tree.
+    """Names of frames for the pictures of one file: by their last parts, or by their paths where
+    they lie in several folders, or in one folder of the dataset's tree.
 
     Paths that lead out of the dataset (absolute ones, ``..``) tell no folder.
 

@@ -66,7 +66,7 @@ _TEXTS = ("name", "title", "colour", "shortcut", "note")
 
 @dataclass(frozen=True)
 class LandmarkFile:
-    """What a ``landmarks.json`` holds.
+    """Content of a ``landmarks.json``.
 
     Attributes:
         landmarks: in the file's order; at most one entry a name and instant.

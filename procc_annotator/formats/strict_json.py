@@ -50,7 +50,7 @@ def utf8_text(data: bytes, path: Path | str, error: type[InputError] = CameraErr
 
 
 def has_only_keys(data: bytes, keys: int) -> bool:
-    """Whether JSON text certainly holds no more keys than were decoded.
+    """Return whether JSON text certainly holds no more keys than were decoded.
 
     Fast decoders drop all but the last of repeated keys. Each key is followed by a colon; as many
     colons as decoded keys therefore prove that none was dropped. More of them may as well stand in
@@ -156,7 +156,8 @@ def decode_as(
 
 
 def is_finite_number(value: object) -> TypeGuard[float]:
-    """Whether a JSON value is a number that can be computed with (true and false are not)."""
+    """Return whether a JSON value is a number that can be computed with (true and false are
+    not)."""
     if type(value) is float:
         return math.isfinite(value)
     # An integer with more digits than a float can hold is as useless as infinity.
@@ -169,7 +170,8 @@ def json_repr(value: object) -> str:
 
 
 def is_unicode(text: str) -> bool:
-    """Whether text can be written to a file: the name of a file need not be valid Unicode."""
+    """Return whether text can be written to a file: the name of a file need not be valid
+    Unicode."""
     try:
         text.encode()
     except UnicodeEncodeError:
@@ -184,7 +186,7 @@ def printable(text: str, longest: int = _LONGEST_KEY) -> str:
 
 
 def json_kind(value: object) -> str:
-    """What sort of JSON value this is, in words."""
+    """Return what sort of JSON value this is, in words."""
     names = {
         dict: "an object",
         list: "a list",
@@ -217,7 +219,7 @@ class _KeyValuePairs(list[tuple[str, Any]]):
 
 
 def _place_of_repeat(text: str) -> str:
-    """Where the object with a repeated key is (``Circle left[3]``).
+    """Return where the object with a repeated key is (``Circle left[3]``).
 
     Empty for the outermost object, and where it cannot be told.
     """

@@ -139,7 +139,8 @@ def _largest_component(alike: NDArray[np.bool_]) -> Mask:
 
 
 def is_field_region(piece: Mask, ground: Mask, top: float) -> bool:
-    """Whether another colour is of the ground: it touches it, and is no wall above its top row."""
+    """Return whether another colour is of the ground: it touches it, and is no wall above its top
+    row."""
     if piece.mean() < _MIN_ADDED_SHARE or float(np.percentile(np.nonzero(piece)[0], 30)) < top:
         return False
     beside = (cv2.dilate(piece, np.ones((9, 9), np.uint8)) > 0) & (ground > 0)
@@ -176,7 +177,8 @@ _PLACES_A_CELL = 4  # of paint, along a line
 
 
 def floor_regions(picture: PixelArray) -> list[Mask]:
-    """What may be of a floor: large pieces of one colour each, (h, 320), of a picture (H, W, 3)."""
+    """Return what may be of a floor: large pieces of one colour each, (h, 320), of a picture (H, W,
+    3)."""
     found = colour_regions(mask_scale_image(picture), _FLOOR_COLOURS, _SMOOTH_SHARE)
     return [piece for piece in found if piece.mean() >= _MIN_PIECE_SHARE]
 
@@ -222,7 +224,7 @@ def _dilated(piece: Mask) -> Mask:
 
 
 def _separated_by_line(one: Mask, other: Mask, paint: IntArray) -> bool:
-    """Whether paint runs along much of the border of two widened pieces."""
+    """Return whether paint runs along much of the border of two widened pieces."""
     border = (one & other) > 0
     length = border.sum() / _BORDER_DILATION_PX
     return bool(

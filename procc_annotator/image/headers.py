@@ -23,7 +23,7 @@ _JPEG_FRAME_MARKERS = frozenset(range(0xC0, 0xD0)) - {0xC4, 0xC8, 0xCC}
 
 
 def is_valid_size(width: int, height: int) -> bool:
-    """Whether a size in px can be that of a picture of a field."""
+    """Return whether a size in px can be that of a picture of a field."""
     return min(width, height) >= 2 and max(width, height) <= _MAX_ASPECT_RATIO * min(width, height)
 
 
@@ -77,7 +77,7 @@ def displayed_size(file: BinaryIO) -> tuple[int, int] | None:
 
 
 def _may_have_exif(file: BinaryIO, place: int, chunk: Callable[[bytes], tuple[bytes, int]]) -> bool:
-    """Whether a chunk from a place of the file on is EXIF, or lies beyond its end."""
+    """Return whether a chunk from a place of the file on is EXIF, or lies beyond its end."""
     end = file.seek(0, os.SEEK_END)
     while place + 8 <= end:
         file.seek(place)
@@ -102,7 +102,7 @@ def _webp_chunk(head: bytes) -> tuple[bytes, int]:
 
 
 def is_truncated_png(data: bytes | memoryview) -> bool:
-    """Whether a png announces more than the file holds.
+    """Return whether a png announces more than the file holds.
 
     Decoders make room for what is announced: 41 bytes can ask for 2 GB and seconds of time.
     """

@@ -91,7 +91,7 @@ def closest_offset(angle: float, offset: float) -> tuple[float, float]:
 
 @dataclass(frozen=True, eq=False)
 class BandMaxima:
-    """Where profiles in several directions curve most, and what is needed to look closer.
+    """Maxima of curvature of profiles in several directions, with data for refinement.
 
     Attributes:
         angles: (A,) radians; each has a row in each of three blocks, one a stretch.
@@ -156,7 +156,7 @@ class BandMaxima:
 
     @property
     def along(self) -> tuple[tuple[float, ...], ...]:
-        """Where the cuts of each stretch lie along the direction, px."""
+        """Return where the cuts of each stretch lie along the direction, px."""
         return _BAR_PROFILE_POSITIONS_PX if self.sought.looks.kind == BAR else _PROFILE_POSITIONS_PX
 
     def stretch_of(self, row: int) -> int:
@@ -164,7 +164,7 @@ class BandMaxima:
         return row // len(self.angles)
 
     def middle_of(self, row: int) -> float:
-        """Where along the direction the middle of a row's cuts lies, px."""
+        """Return where along the direction the middle of a row's cuts lies, px."""
         along = self.along[self.stretch_of(row)]
         return along[len(along) // 2]
 
@@ -212,7 +212,7 @@ def _distance_weights(directions: int, samples: int, reach_px: float) -> Values:
 
 
 def _matches_target(band: ProfileBand, sought: LineTarget) -> bool:
-    """Whether a band stands out, and is as wide as what is sought."""
+    """Return whether a band stands out, and is as wide as what is sought."""
     least, most = sought.width_px
     kind = sought.looks.kind
     if band.contrast < _MIN_BAND_CONTRAST or kind == EDGE:
@@ -235,7 +235,7 @@ def _profiles_with_band(
 
 
 def _is_sharpening_halo(band: ProfileBand, profile: Sequence[float]) -> bool:
-    """Whether a band is what sharpening makes of the ground beside a stronger one."""
+    """Return whether a band is what sharpening makes of the ground beside a stronger one."""
     half = round(band.width_px / 2 / STEP_PX)
     reach = round(_HALO_WIDTH_PX / STEP_PX)
     first, last = (round(band.centre) + side * half for side in (-1, 1))
@@ -287,7 +287,7 @@ _REFERENCE_SAMPLES = 5  # over so many places to either side its turn is measure
 
 @dataclass(frozen=True, slots=True)
 class LineExtent:
-    """How far a band goes on without a gap.
+    """Extent of a band without a gap.
 
     Attributes:
         length_px: both ways together.
@@ -396,7 +396,8 @@ def _step_ratios(
 
 
 def _track_band(shares: list[list[float]], here: int) -> list[int]:
-    """Where a band is at each place from the first one on, while it goes on, bending a little."""
+    """Return where a band is at each place from the first one on, while it goes on, bending a
+    little."""
     walked = [here]
     for row in shares[1:]:
         low = max(0, here - _MAX_TURN_STEPS)

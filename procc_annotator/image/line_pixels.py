@@ -47,7 +47,7 @@ _FILTER_MARGIN_PX = 16  # farther from a place nothing changes what is found the
 
 @dataclass(frozen=True, eq=False)
 class LinePixels:
-    """Where a picture shows paint, or what looks like it.
+    """Line pixels of a picture, or what looks like them.
 
     Attributes:
         size: (width, height) px of the picture.
@@ -150,7 +150,8 @@ def _no_line_pixels(size: tuple[int, int]) -> LinePixels:
 
 
 def _search_mask(ground: NDArray[np.uint8], shape: tuple[int, ...]) -> BoolArray:
-    """Where paint is looked for: on the ground and at its rim, not at the picture's border."""
+    """Return where paint is looked for: on the ground and at its rim, not at the picture's
+    border."""
     wide = cv2.resize(ground, shape[1::-1], interpolation=cv2.INTER_NEAREST)
     beside = cv2.dilate(wide, np.ones((2 * _MASK_MARGIN_PX + 1,) * 2, np.uint8)) > 0
     beside[:_IMAGE_BORDER_PX] = beside[-_IMAGE_BORDER_PX:] = False
@@ -212,8 +213,8 @@ def _ridges(grey: Values, where: BoolArray, grained: bool) -> tuple[FloatArray, 
 def _ridge_curvature(
     grey: Values,
 ) -> tuple[Values, Callable[[IntArray, IntArray], tuple[Values, Values]]]:
-    """How much a picture curves across less how much along, at the scale where that is most; and
-    what tells, at rows and columns, the two numbers for the direction, xx - yy and twice xy."""
+    """Return how much a picture curves across less how much along, at the scale where that is most;
+    and what tells, at rows and columns, the two numbers for the direction, xx - yy and twice xy."""
     scales = []
     for sigma in _RIDGE_SIGMAS_PX:
         smooth = cv2.GaussianBlur(grey, (0, 0), sigma)

@@ -58,7 +58,7 @@ class LineTarget:
     def of(
         cls, looks: Appearance, picture_px: int, px_per_metre: float | None = None
     ) -> LineTarget:
-        """What an element looks like in a picture.
+        """Return what an element looks like in a picture.
 
         Args:
             looks: the element's.
@@ -104,7 +104,8 @@ class ImagePatch:
     def around(
         cls, picture: PixelArray, point: tuple[float, float], reach_px: float, shrink: int = 1
     ) -> ImagePatch:
-        """What lies within a distance, at the picture's border less; so many times smaller."""
+        """Return what lies within a distance, at the picture's border less; so many times
+        smaller."""
         x, y = point
         reach = math.ceil(reach_px) + 2
         left, top = max(0, round(x) - reach), max(0, round(y) - reach)
@@ -244,7 +245,7 @@ def _flanks(
 
 
 def _level_crossing(falling: Sequence[float], level: float) -> float | None:
-    """Where values that begin above a level first fall below it, in steps; None: never."""
+    """Return where values that begin above a level first fall below it, in steps; None: never."""
     before = falling[0]
     if before < level:
         return None
@@ -273,7 +274,7 @@ def gradient_kernel(sigma_px: float = PROFILE_SIGMA_PX) -> Values:
 
 
 def parabola_peak(before: float, peak: float, after: float) -> float:
-    """Where between -0.5 and 0.5 the top of a parabola through three values lies."""
+    """Return where between -0.5 and 0.5 the top of a parabola through three values lies."""
     bend = before - 2 * peak + after
     return 0.0 if bend >= 0 else 0.5 * (before - after) / bend
 

@@ -97,8 +97,8 @@ def snap_to_line(
 
 
 def _is_searchable(sought: LineTarget) -> bool:
-    """Whether enough is known: before anything, a bar of any tone and colour is one band of many
-    unless a camera shows it there."""
+    """Return whether enough is known: before anything, a bar of any tone and colour is one band of
+    many unless a camera shows it there."""
     looks = sought.looks
     if looks.kind != BAR or looks.tone != ANY or looks.colour not in (ANY, WHITE):
         return looks.kind != NOTHING
@@ -165,7 +165,7 @@ def _snap_with_direction(
 
 
 def _min_length_px(found: LineBand, course: LineExtent, sought: LineTarget) -> float:
-    """How far a band must go on to be the sought paint, px.
+    """Return how far a band must go on to be the sought paint, px.
 
     One that may be lighter or darker than its ground, and is seen on one side only, could be a
     letter's stroke; and so could anything that is farther away than a hand errs.
@@ -285,7 +285,7 @@ def _best_confirmed_band(
 
 
 def _is_oblique_view_of(band: LineBand, angle: float, offset: float, along_px: float) -> bool:
-    """Whether a maximum is what cuts across another direction show of a band.
+    """Return whether a maximum is what cuts across another direction show of a band.
 
     Args:
         band: that is known.

@@ -25,7 +25,7 @@ _CUT_WINDOW = 6
 
 @dataclass(frozen=True, eq=False)
 class FrameSignature:
-    """What is kept of a picture: its layout in small, and its colours."""
+    """Signature of a picture: its layout in small, and its colours."""
 
     layout: FloatArray  # (27, 48, 3), 0 to 1
     colours: FloatArray  # (216,) shares
@@ -52,12 +52,13 @@ def signature_distance(a: FrameSignature, b: FrameSignature) -> float:
 
 
 def is_same_scene(a: FrameSignature, b: FrameSignature) -> bool:
-    """Whether two pictures, one right after the other, may be of one camera that moves."""
+    """Return whether two pictures, one right after the other, may be of one camera that moves."""
     return signature_distance(a, b) < _MIN_CUT_DIFFERENCE
 
 
 def frame_differences(looks: Iterable[FrameSignature]) -> tuple[FloatArray, FloatArray]:
-    """How much each picture of a row differs from those around it, as `cut_indices` takes it.
+    """Return how much each picture of a row differs from those around it, as `cut_indices` takes
+    it.
 
     Returns:
         (N,) difference to the one before it, and (N,) least difference among pictures shortly
@@ -132,7 +133,7 @@ class _RefinedHomography:
 
 
 def estimate_motion(previous: PixelArray, current: PixelArray) -> CameraMotion | None:
-    """Where the previous picture's points are in the current picture.
+    """Return where the previous picture's points are in the current picture.
 
     Players are left out, and graphics that stay in place while the rest moves do not count.
 
@@ -359,7 +360,8 @@ def _mask_values_at(mask: BoolArray, points: FloatArray) -> BoolArray:
 
 
 def _is_plausible_homography(homography: FloatArray, size: tuple[int, int]) -> bool:
-    """Whether no part is turned over and the zoom is between a half and two where both see."""
+    """Return whether no part is turned over and the zoom is between a half and two where both
+    see."""
     x, y = np.meshgrid(np.linspace(0, size[0] - 1, 9), np.linspace(0, size[1] - 1, 7))
     points = np.column_stack([x.ravel(), y.ravel()])
     ends = [_apply_homography(homography, points + step) for step in ((0, 0), (1, 0), (0, 1))]

@@ -156,7 +156,7 @@ _LOCAL_REDUCTION = 4  # what is true of a neighbourhood is smooth: few pixels te
 
 @dataclass(frozen=True, slots=True)
 class DisplayAdjustment:
-    """How a picture is shown.
+    """Display of a picture.
 
     Args:
         brightness: -1 to 1, shifts every value by up to half the range.
@@ -185,7 +185,7 @@ class DisplayAdjustment:
 
     @property
     def is_identity(self) -> bool:
-        """Whether pixels stay as they are."""
+        """Return whether pixels stay as they are."""
         return not self.enhance and not self._changes_values
 
     @property

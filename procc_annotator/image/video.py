@@ -97,7 +97,7 @@ class Video:
 
     @property
     def cut_off(self) -> str:
-        """What is missing at the end of the file; empty if nothing is known to be."""
+        """Return what is missing at the end of the file; empty if nothing is known to be."""
         return self.read_index().cut_off
 
     @property

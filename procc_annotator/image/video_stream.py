@@ -153,7 +153,7 @@ def bgra_from_frame(frame: VideoFrame) -> PixelArray:
 
 @dataclass(frozen=True, eq=False)
 class StreamProbe:
-    """What the first frames of a video are like.
+    """Properties of the first frames of a video.
 
     Attributes:
         size: (width, height) px as shown.
@@ -239,7 +239,7 @@ class PacketIndex:
         return int(before[-1])
 
     def is_damaged(self, number: int) -> bool:
-        """Whether a packet that a frame may depend on is lost; known once it was decoded."""
+        """Return whether a packet that a frame may depend on is lost; known once it was decoded."""
         place = int(self.places[number])
         if self.lost[place]:
             return True
@@ -346,8 +346,9 @@ def _frame_numbers(
 def _missing_frames_before(
     times: FloatArray, places: _Indices, unread: _Flags
 ) -> tuple[_Indices, np.bool_]:
-    """How many frames are missing before each: there are packets nearby that could not be read, and
-    room for frames by the usual step of the times; and whether all steps are multiples of that."""
+    """Return how many frames are missing before each: there are packets nearby that could not be
+    read, and room for frames by the usual step of the times; and whether all steps are multiples of
+    that."""
     near = np.convolve(unread, np.ones(2 * _MAX_REORDER + 1))[_MAX_REORDER:-_MAX_REORDER] > 0
     steps = np.diff(times, prepend=times[0])
     steps = steps / max(float(np.median(steps)), 1)
@@ -357,8 +358,8 @@ def _missing_frames_before(
 
 
 def _count_if_untimed(times: FloatArray, first: list[int | None]) -> int | None:
-    """How many frames there seem to be, if times do not number them: unknown (nan), shared by
-    several, in another order than the first frames, or of fields, two for each frame."""
+    """Return how many frames there seem to be, if times do not number them: unknown (nan), shared
+    by several, in another order than the first frames, or of fields, two for each frame."""
     ascending = all(a is not None and b is not None and a < b for a, b in pairwise(first))
     if not (len(times) == 1 or (np.diff(times) > 0).all()) or not ascending:
         return len(times)
@@ -368,7 +369,7 @@ def _count_if_untimed(times: FloatArray, first: list[int | None]) -> int | None:
 
 
 def _is_truncated_matroska(path: Path) -> bool:
-    """Whether a Matroska file ends before its segment does."""
+    """Return whether a Matroska file ends before its segment does."""
     head, end = read_head(path, 1 << 12), 0
     for name in (b"\x1a\x45\xdf\xa3", b"\x18\x53\x80\x67"):  # EBML header, segment
         begin = end + len(name)

@@ -56,7 +56,7 @@ def curve_overlap(
 
 
 def clicked_extent(trace: ClickedCurve, clicks: FloatArray) -> tuple[float, float]:
-    """Where along a course its first and its last click lie, px from its first vertex."""
+    """Return where along a course its first and its last click lie, px from its first vertex."""
     if trace.closed:
         return 0.0, float(_arc_lengths_of(trace)[-1])
     at = closest_arc_lengths(trace, clicks)
@@ -110,7 +110,7 @@ class ClassAgreement:
 
     @property
     def apart(self) -> bool:
-        """Whether the two polylines have (almost) no stretch in common."""
+        """Return whether the two polylines have (almost) no stretch in common."""
         return not len(self.distances)
 
     @property
@@ -129,7 +129,7 @@ class ClassAgreement:
         return sorted_quantile(self._ascending, 1.0)
 
     def agrees(self, tau: float) -> bool:
-        """Whether all distances are below tau, px; never if apart."""
+        """Return whether all distances are below tau, px; never if apart."""
         return self.largest is not None and self.largest < tau
 
     @cached_property
@@ -186,7 +186,8 @@ class AnnotatedCurve:
 
     @cached_property
     def extent(self) -> tuple[float, float]:
-        """Where along the course the first and the last click lie, px from its first vertex."""
+        """Return where along the course the first and the last click lie, px from its first
+        vertex."""
         return clicked_extent(self.trace, self.points)
 
 

@@ -72,12 +72,12 @@ class ClickedCurve:
 
     @property
     def is_point(self) -> bool:
-        """Whether there is no course, only a place."""
+        """Return whether there is no course, only a place."""
         return len(self.vertices) == 1
 
     @property
     def rank(self) -> int:
-        """How much it tells: a place (0), a coarse course (1), a course (2)."""
+        """Return how much it tells: a place (0), a coarse course (1), a course (2)."""
         if self.is_point:
             return 0
         return 1 if self.coarse else 2
@@ -175,7 +175,6 @@ def _farthest_point(points: FloatArray, place: FloatArray) -> int:
 
 
 def _point_at_length(points: FloatArray, at: FloatArray, position: float) -> FloatArray:
-    """The place at a length along the polyline."""
     return np.array([np.interp(position, at, points[:, axis]) for axis in (0, 1)])
 
 
@@ -193,7 +192,6 @@ def _extension_length(length: float) -> float:
 
 
 def _distinct_consecutive(points: FloatArray) -> FloatArray:
-    """The points without those in the same place as the one before."""
     kept = np.ones(len(points), dtype=bool)
     kept[1:] = (points[1:] != points[:-1]).any(axis=1)
     return points[kept]
@@ -308,7 +306,6 @@ def _ellipse_curve(points: FloatArray, *, is_circle: bool) -> ClickedCurve | Non
 
 
 def _ellipse_angles(first: float, last: float, ellipse: Ellipse) -> FloatArray:
-    """Angles from the first to the last, close enough for chords."""
     largest = np.linalg.norm(ellipse.axes)  # no less than the longest half axis
     chords = np.ceil((last - first) / np.sqrt(8 * _SAGITTA_PX / largest))
     return np.linspace(first, last, int(np.clip(chords, 1, _MAX_CHORDS)) + 1)

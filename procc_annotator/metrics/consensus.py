@@ -43,7 +43,7 @@ _CURVE_CLICKS = 8  # no fewer tell all round a circle where it runs
 
 @dataclass(frozen=True)
 class Consensus:
-    """What several agree on in one frame.
+    """Consensus of several in one frame.
 
     Attributes:
         annotation: the elements that more than half have, at the middle of their courses.
@@ -86,7 +86,7 @@ def compare_to_consensus(
 
 
 class _OverlapCache:
-    """How much two courses run along each other, each two looked at once."""
+    """Shared length of two courses, each two looked at once."""
 
     def __init__(self) -> None:
         self._known: dict[frozenset[AnnotatedCurve], float] = {}

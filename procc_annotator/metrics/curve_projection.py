@@ -232,7 +232,7 @@ def _bisect_to_visible(
 
 
 def _near_image(chords: Chords, size: tuple[int, int]) -> BoolArray:
-    """Whether a chord comes near enough for its curve to bulge into the picture."""
+    """Return whether a chord comes near enough for its curve to bulge into the picture."""
     low, high = _bounds(chords.px)
     return _box_meets_image(low, high, np.hypot(*(high - low).T), size)
 

@@ -153,7 +153,7 @@ def filled_contours(
 def contour_lines(
     values: FloatArray, x: FloatArray, y: FloatArray, level: float
 ) -> tuple[FloatArray, ...]:
-    """Where the map has a value.
+    """Return where the map has a value.
 
     Args:
         values, x, y: as for `filled_contours`.
@@ -214,7 +214,7 @@ class DisagreementStatistics:
 
 @dataclass(frozen=True, eq=False)
 class Disagreement:
-    """How far two cameras disagree, pixel by pixel.
+    """Disagreement of two cameras, pixel by pixel.
 
     Attributes:
         size: (width, height) px of the picture.
@@ -313,7 +313,7 @@ def _sample_positions(extent: int, step: int) -> FloatArray:
 
 
 def _sample_widths(samples: FloatArray) -> FloatArray:
-    """What each sample stands for, px: pixels are unit squares around their centres."""
+    """Return what each sample stands for, px: pixels are unit squares around their centres."""
     edges = np.concatenate(
         ([samples[0] - 0.5], (samples[1:] + samples[:-1]) / 2, [samples[-1] + 0.5])
     )

@@ -26,7 +26,7 @@ _STATUS_ORDER: dict[Status, int] = {"too_far": 0, "missed": 1, "not_annotated": 
 
 @dataclass(frozen=True, slots=True)
 class ScoreExplanation:
-    """What is to be said of one element at a threshold.
+    """Result of one element at a threshold.
 
     Attributes:
         name: the class in the labelling that counts; annotated_name: as the annotator labels it.
@@ -75,7 +75,8 @@ def explain_score(
 
 
 def worst_elements_first(explanations: Iterable[ScoreExplanation]) -> tuple[ScoreExplanation, ...]:
-    """What lowers the score first: too far (farthest first), missed, not annotated, then the rest.
+    """Return what lowers the score first: too far (farthest first), missed, not annotated, then the
+    rest.
 
     Elements alike keep their order.
     """

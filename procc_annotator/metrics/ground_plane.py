@@ -150,7 +150,8 @@ def convex_intersection(polygon: FloatArray, other: FloatArray) -> FloatArray:
 
 
 def transform_points(matrix: FloatArray, points: FloatArray) -> tuple[FloatArray, BoolArray]:
-    """What a homography (3, 3) makes of points (n, 2), and (n,) whether they stay in front."""
+    """Return what a homography (3, 3) makes of points (n, 2), and (n,) whether they stay in
+    front."""
     homogeneous = points @ matrix[:, :2].T + matrix[:, 2]
     in_front = homogeneous[:, 2] > 0
     return homogeneous[:, :2] / np.where(in_front, homogeneous[:, 2], 1.0)[:, None], in_front

@@ -164,7 +164,7 @@ def _iou_part(
 
 
 def _iou(a: FloatArray, b: FloatArray) -> float:
-    """Of two convex polygons."""
+    """Intersection over union of two convex polygons."""
     both = polygon_area(convex_intersection(a, b))
     either = polygon_area(a) + polygon_area(b) - both
     return both / either if either > 0 else 0.0

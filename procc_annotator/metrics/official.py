@@ -116,7 +116,7 @@ def _inside_image(
 def _border_points(
     previous: FloatArray, current: FloatArray, size: tuple[int, int]
 ) -> tuple[FloatArray, BoolArray]:
-    """Where the infinite line through two samples meets the border, nearest to the second.
+    """Return where the infinite line through two samples meets the border, nearest to the second.
 
     Args:
         previous: (K, 2) px.
@@ -162,8 +162,8 @@ def soccernet_tables() -> FieldTables:
 def folds_into_image(
     camera: CameraOrProjections, tables: FieldTables, size: tuple[int, int]
 ) -> bool:
-    """Whether the official evaluation would show field points in the picture that a lens folds
-    back into it: they lie beyond `PinholeCamera.fold_radius`, and no lens shows them there.
+    """Return whether the official evaluation would show field points in the picture that a lens
+    folds back into it: they lie beyond `PinholeCamera.fold_radius`, and no lens shows them there.
 
     Args:
         camera: in px of ``size``; only pinholes fold.

@@ -83,7 +83,7 @@ class Polylines:
         )
 
     def of_frames(self, count: int) -> list[Polylines]:
-        """What was `joined`, or projected together, frame by frame."""
+        """Return what was `joined`, or projected together, frame by frame."""
         if count == 1:
             return [self]
         elements = self.element_count // count
@@ -265,7 +265,7 @@ class Chords:
 
 @dataclass(frozen=True, eq=False)
 class ClippedPolylines:
-    """Where a camera puts the elements that it shows.
+    """Projected elements of a camera.
 
     Attributes:
         in_sight: the pieces in the picture.

@@ -109,7 +109,7 @@ def _without_repetitions(px: FloatArray) -> FloatArray:
 
 @dataclass(frozen=True, eq=False)
 class ProjectedField:
-    """What a camera shows of the field.
+    """Projected field of a camera.
 
     Attributes:
         names: element names, in field order.
@@ -237,7 +237,8 @@ def project_unclipped(
 def project_measured(
     camera: CameraOrProjections, setup: EvaluationSetup
 ) -> dict[str, tuple[FloatArray, ...]]:
-    """Where a camera shows the elements in sight: all that the protocol measures distances to.
+    """Return where a camera shows the elements in sight: all that the protocol measures distances
+    to.
 
     ``soccernet`` ends at the border of the picture. ``procc`` goes on beyond it, for elements that
     are in sight.

@@ -150,7 +150,7 @@ def display_score(measurement: Measurement, threshold: float) -> FrameScore:
 
 
 def _labelling_gain(tp: int, labelling: Labelling, other_tp: int, other: Labelling) -> int:
-    """Whether the JaC of a labelling is above (> 0) that of another one, or the same (0).
+    """Return whether the JaC of a labelling is above (> 0) that of another one, or the same (0).
 
     Compared without dividing; all counts zero is JaC 0.
     """

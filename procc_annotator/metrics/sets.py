@@ -85,8 +85,8 @@ class SetSummary:
 
 @dataclass(slots=True)
 class _ThresholdSums:
-    """What one threshold needs: the JaC of every image, and sums; of errors under the labelling
-    that counts, and under the one that is read."""
+    """Data of one threshold: the JaC of every image, and sums; of errors under the labelling that
+    counts, and under the one that is read."""
 
     jacs: array[float] = field(default_factory=lambda: array("d"))
     precision_sum: float = 0.0
@@ -279,7 +279,7 @@ def _ratio(part: float, whole: float) -> float | None:
 
 @dataclass(frozen=True, slots=True)
 class AnnotatedExtent:
-    """What is annotated of a field in one frame.
+    """Annotated elements of a field in one frame.
 
     Attributes:
         annotated_elements: how many of its elements have points.

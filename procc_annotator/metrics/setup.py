@@ -65,12 +65,12 @@ class EvaluationSetup:
 
     @property
     def considers_mirrored(self) -> bool:
-        """Whether the labels of the turned field are scored as well."""
+        """Return whether the labels of the turned field are scored as well."""
         return bool(self.field.symmetries) and (self.is_official or self.allow_mirrored)
 
     @property
     def is_official(self) -> bool:
-        """Whether the official evaluation is followed in every count."""
+        """Return whether the official evaluation is followed in every count."""
         return self.protocol == "soccernet"
 
     def at(self, size: tuple[int, int]) -> EvaluationSetup:
@@ -105,7 +105,7 @@ class EvaluationSetup:
         return ", ".join([*words, *self.options(ground_only)])
 
     def options(self, ground_only: bool = False) -> tuple[str, ...]:
-        """What was chosen besides protocol, size and field, in words.
+        """Return what was chosen besides protocol, size and field, in words.
 
         Args:
             ground_only: whether cameras that know only the ground were scored.
@@ -122,7 +122,7 @@ class EvaluationSetup:
 
     @property
     def tables(self) -> FieldTables:
-        """What every frame needs of the field, computed once."""
+        """Return what every frame needs of the field, computed once."""
         assert self._of_field is not None  # see above
         return self._of_field.tables
 
@@ -135,7 +135,7 @@ class EvaluationSetup:
 
 @dataclass(frozen=True, eq=False)
 class _FieldCache:
-    """What is computed of a field once; it does not depend on the picture's size."""
+    """Data computed once for a field; it does not depend on the picture's size."""
 
     field: Field
     _of_stadiums: dict[int, _FieldCache] = dataclass_field(default_factory=dict)

@@ -128,7 +128,7 @@ def agreement_values(found: AgreementInference, tau: float) -> tuple[Value, ...]
 
 
 def intervals_described(draws: BootstrapSettings, clusters: Clusters) -> str:
-    """What the intervals of an agreement rest on, in words."""
+    """Return what the intervals of an agreement rest on, in words."""
     said = f"{100 * draws.level:g} % intervals (t, jackknife of clusters); {clusters.described}"
     return f"{said}. {clusters.caution.rstrip('.')}" if clusters.caution else said
 
@@ -161,8 +161,8 @@ def inter_annotator_entry(floor: AgreementInference, described: str) -> dict[str
 
 
 def sample_size_table(found: AgreementInference, described: str, known: str) -> MetricTable:
-    """How many frames such a study needs before JaC is known to 1, 2 and 5 points and distances to
-    5, 10 and 20 %.
+    """Return how many frames such a study needs before JaC is known to 1, 2 and 5 points and
+    distances to 5, 10 and 20 %.
 
     Args:
         found: the pilot. described: field and size. known: what intervals rest on.

@@ -23,7 +23,7 @@ Progress = Callable[[Iterable[AnnotatedPicture], int, str], Iterable[AnnotatedPi
 
 @dataclass
 class Annotated:
-    """What became of a set of pictures.
+    """Result for a set of pictures.
 
     Attributes:
         frames: those that got an annotation.

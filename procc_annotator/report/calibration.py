@@ -83,7 +83,7 @@ class Run(Protocol):
 
 @dataclass
 class CalibrationReport:
-    """What is left of a calibrated set once its cameras are written.
+    """Summary of a calibrated set.
 
     Attributes:
         described: model, protocol and size, to stand beside every figure.
@@ -293,7 +293,8 @@ def held_out_table(report: CalibrationReport) -> MetricTable:
 
 
 def deviations_table(report: CalibrationReport) -> MetricTable:
-    """How surely the cameras are known: median and 95th percentile of their standard deviations."""
+    """Return how surely the cameras are known: median and 95th percentile of their standard
+    deviations."""
     values = np.array(report.deviations, dtype=np.float64)
     rows = tuple(
         (label, *np.percentile(values, share, axis=0).tolist())

@@ -59,7 +59,7 @@ Progress = Callable[[Iterable[Proposed], int, str], Iterable[Proposed]]
 
 @dataclass
 class ProposedSet:
-    """What became of a set of pictures.
+    """Result for a set of pictures.
 
     Attributes:
         frames: in their order.
@@ -76,7 +76,7 @@ class ProposedSet:
 
     @property
     def states(self) -> Counter[str]:
-        """How many frames are in each state."""
+        """Return how many frames are in each state."""
         return Counter(one.proposal.state for one in self.frames if one.proposal is not None)
 
 
@@ -129,7 +129,7 @@ def _has_camera(one: Proposed) -> bool:
 
 
 def _file_of(one: Proposed) -> str:
-    """Where the camera of a frame goes, within OUT; empty without one."""
+    """Return where the camera of a frame goes, within OUT; empty without one."""
     if one.proposal is None or one.proposal.fit.camera is None:
         return ""
     name = camera_name(one.name)
@@ -173,7 +173,7 @@ def _row(one: Proposed) -> Row:
 
 
 def states_table(found: ProposedSet) -> MetricTable:
-    """How many frames are in each state, and how they are, median."""
+    """Return how many frames are in each state, and how they are, median."""
     looked_at = len(found.frames) - len(found.errors)
     told = (COVERAGE, EXPLAINED, RESIDUAL, MARGIN)
     rows = []
@@ -215,7 +215,8 @@ def proposed_words(found: ProposedSet) -> str:
 
 
 def positions_words(found: ProposedSet) -> str:
-    """Where frames agree that cameras stand, and what came of it; empty where they do not."""
+    """Return where frames agree that cameras stand, and what came of it; empty where they do
+    not."""
     if not found.positions:
         return ""
     places = "; ".join(

@@ -95,7 +95,7 @@ class ConsensusReport:
 
     @property
     def of_one_other(self) -> int:
-        """How many frames only two annotated: each is compared with the other one alone."""
+        """Return how many frames only two annotated: each is compared with the other one alone."""
         return sum(len(result.pairs) == 1 for result in self.results)
 
 
@@ -158,7 +158,8 @@ def compare_annotators(
 
 
 def short_names(paths: Sequence[PurePath]) -> tuple[str, ...]:
-    """What tells paths apart: the last part in which all differ, or else the whole of each."""
+    """Return what tells paths apart: the last part in which all differ, or else the whole of
+    each."""
     for part in range(1, min(len(path.parts) for path in paths) + 1):
         found = tuple(path.parts[-part] for path in paths)
         if len(set(found)) == len(found):

@@ -41,7 +41,7 @@ class Game:
     whole: dict[str, ExchangedFrame] = attribute(default_factory=dict)
 
     def called(self, name: str) -> str:
-        """How a frame of this game is called in the set."""
+        """Return how a frame of this game is called in the set."""
         return self.whole[name].name if name in self.whole else name
 
 
@@ -89,7 +89,7 @@ def write_game(game: Game, writing: WriteContext, write: Callable[[WriteContext]
 
 @dataclass(frozen=True)
 class ConversionRequest:
-    """What annotations are to become.
+    """Target of a conversion of annotations.
 
     Attributes:
         to: name of the format.
@@ -113,7 +113,7 @@ class ConversionRequest:
 
 @dataclass
 class Converted:
-    """What a conversion wrote and what it could not.
+    """Result of a conversion, with problems.
 
     Attributes:
         path: the file, folder or archive.
@@ -244,7 +244,7 @@ def _write_game(
 
 
 def _is_one_file(out: Path, target: AnnotationFormat) -> bool:
-    """Whether the output is the one file of a format that has one."""
+    """Return whether the output is the one file of a format that has one."""
     suffix = PurePath(target.one_file).suffix
     one_file = bool(target.one_file) and out.suffix == suffix
     if target.one_file and not one_file and out.suffix in (".json", ".xml") and not out.is_dir():
@@ -276,11 +276,7 @@ def _with_pictures(
     writing: WriteContext,
     picture_of: Callable[[ExchangedFrame], Path | None],
 ) -> Iterator[ExchangedFrame]:
-    """The frames; the picture of each that the writer takes is copied into the output.
-
-    Raises:
-        UsageError: the format goes without pictures.
-    """
+    """The frames; the picture of each that the writer takes is copied into the output."""
     if target.pictures is None:
         raise UsageError(f"{target.title} goes without pictures")
     folder = target.pictures.format(split=writing.folder)

@@ -1,4 +1,4 @@
-"""What leaves a dataset: SoccerNet JSON for every annotated frame, and the JaC of each.
+"""Export of a dataset: SoccerNet JSON for every annotated frame, and the JaC of each.
 
 The same functions serve the command line and the window's File menu; the window's unsaved edits are
 exported as they stand.
@@ -53,7 +53,7 @@ Progress = Callable[[int, int], None]
 
 @dataclass
 class Exported:
-    """What an export wrote and what it could not.
+    """Result of an export, with problems.
 
     Attributes:
         path: the folder, archive or score file.
@@ -85,7 +85,7 @@ class Exported:
 
 @dataclass(frozen=True)
 class Scoring:
-    """What to score with; without cameras the score files say that there were none."""
+    """Settings of scoring; without cameras the score files say that there were none."""
 
     setup: EvaluationSetup
     thresholds: tuple[float, ...]
@@ -185,7 +185,7 @@ def export_split(
 
 
 def split_scores(out: Path) -> tuple[Path, ...]:
-    """Where the scores of a split go: beside its archive, or beside its folder."""
+    """Return where the scores of a split go: beside its archive, or beside its folder."""
     if is_archive(out):
         return tuple(out.with_name(f"{out.stem}_{name}") for name in JAC_FILES)
     return tuple(out / name for name in JAC_FILES)
@@ -357,7 +357,6 @@ def _open_target(frames: AnnotatedFrames, out: Path, split: str = "") -> Iterato
 
 
 def _keep_off_the_dataset(frames: AnnotatedFrames, out: Path, split: str) -> None:
-    """An export must never replace the files that are being annotated."""
     own = {folder.resolve() for folder in frames.folders}
     if out.resolve() in own or (split and (out / split).resolve() in own):
         raise UsageError(f"{out}: this is the dataset itself, export to another folder")

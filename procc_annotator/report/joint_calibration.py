@@ -73,7 +73,7 @@ def positions_table(run: JointRun) -> MetricTable:
 def before_after_table(
     before: Mapping[float, SetSummary], after: Mapping[float, SetSummary], words: tuple[str, str]
 ) -> MetricTable:
-    """How a set scores one way and the other, on the points both were fitted to."""
+    """Return how a set scores one way and the other, on the points both were fitted to."""
     columns = (
         Column("way"), *(metric_column(MEAN_JAC, f"@{threshold:g}") for threshold in before),
         metric_column(MEAN_ERROR, heading="error px"), count_column("evaluated", "with camera"),
@@ -133,7 +133,7 @@ def field_sizes_table(sizes: Sequence[FieldSize], described: str) -> MetricTable
 
 
 def remarks(size: FieldSize) -> list[str]:
-    """What to know of a group's dimensions, one line each."""
+    """Return remarks on a group's dimensions, one line each."""
     where = f"{size.group}: " if size.group else ""
     if size.stadium is None:
         return [f"{where}{size.failure}"]

@@ -65,7 +65,7 @@ class FrameWithoutCamera(NamedTuple):
 
 @dataclass
 class CheckReport:
-    """What a checked set comes to.
+    """Result of the label check of a set.
 
     Attributes:
         described: model, field and size.
@@ -90,7 +90,7 @@ class CheckReport:
 
     @property
     def worth_listing(self) -> list[ReportedFinding]:
-        """What tells somebody something about a single label."""
+        """Return what tells somebody something about a single label."""
         if not self.wrong_field:
             return self.found
         return [told for told in self.found if told.finding.rule is not Rule.UNKNOWN_CLASS]
@@ -100,7 +100,7 @@ class CheckReport:
         return len({told.frame for told in self.found if told.finding.severity is severity})
 
     def has_any(self, least: Severity) -> bool:
-        """Whether something is at least so severe; an unreadable annotation is."""
+        """Return whether something is at least so severe; an unreadable annotation is."""
         return bool(self.unreadable) or any(s.rank <= least.rank for s in self.severities)
 
 
@@ -258,7 +258,7 @@ def counts_table(report: CheckReport) -> MetricTable:
 
 
 def frames_without_camera_words(report: CheckReport) -> list[str]:
-    """How many frames were checked without a camera, and why, one line each."""
+    """Return how many frames were checked without a camera, and why, one line each."""
     counts = [one.elements for one in report.without_camera]
     empty = sum(count == 0 for count in counts)
     few = sum(0 < count < MIN_ELEMENTS for count in counts)

@@ -1,4 +1,4 @@
-"""What became of a dataset's landmarks: a table for the terminal."""
+"""Result for a dataset's landmarks: a table for the terminal."""
 
 from __future__ import annotations
 

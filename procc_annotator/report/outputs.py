@@ -69,7 +69,7 @@ class _Archive:
 
 
 def is_archive(out: Path) -> bool:
-    """Whether the name asks for an archive."""
+    """Return whether the name asks for an archive."""
     return out.suffix.lower() == ".zip"
 
 

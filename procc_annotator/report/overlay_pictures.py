@@ -23,8 +23,7 @@ from procc_annotator.report.overlay_scene import Paint, Scene
 
 @dataclass
 class Rendered:
-    """What was written, what could not be read (one line each), and frames without anything to
-    draw."""
+    """Pictures written, problems (one line each), and frames without anything to draw."""
 
     folder: Path
     pictures: list[Path] = field(default_factory=list)

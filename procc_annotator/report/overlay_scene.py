@@ -51,7 +51,7 @@ Paint = Callable[[Scene], bytes]
 
 @dataclass(frozen=True, slots=True)
 class OverlayLook:
-    """How an overlay picture is made.
+    """Look of an overlay picture.
 
     Attributes:
         scale: px of the result per px of the picture; lines and text grow with it.
@@ -106,7 +106,7 @@ def pixels_of(scene: Scene) -> PixelArray:
 
 
 def caption(scene: Scene) -> str:
-    """What the picture shows: whose score, with protocol and size; empty without a score."""
+    """Return what the picture shows: whose score, with protocol and size; empty without a score."""
     if scene.score is None or scene.measurement is None:
         return ""
     ground_only = scene.measurement.projected.ground_only

@@ -21,7 +21,7 @@ from procc_annotator.formats.cameras.fit_record import (
 from procc_annotator.messages import pluralize
 from procc_annotator.metrics.polylines import FloatArray
 from procc_annotator.metrics.temporal.discontinuities import FrameOffset
-from procc_annotator.metrics.temporal.jitter import offsets_along_axis, shot_rms
+from procc_annotator.metrics.temporal.jitter import shot_rms
 from procc_annotator.report.tables import metrics
 from procc_annotator.report.tables.data_files import csv_bytes, json_bytes, table_entry
 from procc_annotator.report.tables.table import (
@@ -41,14 +41,9 @@ _OF_SHOT = (
     count_column("frames"),
     *map(count_column, FITTED_KEYS),  # of so many frames
     metric_column(metrics.MEAN_JAC),
-    *(metric_column(figure) for figure in metrics.JAC_THIRDS),
     metric_column(metrics.JITTER_PX),
     metric_column(metrics.JITTER_M),
     *(metric_column(figure) for figure in metrics.POSE_JITTER),
-    metric_column(metrics.POSITION_DRIFT_M),
-    metric_column(metrics.FARTHEST_M),
-    metric_column(metrics.FOCAL_DISTANCE_AMBIGUITY),
-    metric_column(metrics.FOCAL_DISTANCE_DIRECTION),
     count_column("jumps"),
     count_column("jumps_that_stay", "stay"),
     count_column("outages"),
@@ -68,14 +63,12 @@ _OF_SHOT = (
 )
 _SHOWN = (
     (
-        "set", "source", "shot", "frames", "mean_jac", "jac_first", "jac_middle", "jac_last",
-        "jitter_px", "jitter_m", "jumps", "outages", "longest_outage", "outage_share",
-        "back_after",
+        "set", "source", "shot", "frames", "mean_jac", "jitter_px", "jitter_m", "jumps",
+        "outages", "longest_outage", "outage_share", "back_after",
     ),
     (
         "set", "source", "shot", "jitter_pan_degrees", "jitter_tilt_degrees",
-        "jitter_zoom", "jitter_position_m", "wander_m", "wander_largest_m", "vertigo",
-        "vertigo_m_a_percent",
+        "jitter_zoom", "jitter_position_m",
     ),
     (
         "set", "source", "shot", "offset", "offset_cost_px", "offset_cost_as_is_px",
@@ -101,7 +94,6 @@ _OF_FRAME = (
         Column(key, key, "number")
         for key in (
             "pan_degrees", "tilt_degrees", "roll_degrees", "focal_px", "x_m", "y_m", "z_m",
-            "way_back_m",
         )
     ),
 )  # fmt: skip
@@ -142,7 +134,7 @@ class TemporalMetrics:
 
     @property
     def errors(self) -> list[str]:
-        """What could not be read, one line each."""
+        """Return what could not be read, one line each."""
         return [error for one in self.shots for error in one.errors]
 
 
@@ -261,7 +253,7 @@ def check_suffix(path: Path) -> None:
 
 
 def _shot_row(one: TemporalMetrics, shot: ShotOverTime) -> tuple[Value, ...]:
-    pose, moved, traded, broken = shot.pose_jitter, shot.wander, shot.vertigo, shot.broken
+    pose, broken = shot.pose_jitter, shot.broken
     ends = [jump.back_after for jump in broken.jumps] + [o.back_after for o in broken.outages]
     backs = [frames for frames in ends if frames is not None]
     return (
@@ -272,14 +264,9 @@ def _shot_row(one: TemporalMetrics, shot: ShotOverTime) -> tuple[Value, ...]:
         shot.fits.these,
         shot.fits.another,
         shot.mean_jac,
-        *(shot.jac_by_third(third) for third in range(3)),
         shot.jitter_px,
         shot.jitter_m,
         pose.pan_deg, pose.tilt_deg, pose.roll_deg, pose.zoom, pose.position_m,
-        None if moved is None else moved.rms_m,
-        None if moved is None else moved.largest_m,
-        None if traded is None else traded.correlation,
-        None if traded is None else traded.metres_per_percent,
         len(broken.jumps),
         sum(jump.back_after is None for jump in broken.jumps),
         len(broken.outages),
@@ -328,14 +315,14 @@ def _joined(parts: Sequence[FloatArray]) -> FloatArray:
 
 
 def _frame_rows(one: TemporalMetrics, shot: ShotOverTime) -> list[tuple[Value, ...]]:
-    poses, back = shot.poses, offsets_along_axis(shot.poses)
+    poses = shot.poses
     gone = np.zeros(len(shot.shot.frames), dtype=bool)
     for outage in shot.broken.outages:
         gone[outage.frame : outage.frame + outage.length] = True
     numbers = np.column_stack(
         (
             shot.jac, shot.steady.step_px, shot.steady.px, shot.steady.ground_m, poses.pan_deg,
-            poses.tilt_deg, poses.roll_deg, np.exp(poses.log_focal), poses.position_world, back,
+            poses.tilt_deg, poses.roll_deg, np.exp(poses.log_focal), poses.position_world,
         )
     )  # fmt: skip
     rows: list[tuple[Value, ...]] = []

@@ -59,7 +59,7 @@ Progress = Callable[[int, int], None]
 
 @dataclass
 class TrackTable:
-    """What is known of the frames of a source: a row each, as in the file.
+    """Table of the frames of a source: a row each, as in the file.
 
     Attributes:
         names: of all frames, in order.
@@ -72,7 +72,7 @@ class TrackTable:
     errors: list[str] = field(default_factory=list)
 
     def has_all(self, frames: Iterable[Frame]) -> bool:
-        """Whether all of these are done."""
+        """Return whether all of these are done."""
         return all(frame.name in self.rows for frame in frames)
 
     def lost(self, frames: Iterable[Frame]) -> set[str]:
@@ -359,7 +359,7 @@ def find_positions(out: Path, table: TrackTable) -> tuple[KnownPosition, ...]:
 
 
 def _place_of(out: Path, lines: Sequence[Line]) -> KnownPosition | None:
-    """Where a shot was filmed from, if that is known and stays the same."""
+    """Return where a shot was filmed from, if that is known and stays the same."""
     followed = [line for line in lines if line["state"] == "followed"]
     if len(followed) < _LEAST_FRAMES:
         return None
@@ -376,7 +376,7 @@ def _place_of(out: Path, lines: Sequence[Line]) -> KnownPosition | None:
 
 
 def _position(path: Path) -> tuple[float, float, float] | None:
-    """Where the camera of a file stands, metres; None if somebody else has been there."""
+    """Return where the camera of a file stands, metres; None if somebody else has been there."""
     try:
         camera = read_camera_file(read_file(path), path=str(path)).camera
     except InputError:

@@ -34,7 +34,7 @@ _BARS = 20
 
 @dataclass(frozen=True, slots=True)
 class OverviewRow:
-    """What counts of one frame.
+    """Figures of one frame.
 
     Attributes:
         classes: class -> number of points; a class without points counts as absent.
@@ -56,7 +56,7 @@ class OverviewRow:
 
     @property
     def elements(self) -> int:
-        """How many classes have points."""
+        """Return how many classes have points."""
         return sum(points > 0 for points in self.classes.values())
 
     @property
@@ -96,7 +96,7 @@ class ClassFigures:
 
 @dataclass(frozen=True, slots=True)
 class TimeHistogram:
-    """How many frames took how long: bar i counts times in (i step, (i + 1) step], in seconds.
+    """Histogram of times a frame: bar i counts times in (i step, (i + 1) step], in seconds.
 
     The last bar also counts what took longer, if ``open_ended``: a frame left open over lunch would
     squeeze all others into one bar.

@@ -79,7 +79,7 @@ def test_a_table_at_the_top_of_a_tree_is_no_frame(cli, sample_data: Path, tmp_pa
     (tmp_path / "set" / "sequences_info.json").write_text('{"version": "1.3"}')
     (tmp_path / "set" / "game" / one.name).write_bytes(one.read_bytes())
     (tmp_path / "set" / "other" / one.name).write_bytes(one.read_bytes())
-    done = cli("check", tmp_path / "set", "--no-paint")
+    done = cli("check", tmp_path / "set", "--no-line-evidence")
     assert done.exit_code == 0, done.stderr
     assert "2 frames" in done.stdout + done.stderr
 
@@ -133,7 +133,7 @@ def test_a_frame_of_another_format_among_ours_is_told_so(cli, dataset, tmp_path:
     assert cli("convert", dataset.root, tmp_path / "lm", "--to", "labelme").exit_code == 0
     (dataset.annotations / "3.json").write_bytes((tmp_path / "lm" / "3.json").read_bytes())
     for command in (
-        ("check", dataset.annotations, "--no-paint"),
+        ("check", dataset.annotations, "--no-line-evidence"),
         ("export", dataset.root, tmp_path / "out"),
         ("propose", dataset.root, tmp_path / "proposed"),
     ):
@@ -185,7 +185,7 @@ def test_cameras_instead_of_annotations_are_told_by_their_format(
 def test_an_empty_annotation_is_not_taken_for_a_camera(cli, tmp_path: Path) -> None:
     (tmp_path / "1.json").write_text('{"Middle line": []}')
     (tmp_path / "2.json").write_text("{}")
-    assert cli("check", tmp_path, "--no-paint").exit_code == 0
+    assert cli("check", tmp_path, "--no-line-evidence").exit_code == 0
 
 
 def test_yolo_pose_is_told_where_annotations_are_asked_for(cli, dataset, tmp_path: Path) -> None:
@@ -237,7 +237,10 @@ def test_what_was_taken_in_stands_for_the_file_it_came_from(
     for file in own:
         (inner / file.name).write_bytes(file.read_bytes())
     out = tmp_path / "out"
-    for args in (("check", both, "--no-paint"), ("convert", both, out, "--to", "soccernet")):
+    for args in (
+        ("check", both, "--no-line-evidence"),
+        ("convert", both, out, "--to", "soccernet"),
+    ):
         done = cli(*args)
         assert done.exit_code == 0, done.output
         assert f"{len(own)} frames" in done.output

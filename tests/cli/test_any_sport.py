@@ -145,7 +145,9 @@ def test_labels_are_checked_and_exchanged_ones_are_found(cli, sport, tmp_path) -
     clicks[one], clicks[other] = clicks[other], clicks[one]
     file.write_text(json.dumps(clicks))
     found = tmp_path / "found.json"
-    done = cli("check", dataset.root, *own, "-o", found, "--fail-on", "error", "--least", "error")
+    done = cli(
+        "check", dataset.root, *own, "-o", found, "--fail-on", "error", "--min-severity", "error"
+    )
     assert done.exit_code == 1, done.output
     named = json.dumps(json.loads(found.read_text()))
     assert one in named

@@ -126,8 +126,8 @@ def test_a_name_that_is_no_utf_8(dataset, tmp_path) -> None:
     few, out = tmp_path / "few", tmp_path / "out"
     few.mkdir()
     (few / f"{name}.json").write_bytes((dataset.annotations / "2.json").read_bytes())
-    files = ("-o", tmp_path / "scores.json", "--recipe", tmp_path / "recipe.json")
-    for asked in (("calibrate", "-m", "P"), ("evaluate", "--click-noise", "1", *files)):
+    files = ("-o", tmp_path / "scores.json", "--manifest", tmp_path / "manifest.json")
+    for asked in (("calibrate", "-m", "P"), ("evaluate", "--annotation-noise", "1", *files)):
         command = [sys.executable, "-m", "procc_annotator", *asked, few, out]
         done = subprocess.run(command, check=False, capture_output=True)
         assert done.returncode == 0, done.stderr
@@ -343,7 +343,7 @@ def fits_come_from(fit: Callable[..., FitResult], patched: pytest.MonkeyPatch) -
         patched.setattr(module, "fit_cameras", of_chunk)
 
 
-@pytest.mark.parametrize("more", [(), ("--held-out",), ("--shared-position",)])
+@pytest.mark.parametrize("more", [(), ("--leave-one-out",), ("--shared-position",)])
 @pytest.mark.parametrize("name", ["out", "out.zip"])
 def test_a_stopped_run_goes_on_and_writes_the_bytes_of_one_run(
     cli, dataset, tmp_path, monkeypatch, held_out_once, fit_once, more, name
@@ -588,7 +588,7 @@ def test_elements_left_out_are_judged_by_the_others(cli, dataset, tmp_path) -> N
     content[name] = [{"x": p["x"], "y": p["y"] + 12 / 539} for p in content[name]]
     path.write_text(json.dumps(content))
     out = tmp_path / "fitted"
-    done = cli("calibrate", dataset.root, out, "-t", 2, "-t", 5, "--held-out")
+    done = cli("calibrate", dataset.root, out, "-t", 2, "-t", 5, "--leave-one-out")
     assert done.exit_code == 0, done.stderr
     assert "Elements left out in turn" in done.stdout
     rows = table(out)
@@ -599,13 +599,15 @@ def test_elements_left_out_are_judged_by_the_others(cli, dataset, tmp_path) -> N
     assert exact["held_out_passed_5"] == exact["held_out_elements"]
     moved = rows["1"]
     assert int(moved["held_out_passed_5"]) < int(moved["held_out_elements"])
-    several = cli("calibrate", dataset.root, tmp_path / "two", "--held-out", "--workers", 2)
+    several = cli("calibrate", dataset.root, tmp_path / "two", "--leave-one-out", "--workers", 2)
     assert several.exit_code == 0, several.stderr
     assert table(tmp_path / "two")["1"]["held_out_elements"] == moved["held_out_elements"]
     plain = tmp_path / "plain"
     cli("calibrate", dataset.root, plain)
     assert "held_out_elements" not in table(plain)["1"]
-    refused = cli("calibrate", dataset.root, tmp_path / "no", "--held-out", "--shared-position")
+    refused = cli(
+        "calibrate", dataset.root, tmp_path / "no", "--leave-one-out", "--shared-position"
+    )
     assert refused.exit_code == 2
 
 

@@ -52,12 +52,12 @@ def test_a_swap_is_found_and_the_remedy_is_told(cli, dataset, tmp_path, kind) ->
 def test_clean_frames_have_no_errors(cli, dataset, tmp_path) -> None:
     """Their circles have three points each, which is worth a warning."""
     out = tmp_path / "findings.csv"
-    done = cli("check", dataset.root, "-o", out, "--least", "warning", "--fail-on", "error")
+    done = cli("check", dataset.root, "-o", out, "--min-severity", "warning", "--fail-on", "error")
     assert done.exit_code == 0, done.stderr
     assert {(row["rule"], row["elements"]) for row in rows(out)} == {
         ("few points", "Circle central")
     }
-    done = cli("check", dataset.root, "-o", out, "--least", "error", "--fail-on", "warning")
+    done = cli("check", dataset.root, "-o", out, "--min-severity", "error", "--fail-on", "warning")
     assert done.exit_code == 1  # what is not shown counts all the same
     assert rows(out) == []
     assert "Worst findings" not in done.stdout
@@ -119,7 +119,7 @@ def test_workers_find_the_same(cli, dataset, tmp_path) -> None:
     ("arguments", "message"),
     [
         (["--model", "Q"], "choose one of H, P, R, R+"),
-        (["--least", "fatal"], "choose one of error, warning, hint"),
+        (["--min-severity", "fatal"], "choose one of error, warning, hint"),
         (["--fail-on", "x"], "choose one of error, warning, hint"),
         (["--output", "findings.txt"], ".csv or .json"),
         (
@@ -156,7 +156,7 @@ def test_frames_without_a_camera_are_counted(cli, dataset, tmp_path) -> None:
     (dataset.annotations / "2.json").write_text("{}")
     (dataset.annotations / "3.json").write_text(json.dumps(dict(list(two.items())[:2])))
     out = tmp_path / "findings.csv"
-    done = cli("check", dataset.root, "-o", out, "--least", "error")
+    done = cli("check", dataset.root, "-o", out, "--min-severity", "error")
     assert done.exit_code == 0
     assert "1 frame has no element at all" in done.stdout
     assert "1 frame has too few elements for a camera: looked at by eye only" in done.stdout
@@ -195,7 +195,7 @@ def test_unknown_classes_and_pixels_are_errors(cli, dataset, tmp_path) -> None:
     }
     other.write_text(json.dumps(pixels))
     out = tmp_path / "findings.csv"
-    done = cli("check", dataset.root, "-o", out, "--least", "error")
+    done = cli("check", dataset.root, "-o", out, "--min-severity", "error")
     found = {row["frame"]: row for row in rows(out) if row["severity"] == "error"}
     assert found["1"]["rule"] == "unknown class"
     assert found["1"]["suggestion"] == "relabel to Far touchline"

@@ -249,8 +249,6 @@ def test_homographies_say_how_goals_count(cli, dataset, tmp_path) -> None:
         (["--size", "960x540", "--size", "wide"], "WIDTHxHEIGHT"),
         (["--by", "stadium"], "--tags"),
         (["--tags", "/nowhere/tags.csv"], "/nowhere/tags.csv"),
-        (["--table", "board.xlsx"], ".csv or .parquet"),
-        (["--table", "/dev/null/at/all/board.csv"], "/dev/null/at/all"),
         (["--set", "a=b"], "--set NAME=ANNOTATIONS"),
         (["--cameras", "a=b"], "--cameras NAME=PATH"),
     ],
@@ -357,7 +355,7 @@ def test_a_full_disk_takes_neither_the_figures_nor_the_other_output(
             raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
 
     monkeypatch.setattr(os, "fsync", full)
-    done = cli("evaluate", *dataset.set_arguments, "-o", output, "--table", table)
+    done = cli("evaluate", *dataset.set_arguments, "-o", table, "-o", output)
     assert done.exit_code == 2
     assert "Summary of 5 frames" in done.stdout
     assert f"{output}: could not be saved: No space left on device" in done.stderr

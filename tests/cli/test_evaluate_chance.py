@@ -56,7 +56,7 @@ def test_intervals_and_differences_are_printed_and_written(cli, methods) -> None
 
 
 @pytest.mark.parametrize(
-    "option", [("--interval-method", "bca"), ("--draws", "500"), ("--seed", "3")]
+    "option", [("--interval-method", "bca"), ("--resamples", "500"), ("--seed", "3")]
 )
 def test_options_of_chance_need_what_asks_for_it(cli, methods, option) -> None:
     done = cli("evaluate", *BOTH, *option)
@@ -77,7 +77,7 @@ def test_a_single_method_has_intervals_alone(cli, methods) -> None:
 def test_frames_are_clustered_by_a_tag(cli, methods, method) -> None:
     done = cli(
         "evaluate", *BOTH, "--tags", "tags.csv", "--cluster", "match", "--interval-method", method,
-        "--draws", "500", "--seed", "3", "-o", "out.json",
+        "--resamples", "500", "--seed", "3", "-o", "out.json",
     )  # fmt: skip
     assert done.exit_code == 0, done.output
     found = chance(methods / "out.json")
@@ -94,7 +94,7 @@ def test_frames_are_clustered_by_a_tag(cli, methods, method) -> None:
 
 def test_what_the_clicks_leave_open_and_strata_of_the_cameras(cli, methods) -> None:
     done = cli(
-        "evaluate", *BOTH, "--click-noise", "1.5", "--by", "zoom", "--by", "elements", "--by",
+        "evaluate", *BOTH, "--annotation-noise", "1.5", "--by", "zoom", "--by", "elements", "--by",
         "side", "--power", "-o", "out.json",
     )  # fmt: skip
     assert done.exit_code == 0, done.output
@@ -202,31 +202,32 @@ def test_the_noise_of_clicks_is_what_annotators_differ_by(cli, methods) -> None:
     moved = []
     for size in ("960x540", "1919x1079"):
         file = agreement(cli, methods, size)
-        done = cli("evaluate", *BOTH, "--click-noise", file, "-t", "1", "-o", f"out_{size}.json")
+        done = cli(
+            "evaluate", *BOTH, "--annotation-noise", file, "-t", "1", "-o", f"out_{size}.json"
+        )
         assert done.exit_code == 0, done.output
         found = chance(methods / f"out_{size}.json")["clicks"]
         moved.append([row["moved_jac"] for row in found["rows"]])
         assert f"px of {size} (" in found["notes"][0]
         assert f"from {file})" in found["notes"][0]
     assert moved[0] == pytest.approx(moved[1], abs=0.03)  # px of another size are the same noise
-    given = cli("evaluate", *BOTH, "--click-noise", "0.7", "-t", "1", "-o", "given.json")
+    given = cli("evaluate", *BOTH, "--annotation-noise", "0.7", "-t", "1", "-o", "given.json")
     assert given.exit_code == 0
     rows = chance(methods / "given.json")["clicks"]["rows"]
     assert [row["moved_jac"] for row in rows] == pytest.approx(moved[0], abs=0.12)
 
 
-def test_a_recipe_knows_the_agreement_and_the_tags(cli, methods) -> None:
+def test_a_manifest_knows_the_agreement_and_the_tags(cli, methods) -> None:
     file = agreement(cli, methods, "960x540")
-    terms = ("--click-noise", file, "--tags", "tags.csv", "--cluster", "match")
-    assert cli("evaluate", *BOTH, *terms, "--recipe", "recipe.json").exit_code == 0
-    inputs = {one["role"]: one for one in json.loads(Path("recipe.json").read_text())["inputs"]}
-    assert inputs["click noise"]["path"] == file
-    digest = hashlib.sha256(Path(file).read_bytes()).hexdigest()
-    assert inputs["click noise"]["files"][0]["sha256"] == digest
-    assert inputs["tags"]["path"] == "tags.csv"
-    assert cli("repeat", "recipe.json").exit_code == 0
+    terms = ("--annotation-noise", file, "--tags", "tags.csv", "--cluster", "match")
+    assert cli("evaluate", *BOTH, *terms, "--manifest", "manifest.json").exit_code == 0
+    inputs = json.loads(Path("manifest.json").read_text())["inputs"]
+    data = Path(file).read_bytes()
+    assert inputs[file] == [hashlib.sha256(data).hexdigest(), len(data)]
+    assert "tags.csv" in inputs
+    assert cli("repeat", "manifest.json").exit_code == 0
     Path(file).write_text(Path(file).read_text().replace('"points"', '"Points"', 1))
-    done = cli("repeat", "recipe.json")
+    done = cli("repeat", "manifest.json")
     assert done.exit_code == 1
     assert file in done.output
 
@@ -243,10 +244,10 @@ def test_a_recipe_knows_the_agreement_and_the_tags(cli, methods) -> None:
 )
 def test_a_file_that_tells_no_noise_is_one_line(cli, methods, content, says) -> None:
     (methods / "odd.json").write_text(content)
-    done = cli("evaluate", *BOTH, "--click-noise", "odd.json")
+    done = cli("evaluate", *BOTH, "--annotation-noise", "odd.json")
     assert done.exit_code == 2
     (line,) = done.stderr.splitlines()
     assert line.startswith("procc-annotator: odd.json")
     assert says in line
     for odd in ("0", "nan", "1e9"):
-        assert "expected 0.01 to 100 px" in cli("evaluate", *BOTH, "--click-noise", odd).stderr
+        assert "expected 0.01 to 100 px" in cli("evaluate", *BOTH, "--annotation-noise", odd).stderr

@@ -173,55 +173,6 @@ def test_tags_that_belong_to_no_frame_are_refused(cli, sets) -> None:
     assert "'1'" in done.stderr
 
 
-@pytest.mark.parametrize("suffix", [".csv", ".parquet"])
-def test_a_table_grows_from_call_to_call(cli, sets, suffix) -> None:
-    board = sets / f"board{suffix}"
-    done = cli("evaluate", *SEVERAL, "-t", "5", "-t", "2", "--table", board)
-    assert f"added: 36 rows to {board}" in done.stdout
-    before = board.read_bytes()
-    cli("evaluate", *SEVERAL, "-t", "5", "-t", "2", "--table", board)
-    assert board.read_bytes() == before
-    for name in ("A", "C"):
-        cli(
-            "evaluate", "day/annotations", "--cameras", f"{name}=day/poor", "--table", board,
-            "--size", "960x540",
-        )  # fmt: skip
-    if suffix == ".csv":
-        rows: list[dict[str, Any]] = table(board)
-        rows = [r | {"threshold": float(r["threshold"])} for r in rows]
-    else:
-        rows = pytest.importorskip("pyarrow.parquet").read_table(board).to_pylist()
-    assert len(rows) == 36 + 5
-    gone = [r for r in rows if r["error"]]
-    assert {(r["set"], r["method"], r["frame"], r["threshold"]) for r in gone} == {
-        ("day", "B", "3", 5), ("day", "B", "3", 2), ("night", "B", "3", 5), ("night", "B", "3", 2),
-        ("day", "A", "3", 5), ("day", "C", "3", 5),
-    }  # fmt: skip
-
-
-def test_a_damaged_table_is_said_before_the_work(cli, sets) -> None:
-    (sets / "board.csv").write_text("name,jac\n")
-    done = cli("evaluate", "day/annotations", "day/good", "--table", "board.csv", "-o", "o.json")
-    assert done.exit_code == 2
-    assert "board.csv: line 1: is no table of scores" in done.stderr
-    assert (sets / "board.csv").read_text() == "name,jac\n"
-    assert not (sets / "o.json").exists()
-
-
-def test_scores_are_shown_when_the_table_cannot_be_written(cli, sets, monkeypatch) -> None:
-    from procc_annotator.errors import SaveError
-    from procc_annotator.report.scores import score_table
-
-    def full(*_: object) -> None:
-        raise SaveError("board.csv: could not be saved: no space left")
-
-    monkeypatch.setattr(score_table, "write_atomic", full)
-    done = cli("evaluate", "day/annotations", "day/good", "--table", "board.csv")
-    assert done.exit_code == 2
-    assert "no space left" in done.stderr
-    assert "Summary of 5 frames" in done.stdout
-
-
 def test_one_frame_is_singular(cli, sets) -> None:
     for name in ("2", "3", "10", "11"):
         (sets / f"day/annotations/{name}.json").unlink()
@@ -244,18 +195,8 @@ def test_a_reader_that_has_seen_enough_is_no_error(sets) -> None:
     os.close(reading)
     with os.fdopen(writing, "wb") as pipe:
         done = subprocess.run(
-            [sys.executable, "-m", "procc_annotator", "evaluate", *SEVERAL, "--table", "b.csv"],
+            [sys.executable, "-m", "procc_annotator", "evaluate", *SEVERAL, "-o", "b.csv"],
             stdout=pipe, stderr=subprocess.PIPE, check=False, text=True,
         )  # fmt: skip
     assert (done.returncode, done.stderr) == (141, "")
     assert len(table(sets / "b.csv")) == 18
-
-
-def test_several_tables_grow_at_once_in_folders_that_are_made(cli, dataset, tmp_path) -> None:
-    tables = [tmp_path / "new" / "deep" / "a.csv", tmp_path / "b.csv"]
-    scores = tmp_path / "other" / "scores.json"
-    options = [word for table in tables for word in ("--table", table)]
-    done = cli("evaluate", dataset.annotations, dataset.cameras, *options, "--output", scores)
-    assert done.exit_code == 0, done.stderr
-    assert scores.exists()
-    assert tables[0].read_bytes() == tables[1].read_bytes() != b""

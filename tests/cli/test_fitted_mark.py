@@ -12,7 +12,7 @@ import pytest
 
 MARK = "fitted on these clicks"
 OTHER = "fitted to another version of these annotations"
-FEW = ("--draws", 200, "--seed", 1)
+FEW = ("--resamples", 200, "--seed", 1)
 
 
 def rows(path: Path) -> list[dict[str, str]]:
@@ -31,10 +31,10 @@ def fits(cli, dataset, tmp_path) -> Path:
 
 
 def test_evaluate_marks_them_in_every_output(cli, dataset, fits, tmp_path) -> None:
-    out, table = tmp_path / "scores.json", tmp_path / "board.csv"
+    out, table = tmp_path / "scores.json", tmp_path / "scores.csv"
     done = cli(
         "evaluate", dataset.annotations, "--cameras", f"theirs={dataset.cameras}",
-        "--cameras", f"ours={fits}", "-o", out, "-o", tmp_path / "scores.csv", "--table", table,
+        "--cameras", f"ours={fits}", "-o", out, "-o", table,
         "--intervals", *FEW,
     )  # fmt: skip
     assert done.exit_code == 0, done.stderr
@@ -43,9 +43,8 @@ def test_evaluate_marks_them_in_every_output(cli, dataset, fits, tmp_path) -> No
     theirs, ours = json.loads(out.read_text())["evaluations"]
     assert all(image["fitted_on_these_clicks"] for image in ours["images"])
     assert not any("fitted_on_these_clicks" in image for image in theirs["images"])
-    for path in (tmp_path / "scores.csv", table):
-        found = {(row["method"], row["fitted_on_these_clicks"]) for row in rows(path)}
-        assert found == {("theirs", "false"), ("ours", "true")}
+    found = {(row["method"], row["fitted_on_these_clicks"]) for row in rows(table)}
+    assert found == {("theirs", "false"), ("ours", "true")}
 
 
 def move_a_point(dataset, names) -> None:

@@ -46,8 +46,7 @@ def _commands(evil: Path, out: Path) -> dict[str, list[object]]:
     shutil.copytree(annotations, second / "annotations")
     return {
         "evaluate": [annotations, cameras, "--output", out / "e.csv", "--intervals"],
-        "gold": [evil, second],
-        "agree": [annotations, second / "annotations"],
+        "agree": [second / "annotations", "--reference", evil],
         "compare": [cameras, cameras, "--dataset", evil],
         "report": [evil, "--cameras", cameras, "-o", out / "r.html", "-o", out / "r.tex"],
         "calibrate": [annotations, out / "cal"],
@@ -57,7 +56,7 @@ def _commands(evil: Path, out: Path) -> dict[str, list[object]]:
         "export": [evil, out / "ex"],
         "convert": [annotations, out / "c.json", "--to", "coco"],
         "propose-map": [annotations, out / "map.toml"],
-        "release": [evil, out / "rel", "--name", EVIL, "--second", second, "--no-check"],
+        "release": [evil, out / "rel", "--name", EVIL, "--second-annotator", second, "--no-check"],
         "render": [evil, out / "ren", "--cameras", cameras],
         "check-submission": [annotations],
     }

@@ -1,4 +1,4 @@
-"""`calibrate --held-out` leaves its figures where `evaluate` and `report` find them."""
+"""`calibrate --leave-one-out` leaves its figures where `evaluate` and `report` find them."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-FEW = ("--draws", 200, "--seed", 1)
+FEW = ("--resamples", 200, "--seed", 1)
 TAUS = ("-t", 2, "-t", 6)
 
 
@@ -41,7 +41,7 @@ def clicked(new_dataset) -> Path:
 @pytest.fixture(scope="module")
 def fits(cli, clicked, tmp_path_factory) -> Path:
     out = tmp_path_factory.mktemp("fits") / "R"
-    done = cli("calibrate", clicked, out, "--held-out", *TAUS)
+    done = cli("calibrate", clicked, out, "--leave-one-out", *TAUS)
     assert done.exit_code == 0, done.stderr
     return out
 
@@ -54,7 +54,7 @@ def test_frames_annotated_alike_count_once_each(cli, clicked, tmp_path) -> None:
     (alike := tmp_path / "alike").mkdir()
     for name in ("a", "b", "c"):
         shutil.copy(clicked / ("3.json" if name == "c" else "1.json"), alike / f"{name}.json")
-    done = cli("calibrate", alike, tmp_path / "fits", "--held-out", *TAUS)
+    done = cli("calibrate", alike, tmp_path / "fits", "--leave-one-out", *TAUS)
     assert done.exit_code == 0, done.stderr
     told = [row for row in rows(tmp_path / "fits" / "held_out.csv") if row["class"]]
     out = tmp_path / "s.json"
@@ -100,7 +100,7 @@ def test_evaluate_tells_them_and_how_to_get_them(cli, clicked, fits, tmp_path) -
     bare = tmp_path / "bare"
     shutil.copytree(fits, bare, ignore=shutil.ignore_patterns("held_out.csv"))
     done = cli("evaluate", clicked, bare, *TAUS, "-o", out)
-    assert "none of its 5 cameras has such figures; calibrate --held-out writes" in plain(
+    assert "none of its 5 cameras has such figures; calibrate --leave-one-out writes" in plain(
         done.stdout
     )
     assert json.loads(out.read_text())["held_out"]["results"] == {}
@@ -139,7 +139,7 @@ def test_a_damaged_table_is_told_and_loses_nothing(cli, clicked, fits, tmp_path)
     done = cli("evaluate", clicked, broken)
     assert done.exit_code == 0
     assert "held_out.csv, line 4" in plain(done.stderr)
-    assert "calibrate --held-out writes it anew" in plain(done.stderr)
+    assert "calibrate --leave-one-out writes it anew" in plain(done.stderr)
     assert "5 with a camera" in plain(done.stdout)
 
 
@@ -154,7 +154,7 @@ def test_fits_of_a_tree_are_known_by_the_tables_at_its_top(cli, dataset, tmp_pat
         (tree / folder).mkdir(parents=True)
         for frame in frames:
             shutil.copy(dataset.annotations / f"{frame}.json", tree / folder)
-    assert cli("calibrate", tree, fits, "--model", model, "--held-out").exit_code == 0
+    assert cli("calibrate", tree, fits, "--model", model, "--leave-one-out").exit_code == 0
     done = cli("evaluate", tree, fits, "-o", out)
     assert done.exit_code == 0, done.output
     scores = json.loads(out.read_text())

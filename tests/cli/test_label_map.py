@@ -35,14 +35,22 @@ def test_figures_are_those_of_the_official_names(cli, dataset, renamed, tmp_path
     folder, labels = renamed
     cameras = dataset.cameras
     cli("evaluate", dataset.annotations, cameras, "-o", tmp_path / "own.json")
-    recipe = tmp_path / "recipe.json"
+    manifest = tmp_path / "manifest.json"
     done = cli(
-        "evaluate", folder, cameras, "--map", labels, "-o", tmp_path / "s.json", "--recipe", recipe
+        "evaluate",
+        folder,
+        cameras,
+        "--map",
+        labels,
+        "-o",
+        tmp_path / "s.json",
+        "--manifest",
+        manifest,
     )
     assert "names by" in done.stderr
     summaries = [json.loads((tmp_path / f"{n}.json").read_text())["summary"] for n in ("own", "s")]
     assert summaries[0] == summaries[1]
-    again = cli("repeat", recipe)
+    again = cli("repeat", manifest)
     assert again.exit_code == 0, again.stdout + again.stderr
     agreed = cli("agree", dataset.annotations, folder, "--map", labels)
     assert "100.00" in agreed.stdout
@@ -51,7 +59,7 @@ def test_figures_are_those_of_the_official_names(cli, dataset, renamed, tmp_path
 def test_the_map_of_a_dataset_is_used_by_itself(cli, renamed, tmp_path: Path) -> None:
     folder, labels = renamed
     (folder / "labels.toml").write_bytes(labels.read_bytes())
-    done = cli("check", folder, "--no-paint")
+    done = cli("check", folder, "--no-line-evidence")
     assert done.exit_code == 0, done.stderr
     assert "unknown class" not in done.stdout
     assert cli("convert", folder, tmp_path / "back", "--to", "soccernet").exit_code == 0
@@ -82,7 +90,7 @@ def test_an_export_has_the_official_names(cli, dataset, renamed, tmp_path: Path)
 
 def test_unknown_labels_are_listed_once_with_counts(cli, renamed) -> None:
     folder, _ = renamed
-    done = cli("check", folder, "--no-paint")
+    done = cli("check", folder, "--no-line-evidence")
     lines = [line for line in done.stderr.splitlines() if "does not know" in line]
     assert len(lines) == 1
     assert "does not know 26 labels: element " in lines[0]

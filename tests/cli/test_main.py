@@ -138,7 +138,7 @@ def test_a_full_standard_output_is_one_line(dataset) -> None:
 
 
 def test_an_unexpected_error_is_one_line_and_its_traceback_is_in_the_log(dataset, tmp_path) -> None:
-    code = "from procc_annotator.session.runs import evaluation_run as run; del run.EvaluationRun\n"
+    code = "from procc_annotator.batch import evaluation as run; del run.EvaluationRun\n"
     code += "from procc_annotator.cli.main import run; run()"
     done = subprocess.run(
         [sys.executable, "-c", code, "evaluate", *dataset.set_arguments],
@@ -185,7 +185,7 @@ def test_one_of_anything_is_told_in_the_singular(cli, dataset, tmp_path) -> None
 DEEP = b'{"a":' * 1000 + b"1" + b"}" * 1000
 
 
-@pytest.mark.parametrize("reader", ["recipe", "manifest", "before", "click noise"])
+@pytest.mark.parametrize("reader", ["repeat", "submission", "before", "click noise"])
 def test_json_nested_a_thousand_deep_is_one_line(cli, dataset, tmp_path, reader) -> None:
     file = tmp_path / ("release.json" if reader == "before" else "deep.json")
     file.write_bytes(DEEP)
@@ -193,10 +193,10 @@ def test_json_nested_a_thousand_deep_is_one_line(cli, dataset, tmp_path, reader)
         archive.writestr("manifest.json", DEEP)
     annotations, cameras = dataset.set_arguments[:2]
     arguments = {
-        "recipe": ("repeat", file),
-        "manifest": ("evaluate", annotations, "--submission", tmp_path / "sub.zip"),
-        "before": ("release", dataset.root, tmp_path / "out", "--before", tmp_path),
-        "click noise": ("evaluate", annotations, cameras, "--click-noise", file),
+        "repeat": ("repeat", file),
+        "submission": ("evaluate", annotations, "--submission", tmp_path / "sub.zip"),
+        "before": ("release", dataset.root, tmp_path / "out", "--previous", tmp_path),
+        "click noise": ("evaluate", annotations, cameras, "--annotation-noise", file),
     }[reader]
     done = cli(*arguments)
     assert done.exit_code == 2
@@ -263,3 +263,15 @@ def test_a_stopped_run_goes_on_by_being_run_again(
         assert files(out).items() <= whole.items()
         assert cli(command, dataset.root, out, *options).exit_code == 0
         assert files(out) == whole
+
+
+def test_an_option_of_the_release_before_is_translated(cli, dataset) -> None:
+    old, new = (
+        cli("check", dataset.root, severity, no_pictures)
+        for severity, no_pictures in (
+            ("--least=error", "--no-paint"), ("--min-severity=error", "--no-line-evidence"),
+        )
+    )  # fmt: skip
+    assert (old.exit_code, old.stdout) == (new.exit_code, new.stdout)
+    assert "--least is deprecated, use --min-severity" in old.stderr
+    assert "deprecated" not in new.stderr

@@ -141,12 +141,12 @@ def test_a_table_of_shots_tells_a_report_what_intervals_rest_on(cli, shot: Path)
     lines = [f"a_{n:03d},{'one' if n < 15 else 'two'}" for n in range(FRAMES)]
     (shot / "shots.csv").write_text("\n".join(["frame,shot", *lines]))
     sources = [f"--cameras={name}={shot / name}" for name in ("true", "late")]
-    asked = ("--over-time", "--shots", shot / "shots.csv", "--recipe", shot / "recipe.json")
+    asked = ("--over-time", "--shots", shot / "shots.csv", "--manifest", shot / "manifest.json")
     done = cli("report", shot / "annotations", *sources, *asked, "-o", shot / "report.json")
     assert done.exit_code == 0, done.output
     (told,) = json.loads((shot / "report.json").read_text())["chance"]
     assert "2 clusters of one shot each, by shots.csv" in told["intervals"]["notes"][0]
-    assert cli("repeat", shot / "recipe.json", "--data", shot).exit_code == 0
+    assert cli("repeat", shot / "manifest.json", "--data", shot).exit_code == 0
 
 
 def test_options_that_cannot_be(cli, shot: Path, tmp_path: Path) -> None:
@@ -164,8 +164,8 @@ def test_frames_that_do_not_follow_each_other_have_scores_and_a_note(
     files = {name: tmp_path / name for name in ("scores.json", "page.html", "time.json")}
     cameras = sample_data / "cameras" / "true"
     of_set = ("--cameras", f"a={cameras}", "--over-time", "--output")
-    recipe = tmp_path / "recipe.json"
-    done = cli("evaluate", sample_data, *of_set, files["scores.json"], "--recipe", recipe)
+    manifest = tmp_path / "manifest.json"
+    done = cli("evaluate", sample_data, *of_set, files["scores.json"], "--manifest", manifest)
     page = cli("report", sample_data, *of_set, files["page.html"])
     for one in (done, page):
         assert one.exit_code == 0, one.output
@@ -174,7 +174,7 @@ def test_frames_that_do_not_follow_each_other_have_scores_and_a_note(
     assert without.stdout in done.stdout
     assert "over_time" not in json.loads(files["scores.json"].read_text())
     assert files["page.html"].exists()
-    assert cli("repeat", recipe, "--data", sample_data).exit_code == 0
+    assert cli("repeat", manifest, "--data", sample_data).exit_code == 0
 
     done = cli("evaluate", sample_data, *of_set, tmp_path / "more.json",
                "--over-time-output", files["time.json"])  # fmt: skip
@@ -183,18 +183,18 @@ def test_frames_that_do_not_follow_each_other_have_scores_and_a_note(
     assert (tmp_path / "more.json").exists()
 
 
-def test_a_recipe_repeats_them(cli, shot: Path) -> None:
-    recipe = shot / "recipe.json"
-    assert cli(*arguments(shot), "--recipe", recipe).exit_code == 0
-    done = cli("repeat", recipe)
+def test_a_manifest_repeats_them(cli, shot: Path) -> None:
+    manifest = shot / "manifest.json"
+    assert cli(*arguments(shot), "--manifest", manifest).exit_code == 0
+    done = cli("repeat", manifest)
     assert (done.exit_code, "the same" in done.stdout) == (0, True), done.output
     camera = shot / "true" / "camera_a_012.json"  # of a frame that is not annotated
     camera.write_text(json.dumps(camera_file(-9.0)))
-    done = cli("repeat", recipe)
+    done = cli("repeat", manifest)
     assert done.exit_code == 1
-    assert "other figure: over time" in done.stdout
-    assert "true a: jitter_px" in done.stdout
-    assert "mean_jac@" not in done.stdout
+    assert "other metric: over_time" in done.stdout
+    assert "jitter_px" in done.stdout
+    assert "mean_jac" not in done.stdout
 
 
 def test_frames_that_cameras_call_otherwise_are_the_same_frames(cli, tmp_path: Path) -> None:

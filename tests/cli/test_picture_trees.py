@@ -155,7 +155,7 @@ def test_annotations_may_lie_apart_in_folders_of_the_same_names(
     assert (tree.root / "annotations/a/img1/00002.json").is_file()
     workspace = Workspace.open(tree.root, load_field())
     assert all(workspace.annotated_count(index) for index in range(len(NAMES)))
-    assert cli("check", tree.root, "--no-paint").exit_code == 0
+    assert cli("check", tree.root, "--no-line-evidence").exit_code == 0
     assert "4 frames" in cli("evaluate", tree.root, tree.cameras).stdout
 
 
@@ -432,7 +432,7 @@ def test_releases_and_reports_find_frames_however_they_are_called(
     for match in MATCHES:
         folder = tree.root / match
         (folder / f"{there}.json").rename(folder / f"{here}.json")
-    done = cli("release", tree.root, second, *terms, "--version", "2", "--before", first)
+    done = cli("release", tree.root, second, *terms, "--version", "2", "--previous", first)
     assert "since version 1: 0 added, 0 removed, 0 changed" in done.stdout
     page = tmp_path / "page.html"
     few = ("--worst", "0", "--random", "4", "-o", page)

@@ -171,7 +171,7 @@ def test_known_positions(cli, bare, pretend, tmp_path, given) -> None:
         known = tmp_path / "positions.csv"
         known.write_text("position,x_m,y_m,z_m,sd_x_m,sd_y_m,sd_z_m\na,0,60,-14,.1,.2,.1\n")
     finder = pretend([none()] * 5)
-    done = cli("propose", bare.root, tmp_path / "out", "--known", known)
+    done = cli("propose", bare.root, tmp_path / "out", "--known-positions", known)
     assert done.exit_code == 0, done.output
     for told in finder.known:
         (position,) = told
@@ -188,11 +188,11 @@ def test_positions_that_cannot_be_read(cli, bare, pretend, tmp_path) -> None:
         ("x_m,y_m,z_m,sd_x_m,sd_y_m,sd_z_m\n", "holds no position"),
     ):
         table_file.write_text(text)
-        done = cli("propose", bare.root, tmp_path / "out", "--known", table_file)
+        done = cli("propose", bare.root, tmp_path / "out", "--known-positions", table_file)
         assert done.exit_code == 2
         assert said in done.stderr
     np.save(tmp_path / "1.npy", np.eye(3))
-    done = cli("propose", bare.root, tmp_path / "out", "--known", tmp_path / "1.npy")
+    done = cli("propose", bare.root, tmp_path / "out", "--known-positions", tmp_path / "1.npy")
     assert done.exit_code == 2
     assert "holds no camera with a position" in done.stderr
     assert not finder.known
@@ -243,8 +243,11 @@ def test_what_makes_no_sense(cli, dataset, tmp_path) -> None:
     for wrong, said in (
         ((tmp_path / "nowhere", tmp_path / "out"), "does not exist"),
         ((dataset.root, tmp_path / "out"), "all frames are annotated"),
-        ((dataset.root, tmp_path / "out", "--known", tmp_path / "no"), "does not exist"),
-        ((dataset.root, dataset.cameras, "--known", dataset.cameras), "write to another folder"),
+        ((dataset.root, tmp_path / "out", "--known-positions", tmp_path / "no"), "does not exist"),
+        (
+            (dataset.root, dataset.cameras, "--known-positions", dataset.cameras),
+            "write to another folder",
+        ),
         ((dataset.cameras, tmp_path / "out"), "no picture in"),
     ):
         done = cli("propose", *wrong)

@@ -38,7 +38,7 @@ def test_labels_that_say_nothing_are_told_by_cameras(cli, dataset, tmp_path: Pat
     for line in lines:
         label, name = (part.strip('"') for part in line.split(" = "))
         assert names[int(label[1:])] == name
-    used = cli("check", tmp_path / "set", "--map", labels, "--no-paint")
+    used = cli("check", tmp_path / "set", "--map", labels, "--no-line-evidence")
     assert used.exit_code == 0, used.stderr
 
 

@@ -65,7 +65,7 @@ def test_annotations_and_hashes_without_pictures(cli, keep: Path, tmp_path: Path
 def test_the_card_has_the_header_that_hubs_read(cli, keep: Path, tmp_path: Path) -> None:
     out = tmp_path / "release"
     made(
-        cli, keep, out, "--name", "Cup: 'one'", "--licence", "CC-BY-4.0", "--by", "A | B",
+        cli, keep, out, "--name", "Cup: 'one'", "--licence", "CC-BY-4.0", "--creator", "A | B",
         "--description", "Drawn <frames>.", "--no-check",
     )  # fmt: skip
     card = (out / "README.md").read_text()
@@ -77,7 +77,7 @@ def test_the_card_has_the_header_that_hubs_read(cli, keep: Path, tmp_path: Path)
     assert "| by | A \\| B |" in card
     assert "Drawn &lt;frames>." in card
     assert "| Side line top | 9 |" in card
-    assert "Nobody looked" in card
+    assert "No quality checks were run" in card
 
 
 def test_croissant_names_every_column_by_what_is_there(cli, keep: Path, tmp_path: Path) -> None:
@@ -101,7 +101,7 @@ def test_croissant_names_every_column_by_what_is_there(cli, keep: Path, tmp_path
 def test_names_as_nobody_expects_them(cli, keep: Path, tmp_path: Path) -> None:
     out = tmp_path / "release"
     (keep / "00002.jpg").rename(keep / "00002.JPG")
-    terms = ("--name", "<b>Cup}</b>", "--by", "A {B")
+    terms = ("--name", "<b>Cup}</b>", "--creator", "A {B")
     made(cli, keep, out, "--pictures", "--no-check", *terms)
     found = json.loads((out / "croissant.json").read_text())
     kinds = {one["includes"]: one["encodingFormat"] for one in found["distribution"][1:]}
@@ -121,7 +121,7 @@ def test_splits_findings_and_a_second_annotator(cli, keep: Path, tmp_path: Path)
         moved = {k: [{"x": p["x"] + 0.001, "y": p["y"]} for p in v] for k, v in content.items()}
         (second / f"{name}.json").write_text(json.dumps(moved))
     out = tmp_path / "release.zip"
-    done = cli("release", keep, out, "--splits", splits, "--second", second)
+    done = cli("release", keep, out, "--splits", splits, "--second-annotator", second)
     assert done.exit_code == 1
     assert "left out: 00004 and 7 more: is in no split" in done.output
     assert "train: 2 frames" in done.output
@@ -144,7 +144,7 @@ def test_nothing_is_told_of_frames_that_are_in_no_split(cli, keep: Path, tmp_pat
     (keep / "00003.json").write_text(json.dumps(content | {"No such line": [{"x": 0, "y": 0}] * 2}))
     WorkspaceDatabase.open(keep, "ann").close()
     out = tmp_path / "release"
-    cli("release", keep, out, "--splits", splits, "--second", second)
+    cli("release", keep, out, "--splits", splits, "--second-annotator", second)
     assert {row["frame"] for row in rows_of(out / "findings.csv")} <= {"00001"}
     agreed = json.loads((out / "agreement.json").read_text())
     assert [image["name"] for image in agreed["images"]] == ["00001"]
@@ -199,7 +199,7 @@ def test_a_release_of_a_tree_goes_before_another(cli, keep: Path, tmp_path: Path
     first = tmp_path / "first"
     done = cli("release", tree, first, "--splits", splits, "--no-check")
     assert "in a split, but not annotated: 1 frame (g3/00001)" in done.stderr
-    said = made(cli, tree, tmp_path / "then", "--before", first, "--no-check")
+    said = made(cli, tree, tmp_path / "then", "--previous", first, "--no-check")
     assert "0 added, 0 removed, 0 changed" in said
 
 
@@ -248,7 +248,7 @@ def test_changes_against_the_release_before(cli, keep: Path, tmp_path: Path) -> 
     content["Circle central left"] = content.pop(gone)
     (keep / "00002.json").write_text(json.dumps(content))
     shutil.copy(keep / "00003.json", keep / "00005.json")
-    said = made(cli, keep, then, "--version", "1.1", "--before", first, "--no-check")
+    said = made(cli, keep, then, "--version", "1.1", "--previous", first, "--no-check")
     assert "since version 1.0: 1 added, 1 removed, 1 changed" in said
     text = (then / "CHANGELOG.md").read_text()
     assert "1 frame added: 00005" in text
@@ -257,14 +257,14 @@ def test_changes_against_the_release_before(cli, keep: Path, tmp_path: Path) -> 
     assert f"-{gone}" in text
     assert f"{kept} (up to 4.0 px)" in text
     assert text.index("## 1.1") < text.index("## 1.0")
-    same = made(cli, keep, tmp_path / "same", "--version", "1.2", "--before", then, "--no-check")
+    same = made(cli, keep, tmp_path / "same", "--version", "1.2", "--previous", then, "--no-check")
     assert "0 added, 0 removed, 0 changed" in same
 
 
 def test_another_picture_is_a_change(cli, keep: Path, tmp_path: Path) -> None:
     made(cli, keep, tmp_path / "first", "--version", "1.0", "--no-check")
     shutil.copy(keep / "00003.jpg", keep / "00002.jpg")
-    before = ("--before", tmp_path / "first")
+    before = ("--previous", tmp_path / "first")
     said = made(cli, keep, tmp_path / "then", "--version", "1.1", *before, "--no-check")
     assert "0 changed, 1 with another picture" in said
     text = (tmp_path / "then" / "CHANGELOG.md").read_text()
@@ -293,7 +293,7 @@ def test_a_release_before_that_is_none(cli, keep: Path, tmp_path: Path) -> None:
     before = tmp_path / "before"
     before.mkdir()
     (before / "release.json").write_text('{"format": "else"}')
-    done = cli("release", keep, tmp_path / "out", "--before", before, "--no-check")
+    done = cli("release", keep, tmp_path / "out", "--previous", before, "--no-check")
     assert done.exit_code == 2
     assert "is no release" in done.output
     assert not (tmp_path / "out").exists()

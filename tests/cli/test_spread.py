@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 import scipy
 
-FEW = ("--draws", 200, "--seed", 1, "--workers", 1)
+FEW = ("--resamples", 200, "--seed", 1, "--workers", 1)
 
 
 def keep(annotations: Path, frame: str, names: int) -> None:

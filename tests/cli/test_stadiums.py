@@ -21,7 +21,7 @@ from procc_annotator.metrics.setup import EvaluationSetup
 from tests.cli.conftest import PANS, SIZE, camera_file
 
 SIZES = {"old": {"length": 100.0, "width": 64.0}, "new": {"length": 105.0, "width": 68.0}}
-QUIET = ("--draws", 200, "--seed", 1)
+QUIET = ("--resamples", 200, "--seed", 1)
 
 
 def plain(text: str) -> str:
@@ -124,21 +124,21 @@ def test_every_command_goes_by_them(cli, known, tmp_path) -> None:
     assert rules <= {"few points"}  # nothing is off its place
 
 
-def test_a_recipe_holds_them(cli, known, tmp_path) -> None:
-    recipe = tmp_path / "recipe.json"
-    jac(cli, known, tmp_path / "s.json", "--recipe", recipe)
-    assert "the same" in cli("repeat", recipe, "--data", known).stdout
+def test_a_manifest_holds_them(cli, known, tmp_path) -> None:
+    manifest = tmp_path / "manifest.json"
+    jac(cli, known, tmp_path / "s.json", "--manifest", manifest)
+    assert "the same" in cli("repeat", manifest, "--data", known).stdout
     elsewhere = tmp_path / "elsewhere"
     shutil.copytree(known, elsewhere / "match")
-    assert "the same" in cli("repeat", recipe, "--data", elsewhere / "match").stdout
+    assert "the same" in cli("repeat", manifest, "--data", elsewhere / "match").stdout
     path = elsewhere / "match" / "stadiums.csv"
     kept = [line for line in path.read_text().splitlines() if ",old," not in line]
     path.write_text("\n".join(kept))
-    done = cli("repeat", recipe, "--data", elsewhere / "match")
+    done = cli("repeat", manifest, "--data", elsewhere / "match")
     assert done.exit_code == 1
     assert "other content: stadiums.csv" in done.stdout
     assert "other field" in done.stdout
-    assert "other figure" in done.stdout
+    assert "other metric" in done.stdout
 
 
 def test_what_was_kept_of_others_stays(cli, known, tmp_path) -> None:

@@ -242,7 +242,7 @@ def test_output_leaves_the_dataset_as_it_was(cli, match, tmp_path) -> None:
     ("arguments", "words"),
     [
         (["--model", "H"], "a homography tells no place in space"),
-        (["--click-px", "0"], "must be a positive number"),
+        (["--click-sd", "0"], "must be a positive number"),
         (["--surveyed", "Clock"], "expected NAME=X,Y,Z"),
         (["--surveyed", "Clock=1,2"], "is no place: write x, y, z"),
         (["--surveyed", "Clock=1,2,9e9"], "at most 1000"),

@@ -100,14 +100,14 @@ def test_every_command_does_its_work(dataset, sample_data: Path, tmp_path: Path)
     runpy.run_path(str(ROOT / "docs/examples/three_views.py"))["make_dataset"](tmp_path / "views")
     tree, others = sample_data / "cameras" / "true", dataset.annotations
     commands: list[list[object]] = [
-        ["evaluate", root, cameras, "--recipe", tmp_path / "recipe.json"],
-        ["repeat", tmp_path / "recipe.json", "--data", root],
+        ["evaluate", root, cameras, "--manifest", tmp_path / "manifest.json"],
+        ["repeat", tmp_path / "manifest.json", "--data", root],
         ["agree", root, others],
-        ["gold", root, others, "--gold", tmp_path / "gold.csv"],
+        ["agree", others, "--reference", root, "--frames", tmp_path / "gold.csv"],
         ["compare", f"a={cameras}", f"b={cameras}", root],
         ["report", root, "--cameras", cameras, "-o", tmp_path / "r.csv"],
         ["calibrate", root, tmp_path / "fitted", "--model", "P"],
-        ["propose", bare, tmp_path / "proposed", "--known", tree / "camera_00002.json"],
+        ["propose", bare, tmp_path / "proposed", "--known-positions", tree / "camera_00002.json"],
         ["track", one, tmp_path / "tracked", "--cameras", tree],
         ["annotate", one, tmp_path / "annotated", "--cameras", tree],
         ["check", root],

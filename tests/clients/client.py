@@ -69,7 +69,7 @@ def labelme_write(folder: str, out: str) -> dict[str, Any]:
 def pandas(file: str) -> dict[str, Any]:
     import pandas
 
-    table = pandas.read_parquet(file) if file.endswith(".parquet") else pandas.read_csv(file)
+    table = pandas.read_csv(file)
     return {"rows": len(table), "columns": list(table.columns)}
 
 

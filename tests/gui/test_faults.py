@@ -179,7 +179,7 @@ ANNOTATES = """
     QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.UserScope, sys.argv[2])
     from procc_annotator.annotation import Point
     from procc_annotator.gui.app import application, build_window
-    from procc_annotator.session.dataset import edits
+    from procc_annotator.dataset import editing
     application()
     window = build_window(Path(sys.argv[1]))
     window.show()
@@ -187,7 +187,7 @@ ANNOTATES = """
     for step in range(100_000):
         document.go_to(step % 3)
         point = Point((step % 97) / 97, (step % 89) / 89)
-        edited = edits.append_points(document.annotation, "Middle line", [point])
+        edited = editing.append_points(document.annotation, "Middle line", [point])
         document.commit_edit("click", edited)
         while not window.top_bar.saved.text().startswith("saved "):
             application().processEvents()
@@ -281,7 +281,7 @@ FAILS = """
     from procc_annotator.annotation import Point
     from procc_annotator.gui import app as program
     from procc_annotator.gui.worker import run_in_background
-    from procc_annotator.session.dataset import edits
+    from procc_annotator.dataset import editing
 
     def fail_in_slot(): 1 / 0
     def fail_in_thread(): [][1]
@@ -296,7 +296,7 @@ FAILS = """
         print(QGuiApplication.clipboard().text())
         document = window.document
         points = [Point(0.2, 0.2), Point(0.4, 0.4)]
-        edited = edits.append_points(document.annotation, "Middle line", points)
+        edited = editing.append_points(document.annotation, "Middle line", points)
         document.commit_edit("click", edited)
         window.close()
 

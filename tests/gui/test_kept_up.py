@@ -81,8 +81,8 @@ def test_of_two_sources_of_one_colour_the_legend_names_the_one_that_is_drawn(
 def test_who_is_editing_is_another_one_than_before(window: MainWindow, dataset: Path) -> None:
     document, folder = window.document, locks_folder(dataset)
     ann, bob = (
-        FrameLocks(folder, "Ann", session="a" * 32),
-        FrameLocks(folder, "Bob", session="b" * 32),
+        FrameLocks(folder, "Ann"),
+        FrameLocks(folder, "Bob"),
     )
     assert ann.acquire("frame_0") is None
     document.presence.look()

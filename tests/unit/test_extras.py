@@ -13,7 +13,6 @@ import pytest
 from procc_annotator import messages
 from procc_annotator.batch.execution.dask_cluster import DaskCluster
 from procc_annotator.errors import ProccError
-from procc_annotator.report.tables.data_files import parquet_libraries
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 
@@ -45,9 +44,6 @@ def test_the_extras_are_those_of_the_project() -> None:
 
 
 def test_messages_name_it(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(sys.modules, "pyarrow", None)
-    with pytest.raises(ProccError, match=r"procc-annotator\[parquet\]"):
-        parquet_libraries()
     monkeypatch.setitem(sys.modules, "distributed", None)
     with (
         pytest.raises(ProccError, match=r"procc-annotator\[dask\]"),

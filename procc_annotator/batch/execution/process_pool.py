@@ -57,7 +57,6 @@ def run_chunk(key: str, task: Callable[[C], R], chunk: C) -> R:
 
 
 def _close_task(task: Callable[[Any], Any]) -> None:
-    """Let a task close what it opened."""
     close = getattr(task, "close", None)
     if close is not None:
         close()
@@ -204,7 +203,7 @@ def _count_broken(sent: Iterable[_Sent[Any, Any]], alone: bool) -> None:
 
 
 def _is_finished(future: Future[Any]) -> bool:
-    """Whether it has a result (or an error of its own) in spite of the broken pool."""
+    """Return whether it has a result (or an error of its own) in spite of the broken pool."""
     if not future.done() or future.cancelled():
         return False
     return not isinstance(future.exception(), BrokenProcessPool)

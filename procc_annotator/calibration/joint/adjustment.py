@@ -86,7 +86,7 @@ class ReducedFrame:
 
 @dataclass(frozen=True, eq=False)
 class SharedParameterPrior:
-    """Where shared parameters are expected, and between which limits they must stay: all (s,)."""
+    """Prior and limits of shared parameters: all (s,)."""
 
     mean: FloatArray
     inverse_sd: FloatArray
@@ -247,7 +247,6 @@ def _summed_normal_matrix(profiles: Sequence[ReducedFrame]) -> FloatArray:
 
 
 def _pooled_click_sd(profiles: Sequence[ReducedFrame], shared: int) -> float:
-    """As for single frames, but with the residuals of all of them."""
     every = np.concatenate([p.components for p in profiles])
     return estimate_click_sd(every, sum(p.own for p in profiles) + shared)
 
@@ -280,8 +279,8 @@ _FIXED_POSITION_SD_M = 1e-3  # what the position may be off in a fit that is not
 
 @dataclass(frozen=True, eq=False)
 class LensAndRollPrior:
-    """What the lens and the level of a camera are known to be beside its position: means and
-    standard deviations of roll (rad) and kappa."""
+    """Priors of a camera's lens and level beside its position: means and standard deviations of
+    roll (rad) and kappa."""
 
     roll: tuple[float, float]
     kappa: tuple[float, float]
@@ -440,7 +439,7 @@ def _fit_at_position(
 def profile_at_position(
     sighting: FrameObservations, position: FloatArray, field: Field
 ) -> ReducedFrame:
-    """What a frame says of a position, once its camera is the best one for it."""
+    """Return what a frame says of a position, once its camera is the best one for it."""
     found = fit_at_position(sighting, position, field)
     free, vector = FREE_PARAMETERS[sighting.model], found.vector
     residuals = pinhole_residuals(vector[None], sighting.seen, sighting.frame.half_diagonal, free)

@@ -49,7 +49,7 @@ from procc_annotator.field.model import Field
 
 @dataclass(frozen=True, eq=False)
 class GeometryDerivatives:
-    """How the geometry of some elements moves with D dimensions, metres a metre.
+    """Derivatives of some elements' geometry by D dimensions, metres a metre.
 
     Attributes:
         line_ends: (D, 3, 2 L).
@@ -73,7 +73,8 @@ class GeometryDerivatives:
         )
 
     def of_points(self, seen: Observations, feet: ClosestPoints) -> FloatArray:
-        """How the feet of one camera move, each staying at its place on its element: (D, 3, N)."""
+        """Return how the feet of one camera move, each staying at its place on its element: (D, 3,
+        N)."""
         world = feet.world[0]
         pair = np.arange(world.shape[1]) if feet.pair is None else feet.pair[0]
         parts, part = seen.parts, seen.candidates.part[pair]
@@ -168,18 +169,18 @@ class FittedDimension:
 
     @property
     def is_determined(self) -> bool:
-        """Whether the frames say enough to use the value."""
+        """Return whether the frames say enough to use the value."""
         return self.sd_m <= self.max_sd_m
 
     @property
     def is_at_limit(self) -> bool:
-        """Whether it would leave the range of the rules."""
+        """Return whether it would leave the range of the rules."""
         d = self.dimension
         return min(d.value - d.minimum, d.maximum - d.value) < _AT_LIMIT_TOLERANCE_M
 
     @property
     def remark(self) -> str:
-        """What keeps the value from being used as it is; empty if nothing does."""
+        """Return what keeps the value from being used as it is; empty if nothing does."""
         title = self.dimension.title.lower()
         if self.is_at_limit:
             return f"{title} is at the limit of the rules: is it this field?"
@@ -236,7 +237,7 @@ class StadiumFit:
 
     @property
     def remarks(self) -> tuple[str, ...]:
-        """What keeps it from being used as it is, one line each."""
+        """Return what keeps it from being used as it is, one line each."""
         said = (d.remark for d in self.dimensions)
         return tuple(filter(None, [*said, self.relation_violation, self.doubt]))
 
@@ -316,7 +317,6 @@ def fit_dimensions(
 
 
 def _is_informative_fit(fit: FitResult) -> bool:
-    """Whether a frame has a camera that dimensions can be told from."""
     return fit.camera is not None and fit.model in FREE_PARAMETERS
 
 
@@ -387,7 +387,7 @@ def _solve_dimensions(
 
 
 def _informative_frame_counts(shared: SharedSolution, length_m: float) -> list[int]:
-    """How many frames say something of each dimension."""
+    """Return how many frames say something of each dimension."""
     least = 1 / (_MIN_INFORMATION_SHARE * length_m) ** 2
     return [
         sum(bool(p.normal[row, row] > least) for p in shared.profiles)

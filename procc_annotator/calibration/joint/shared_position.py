@@ -326,7 +326,7 @@ def _solve_position(
 
 
 def _weak_position_prior(near: FloatArray, field: Field) -> SharedParameterPrior:
-    """What is expected of a camera's position, once and not for every frame."""
+    """Return what is expected of a camera's position, once and not for every frame."""
     around = camera_placement_prior(field)
     vector = np.zeros(11)
     vector[POSITION_PARAMETERS] = near
@@ -369,8 +369,8 @@ def _build_group(
 
 
 def lens_and_roll_prior(vectors: Iterable[FloatArray]) -> LensAndRollPrior:
-    """What lens and level of a camera usually are, told from its frames' parameters; strong lenses
-    say nothing of one radial coefficient."""
+    """Return what lens and level of a camera usually are, told from its frames' parameters; strong
+    lenses say nothing of one radial coefficient."""
     vectors = list(vectors)
     kappas = [vector[KAPPA] for vector in vectors if not is_wide_angle(vector)]
     roll = _robust_mean_sd(np.array([vector[ROLL] for vector in vectors]), _MIN_ROLL_SD)
@@ -378,7 +378,6 @@ def lens_and_roll_prior(vectors: Iterable[FloatArray]) -> LensAndRollPrior:
 
 
 def _robust_mean_sd(values: FloatArray, least: float) -> tuple[float, float]:
-    """Median and robust standard deviation."""
     middle = float(np.median(values))
     return middle, max(1.4826 * float(np.median(np.abs(values - middle))), least)
 

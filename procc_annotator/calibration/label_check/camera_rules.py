@@ -76,8 +76,8 @@ def suspect_elements(fit: FitResult, frame: ImageFrame) -> tuple[str, ...]:
 
 
 def camera_findings(looked_at: FrameEvidence, known: Sequence[Finding]) -> tuple[Finding, ...]:
-    """What does not fit the camera of the other elements, explained; costs several fits. Nothing
-    where all of it fits."""
+    """Return what does not fit the camera of the other elements, explained; costs several fits.
+    Nothing where all of it fits."""
     fit, frame = looked_at.fit, looked_at.frame
     if len(looked_at.clicked) < MIN_ELEMENTS:
         return ()
@@ -106,7 +106,8 @@ def camera_findings(looked_at: FrameEvidence, known: Sequence[Finding]) -> tuple
 
 
 def _has_too_few_clicks(doubted: SuspectFrame) -> bool:
-    """Whether there is no camera because there are too few clicks: nothing is wrong with those."""
+    """Return whether there is no camera because there are too few clicks: nothing is wrong with
+    those."""
     seen = build_observations(doubted.annotation, doubted.field, doubted.frame)
     return insufficient_reason(seen, needed=MIN_ELEMENTS, planar=False) is not None
 
@@ -324,7 +325,7 @@ def _misplaced_finding(
 
 
 def _displayed_error_px(doubted: SuspectFrame, found: Explanation, name: str) -> float:
-    """How far off an element is in the picture, px of it, however much of that counts."""
+    """Return how far off an element is in the picture, px of it, however much of that counts."""
     polyline = doubted.annotation.get(name)
     assert polyline is not None  # it was found to be off
     distances = distances_to_classes(polyline, [name], doubted.field, doubted.frame, found.vector)
@@ -356,7 +357,8 @@ def _leave_one_out_sentence(
 
 
 def _usual_error_limit(found: Explanation) -> float:
-    """How far off a point may be where the right elements lie as far off as they do, solver px."""
+    """Return how far off a point may be where the right elements lie as far off as they do, solver
+    px."""
     return _USUAL_ERROR_RATIO * found.correct_px
 
 

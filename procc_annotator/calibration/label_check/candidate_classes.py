@@ -40,7 +40,7 @@ _MIN_CURVE_POINTS = 4
 
 @dataclass(frozen=True, slots=True)
 class CandidateClass:
-    """How near the points of one polyline are to one class, solver px."""
+    """Distance of one polyline's points to one class, solver px."""
 
     class_name: str
     max_px: float
@@ -107,7 +107,8 @@ def candidate_classes(
 
 
 def _is_possible_class(element: Element, own: Element | None, count: int) -> bool:
-    """Whether so many points that were clicked as ``own`` may be those of another element."""
+    """Return whether so many points that were clicked as ``own`` may be those of another
+    element."""
     was_spot = own is not None and own.is_spot
     if element.is_spot:
         return was_spot or count == 1

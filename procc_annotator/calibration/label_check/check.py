@@ -81,7 +81,7 @@ def check_labels(
     fit: FitResult,
     go_on: Callable[[], None] = lambda: None,
 ) -> tuple[Finding, ...]:
-    """What may be wrong with a frame's labels, the surest first.
+    """Return what may be wrong with a frame's labels, the surest first.
 
     Costs a few milliseconds where the camera fits; where it does not, several further fits (some
     0.05 s, at most about 0.5 s).
@@ -121,7 +121,7 @@ def add_line_evidence(
     fit: FitResult,
     paint: Mapping[str, LineEvidence],
 ) -> tuple[Finding, ...]:
-    """What is known once the picture was looked at: the surest first.
+    """Return what is known once the picture was looked at: the surest first.
 
     Ends are short only where the picture shows paint beyond them, and what it shows under and
     beside the elements is told.
@@ -143,7 +143,7 @@ def add_line_evidence(
 def check_without_camera(
     annotation: FrameAnnotation, field: Field, *, size: tuple[int, int]
 ) -> tuple[Finding, ...]:
-    """What can be seen without a camera to be wrong with a frame's labels, the surest first.
+    """Return what can be seen without a camera to be wrong with a frame's labels, the surest first.
 
     Args:
         annotation, field, size: as of `check_labels`.
@@ -159,7 +159,7 @@ def check_without_camera(
 
 
 def _apply_rules(looked_at: FrameEvidence, *stages: tuple[LabelRule, ...]) -> list[Finding]:
-    """What rules find; those of one stage know what the stages before found."""
+    """Return what rules find; those of one stage know what the stages before found."""
     found = list(pixel_coordinate_findings(looked_at, ()))
     if found:
         return found  # no other rule has anything to say then
@@ -195,7 +195,7 @@ def _finding_order(finding: Finding) -> tuple[int, int, float]:
 
 @dataclass(frozen=True, slots=True)
 class FittedPosition:
-    """Where the camera of a frame's own fit stands.
+    """Position of the camera of a frame's own fit.
 
     Attributes:
         position_m: metres, world frame.
@@ -211,7 +211,7 @@ class FittedPosition:
 
 
 def fitted_position(fit: FitResult) -> FittedPosition | None:
-    """Where a fit has its camera; None without one, and for a homography."""
+    """Return where a fit has its camera; None without one, and for a homography."""
     if not isinstance(fit.camera, PosedCamera) or fit.of_clicks is None:
         return None
     covariance = fit.of_clicks[POSITION_SLICE, POSITION_SLICE].tolist()
@@ -261,7 +261,8 @@ def find_opposite_frames(
 def opposite_side_finding(
     annotation: FrameAnnotation, field: Field, found: OppositeSideFrame
 ) -> Finding | None:
-    """What to tell of a frame on the other side; None where its labels say which side it is of.
+    """Return what to tell of a frame on the other side; None where its labels say which side it is
+    of.
 
     Args:
         annotation: of the frame.

@@ -229,7 +229,8 @@ def _distinct_neighbours(points: FloatArray) -> FloatArray:
 
 
 def _count_distinct(points: FloatArray) -> int:
-    """How many of (n, 2) points are apart from all before them; of very many as far as it takes."""
+    """Return how many of (n, 2) points are apart from all before them; of very many as far as it
+    takes."""
     if len(points) <= _MAX_POINTS:
         apart = np.hypot(*(points[:, None] - points[None]).transpose(2, 0, 1))
         return int((~np.tril(apart < _SAME_PLACE_PX, -1).any(axis=1)).sum())
@@ -413,7 +414,6 @@ def _boxes_disjoint(one: FloatArray, other: FloatArray) -> bool:
 
 
 def _polylines_overlap(one: FloatArray, other: FloatArray) -> bool:
-    """Whether most of the shorter of two polylines lies on the other."""
     short, long = sorted((one, other), key=_bounding_box)
     return bool(
         (_polyline_distances(_resample(short), long) < _OVERLAP_PX).mean() >= _MIN_OVERLAP_SHARE
@@ -437,7 +437,7 @@ def _polyline_distances(points: FloatArray, polyline: FloatArray) -> FloatArray:
 
 
 def _coincide_on_field(field: Field, one: str, other: str) -> bool:
-    """Whether most of one of two elements lies on the other on the field itself."""
+    """Return whether most of one of two elements lies on the other on the field itself."""
     on = _coincidence_matrix(field.elements)
     i, j = field.index[one], field.index[other]
     return bool(max(on[i, j], on[j, i]) >= _MIN_OVERLAP_SHARE / 2)

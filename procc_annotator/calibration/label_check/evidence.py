@@ -32,7 +32,7 @@ _NEIGHBOUR_LINE_PX, _MAX_SLOPE_PX = 0.8, 2.0
 
 
 class LinePresence(IntEnum):
-    """What is seen at a place: paint under it, paint to its left or right, or none."""
+    """Observation at a place: paint under it, paint to its left or right, or none."""
 
     NONE = 0
     UNDER = 1
@@ -96,7 +96,7 @@ class LineEvidence:
         return float(max(runs, default=0.0))
 
     def ends_at(self, end: int, gap_px: float) -> bool:
-        """Whether paint that can be seen along the element cannot be seen beyond an end.
+        """Return whether paint that can be seen along the element cannot be seen beyond an end.
 
         Args:
             end: 0 or -1.
@@ -158,8 +158,8 @@ def suspect_limit(fit: FitResult, frame: ImageFrame) -> float:
 
 
 def element_error(element: ElementResidual, frame: ImageFrame) -> float:
-    """How far off an element is, solver px: its largest distance, which of a landmark that is not
-    known exactly counts less."""
+    """Return how far off an element is, solver px: its largest distance, which of a landmark that
+    is not known exactly counts less."""
     return element.most_counted_px * frame.scale
 
 
@@ -189,14 +189,15 @@ class AnnotatedElement:
 
     @property
     def title(self) -> TranslatableText:
-        """What people call it."""
+        """Return what people call it."""
         return translatable(self.element.title)
 
 
 def annotated_elements(
     annotation: FrameAnnotation, field: Field, frame: ImageFrame
 ) -> tuple[AnnotatedElement, ...]:
-    """What was clicked of the elements that have a place on the field, in the file's order."""
+    """Return what was clicked of the elements that have a place on the field, in the file's
+    order."""
     found = []
     centre = np.array(frame.centre_px)
     for polyline in annotation.polylines:
@@ -233,7 +234,8 @@ class FrameEvidence:
 
     @cached_property
     def clicked(self) -> tuple[AnnotatedElement, ...]:
-        """What was clicked of the elements that have a place on the field, in the file's order."""
+        """Return what was clicked of the elements that have a place on the field, in the file's
+        order."""
         return annotated_elements(self.annotation, self.field, self.frame)
 
     @cached_property
@@ -244,8 +246,8 @@ class FrameEvidence:
 
     @property
     def is_whole(self) -> bool:
-        """Whether a pinhole explains everything: it is above the ground and sees nothing the wrong
-        way round."""
+        """Return whether a pinhole explains everything: it is above the ground and sees nothing the
+        wrong way round."""
         elements = self.fit.elements
         return isinstance(self.fit.camera, PosedCamera) and len(self.explained) == len(elements)
 
@@ -291,7 +293,7 @@ def line_residuals(points: FloatArray) -> FloatArray:
 
 
 def min_line_residuals(points: FloatArray, frame: ImageFrame) -> float:
-    """How far points lie beside a straight line, seen through the lens that helps them most.
+    """Return how far points lie beside a straight line, seen through the lens that helps them most.
 
     Args:
         points: (n, 2) solver px, origin at the picture's centre; at least 3.

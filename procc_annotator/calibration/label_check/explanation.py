@@ -260,13 +260,12 @@ def _try_swap_with(doubted: SuspectFrame, found: Explanation, name: str) -> Expl
 
 
 def _compatible_labels(found: Explanation, names: Mapping[str, str]) -> dict[str, str]:
-    """The labels found before that do not contradict new ones."""
     new = set(names.values())
     return {a: b for a, b in found.names.items() if a not in names and b not in new}
 
 
 def _fits_relabelled(doubted: SuspectFrame, found: Explanation, names: Mapping[str, str]) -> bool:
-    """Whether everything fits once some mistakes have these classes; others are left out."""
+    """Return whether everything fits once some mistakes have these classes; others are left out."""
     kept = relabelled(doubted.without(found.off_px.keys() - names.keys()), names)
     worst = refit_all_points(kept, doubted.field, doubted.frame, found.vector, doubted.model)
     if max(worst.values(), default=np.inf) > FITS_PX:

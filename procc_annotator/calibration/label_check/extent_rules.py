@@ -106,7 +106,7 @@ def _inside_image(points: FloatArray, frame: ImageFrame) -> FloatArray:
 def _end_by_camera(
     end: FloatArray, inner: FloatArray, points: FloatArray, shown: FloatArray, frame: ImageFrame
 ) -> tuple[FloatArray, str] | None:
-    """Where the camera lets the element end beyond a clicked end, and what is there."""
+    """Return where the camera lets the element end beyond a clicked end, and what is there."""
     along = end - inner
     if np.hypot(*along) < 1e-6:
         return None
@@ -190,7 +190,7 @@ _FOLLOW_LINE_REMEDY = Remedy(RemedyKind.FOLLOW, translatable("put its points alo
 
 
 def line_evidence_findings(looked_at: FrameEvidence, known: Sequence[Finding]) -> Iterator[Finding]:
-    """What the picture says of elements; nothing where nobody looked at it.
+    """Return what the picture says of elements; nothing where nobody looked at it.
 
     Only of paint that is lighter than what lies around it, which is found nearly always; and none
     is missed where as much of what was clicked is not seen as is: at night, in snow, in a picture
@@ -280,8 +280,8 @@ def _missing_px(seen: LineEvidence) -> float:
 
 
 def _line_bend_px(one: AnnotatedElement, seen: LineEvidence) -> float:
-    """How far the paint runs beside the middle of a straight element, px of the picture; 0 where
-    it does not, or nobody can say."""
+    """Return how far the paint runs beside the middle of a straight element, px of the picture; 0
+    where it does not, or nobody can say."""
     if not one.element.is_straight:
         return 0.0
     off, paint = seen.steady, seen.paint

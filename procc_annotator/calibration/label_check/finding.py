@@ -11,7 +11,7 @@ from procc_annotator.translation import translatable
 
 
 class Severity(StrEnum):
-    """How sure a finding is: wrong, probably wrong, worth a look."""
+    """Severity of a finding: wrong, probably wrong, worth a look."""
 
     ERROR = "error"
     WARNING = "warning"
@@ -37,7 +37,7 @@ def severity_from_name(name: str) -> Severity:
 
 
 class Rule(StrEnum):
-    """What was looked for when something was found."""
+    """Rule behind a finding."""
 
     PIXELS = "pixels"  # coordinates that are not normalised
     UNKNOWN_CLASS = "unknown class"  # none of the field's
@@ -58,7 +58,7 @@ class Rule(StrEnum):
 
 
 class RemedyKind(StrEnum):
-    """What a hand would do."""
+    """Remedy by hand."""
 
     RELABEL = "relabel"  # also of many classes at once: a reflected frame
     SWAP = "swap"

@@ -73,7 +73,7 @@ class Contradictions:
 def contradictions(
     clicked: Sequence[AnnotatedElement], field: Field, frame: ImageFrame
 ) -> Contradictions:
-    """What in a picture contradicts the field, whatever the camera and the lens.
+    """Return what in a picture contradicts the field, whatever the camera and the lens.
 
     Args:
         clicked: annotated elements; those off the ground take no part.
@@ -175,7 +175,7 @@ def _hull_points(clicked: AnnotatedElement, points: FloatArray) -> FloatArray:
 
 
 def _line_corner(one: FloatArray, other: FloatArray) -> FloatArray | None:
-    """Where two lines meet, if that is on what was clicked of them or just beyond."""
+    """Return where two lines meet, if that is on what was clicked of them or just beyond."""
     r, s, apart = one[1] - one[0], other[1] - other[0], other[0] - one[0]
     turn = r[0] * s[1] - r[1] * s[0]
     if abs(turn) <= _PARALLEL_SINE * np.hypot(*r) * np.hypot(*s):
@@ -190,8 +190,8 @@ def _line_corner(one: FloatArray, other: FloatArray) -> FloatArray | None:
 
 
 def side_findings(looked_at: FrameEvidence, known: Sequence[Finding]) -> tuple[Finding, ...]:
-    """What lies on the wrong side of others, where no camera explains everything and nothing is
-    surely wrong already; nothing of what another finding would mend."""
+    """Return what lies on the wrong side of others, where no camera explains everything and nothing
+    is surely wrong already; nothing of what another finding would mend."""
     if looked_at.is_whole or error_classes(known):
         return ()
     mended = {name for f in known for r in f.remedies for name, _ in r.renamed}

@@ -158,7 +158,7 @@ class ExpectedLinePoints:
 def expected_line_points(
     vector: FloatArray, painted: MarkingPoints, frame: ImageFrame, spacing_px: float
 ) -> ExpectedLinePoints:
-    """What of the paint a camera has in its picture.
+    """Return what of the paint a camera has in its picture.
 
     Args:
         vector: (11,) of the camera.

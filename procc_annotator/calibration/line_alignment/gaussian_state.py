@@ -79,7 +79,7 @@ class EdgePoints:
 def edge_point_errors(
     vectors: FloatArray, marks: EdgePoints, half_diagonal: float, free: int = PARAMETERS_FREE
 ) -> tuple[FloatArray, FloatArray]:
-    """How far marks are from where cameras show them, across.
+    """Return how far marks are from where cameras show them, across.
 
     Args:
         vectors: (B, 11) cameras.
@@ -127,7 +127,8 @@ class GaussianState:
 
 
 def default_state(vector: FloatArray, field: Field) -> GaussianState:
-    """What is known of any camera around a field that is on the side of another one (11,)."""
+    """Return what is known of any camera around a field that is on the side of another one
+    (11,)."""
     prior = prior_near(vector, camera_placement_prior(field), PARAMETERS_FREE)
     mean = vector.copy()
     mean[:PARAMETERS_FREE] = np.where(
@@ -196,7 +197,7 @@ def update_state(
 
 
 def geman_mcclure_weights(off: FloatArray, scale_px: float = MIN_SCALE_PX) -> FloatArray:
-    """What marks count that are so far off, solver px (Geman and McClure)."""
+    """Return what marks count that are so far off, solver px (Geman and McClure)."""
     return np.asarray((1 / (1 + (off / scale_px) ** 2)) ** 2)
 
 
@@ -207,7 +208,7 @@ _MAX_CORRELATED = 12.0
 
 @dataclass(frozen=True, slots=True)
 class EdgeNoiseModel:
-    """What marks are off by.
+    """Noise model of edge points.
 
     Attributes:
         error_px: standard deviation of one of them, solver px.
@@ -224,7 +225,7 @@ class EdgeNoiseModel:
 
 
 def estimate_edge_noise(solved: StateUpdate, marks: EdgePoints) -> EdgeNoiseModel:
-    """What the marks of a picture are worth, by what remains of them."""
+    """Return what the marks of a picture are worth, by what remains of them."""
     counted = solved.weights > MIN_WEIGHT
     off, run = solved.off[counted], marks.run[counted]
     if not len(off):

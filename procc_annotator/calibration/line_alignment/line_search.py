@@ -29,7 +29,7 @@ _WIDTHS_PX = np.arange(0.25, 2.01, 0.25)
 
 
 def line_centres(cuts: Values, width_px: FloatArray) -> FloatArray:
-    """How far the middles of lines lie from those of their cuts.
+    """Return how far the middles of lines lie from those of their cuts.
 
     Args:
         cuts: (n, 2 * `PROFILE_HALF_SAMPLES` + 1, c) values in c colours, `STEP_PX` apart.
@@ -209,7 +209,7 @@ class _LineProfiles:
     def offsets(
         self, at: FloatArray, contrast: FloatArray, found: NDArray[np.bool_]
     ) -> LineOffsets:
-        """What lies at columns (n,), in the middle of the paint."""
+        """Return what lies at columns (n,), in the middle of the paint."""
         px = (at - self.half) * self.step
         narrow = np.flatnonzero(found & (self.step == _MIN_STEP_PX))
         column = _PROFILE_MARGIN_STEPS + np.rint(at[narrow]).astype(np.intp)

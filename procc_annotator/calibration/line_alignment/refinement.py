@@ -208,7 +208,7 @@ def search_nearby(
 def _consistent_with_neighbours(
     expected: ExpectedLinePoints, px: FloatArray, found: NDArray[np.bool_], painted: MarkingPoints
 ) -> NearbyEdgePoints | None:
-    """What was found so far off (n,), where it goes on as its neighbour does."""
+    """Return what was found so far off (n,), where it goes on as its neighbour does."""
     goes_on = found[1:] & found[:-1] & (np.abs(np.diff(px)) < _NEIGHBOUR_TOLERANCE_PX)
     goes_on &= np.diff(expected.run) == 0
     rows = np.flatnonzero(np.append(goes_on, False) | np.append(False, goes_on))[::_SUBSAMPLING]
@@ -275,7 +275,8 @@ def elements_missed(
 
 
 def _one_sided_offset(off: FloatArray, length: FloatArray) -> float | None:
-    """How far off the paint of one element lies, if a stretch of it does, all to one side."""
+    """Return how far off the paint of one element lies, if a stretch of it does, all to one
+    side."""
     on = length[np.abs(off) < _DISPLACED_PX].sum()
     sides = [np.flatnonzero(side * off >= _DISPLACED_PX) for side in (1, -1)]
     side = max(sides, key=lambda rows: float(length[rows].sum()))
@@ -390,7 +391,7 @@ def alignment_result(
     painted: MarkingPoints,
     frame: ImageFrame,
 ) -> LineAlignment:
-    """What a refinement hands back."""
+    """Return what a refinement hands back."""
     worth = estimate_edge_noise(solved, seen.marks)
     coverage, shares = found_shares(seen, solved.weights, painted)
     fit = fit_from_edge_points(solved, seen.marks, belief, worth, painted, frame)

@@ -42,7 +42,7 @@ T = TypeVar("T")
 
 
 def run_batched(walks: Sequence[SolveSteps[T]]) -> list[T]:
-    """What steps come to that are taken side by side; see `solver.walked`."""
+    """Return what steps come to that are taken side by side; see `solver.walked`."""
     found: dict[int, T] = {}
     answers: dict[int, Solution | None] = dict.fromkeys(range(len(walks)))
     while answers:
@@ -197,7 +197,7 @@ class _BatchProblem(Problem):
         return np.array([of_rows[rows].any() for rows in self.rows])
 
     def apart(self, at: Solution) -> list[Solution]:
-        """What is known of each frame's searches, of all of them being known."""
+        """Return what is known of each frame's searches, of all of them being known."""
         return [
             Solution(
                 at.vectors[rows],

@@ -55,12 +55,12 @@ WIDE_ANGLE_MODELS = ("R2", "F")
 
 
 def is_wide_angle(vectors: FloatArray) -> bool:
-    """Whether parameters, of one camera or several, are those of a strong lens."""
+    """Return whether parameters, of one camera or several, are those of a strong lens."""
     return bool(vectors.shape[-1] > SECOND_KAPPA)
 
 
 def is_fisheye(vectors: FloatArray) -> bool:
-    """Whether they are those of fisheyes."""
+    """Return whether they are those of fisheyes."""
     return is_wide_angle(vectors) and bool(vectors[..., FISHEYE_FLAG].all())
 
 

@@ -197,7 +197,7 @@ def _is_degenerate(points: FloatArray) -> str | None:
 
 
 def implausible_reason(vector: FloatArray, around: CameraPlacementPrior) -> str | None:
-    """What makes a pose implausible, in words; None when nothing does.
+    """Return what makes a pose implausible, in words; None when nothing does.
 
     Args:
         vector: (11,) pinhole parameters.

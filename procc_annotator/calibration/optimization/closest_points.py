@@ -24,15 +24,16 @@ _PADDING_CURVE = np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 0.0]])
 
 
 def is_batchable(seen: Observations) -> bool:
-    """Whether all points lie on lines and curves that end at their ends, and count as they are."""
+    """Return whether all points lie on lines and curves that end at their ends, and count as they
+    are."""
     plain = seen.candidates.of_point is None and seen.parts.all_have_ends and seen.soft is None
     return plain and seen.curve_pairs == seen.points.shape[1]
 
 
 @dataclass(frozen=True, eq=False)
 class BatchedObservations:
-    """What `Observations` tell of one frame, for B cameras of several frames: some cameras of the
-    first one, then some of the next.
+    """The `Observations` of one frame, for B cameras of several frames: some cameras of the first
+    one, then some of the next.
 
     Attributes:
         points: (B, 2, N) solver px: first those on lines, then those on curves, of each frame
@@ -270,9 +271,9 @@ def _closest_on_lines(
 def _visible_lines(
     linear: FloatArray, seen: Observations | BatchedObservations
 ) -> tuple[FloatArray, NDArray[np.bool_] | None]:
-    """What the cameras show of L lines: (8, B, L), u and v of the first end in sight, u and v from
-    there to the second, the depths of both, the share of the line before the first and that in
-    sight; and (B, L) whether nothing is, None where something is of all."""
+    """Return what the cameras show of L lines: (8, B, L), u and v of the first end in sight, u and
+    v from there to the second, the depths of both, the share of the line before the first and that
+    in sight; and (B, L) whether nothing is, None where something is of all."""
     lines = seen.parts.lines
     ends = linear[:, :, :3] @ seen.parts.line_ends
     ends += linear[:, :, 3:]
@@ -419,7 +420,7 @@ _CORNER_PX = 1.0
 
 @dataclass(frozen=True, eq=False)
 class NearestAngles:
-    """Where K curves are nearest to K points.
+    """Closest points of K curves to K points.
 
     Attributes:
         angles: (K,) rad from the middle of the arc; says nothing where the curve is not seen.
@@ -464,7 +465,7 @@ def nearest_angles(
 def _nearest_on_chords(
     curves: FloatArray, angles: FloatArray, points: FloatArray, nearest_m: float
 ) -> NearestAngles:
-    """Where the chords between (K, S) angles of the curves are nearest to the points."""
+    """Return where the chords between (K, S) angles of the curves are nearest to the points."""
     turn = np.stack([np.ones_like(angles), np.cos(angles), np.sin(angles)], axis=1)
     place = curves.transpose(0, 2, 1) @ turn
     seen = place[:, 2] >= nearest_m

@@ -94,7 +94,7 @@ def projected_jacobian(
     free: int,
     points_world: FloatArray,
 ) -> tuple[FloatArray, NDArray[np.bool_]]:
-    """How the places where field points appear change with the free parameters.
+    """Return how the places where field points appear change with the free parameters.
 
     Args:
         vector, basis, half_diagonal: see `projected_covariance`.
@@ -127,7 +127,7 @@ _OPPOSITE_END_EVIDENCE = 3.0
 
 
 def is_opposite_end_possible(found: CameraSolution, field: Field, frame: ImageFrame) -> bool:
-    """Whether the points leave open from which end of the field a camera sees it.
+    """Return whether the points leave open from which end of the field a camera sees it.
 
     Args:
         found: a fit.
@@ -157,7 +157,7 @@ _TINY = 1e-9
 
 @dataclass(frozen=True, eq=False)
 class ElementOffsets:
-    """What residuals say of elements as a whole.
+    """Offsets of whole elements from residuals.
 
     Attributes:
         sd_px: standard deviation of an element's offset, solver px.
@@ -181,7 +181,7 @@ class ElementOffsets:
 def estimate_element_offsets(
     found: CameraSolution, frame: ImageFrame, error_px: float
 ) -> ElementOffsets:
-    """How far the elements of a fit lie beside its model.
+    """Return how far the elements of a fit lie beside its model.
 
     Args:
         found: a fit.

@@ -81,7 +81,6 @@ def _line_crossings(seen: Observations) -> tuple[FloatArray, FloatArray]:
 
 
 def _straight_count(seen: Observations) -> int:
-    """Number of straight elements, which come first, as do their lines."""
     return sum(element.is_straight for element in seen.elements)
 
 

@@ -92,8 +92,8 @@ def try_negative_k1(found: CameraSolution, field: Field, frame: ImageFrame) -> C
 
 
 def is_negative_k1_supported(found: CameraSolution) -> bool:
-    """Whether the points still demand the barrel distortion that a camera was started with, by how
-    surely its coefficient is not 0; true of a camera without."""
+    """Return whether the points still demand the barrel distortion that a camera was started with,
+    by how surely its coefficient is not 0; true of a camera without."""
     if found.vector[KAPPA] >= 0:
         return True
     saved = float(found.vector[KAPPA]) ** 2 / _k1_variance(found) / 2
@@ -106,7 +106,7 @@ def _negative_k1_is_better(barrel: CameraSolution, ordinary: CameraSolution) -> 
 
 
 def _negative_k1_cost(found: CameraSolution) -> float:
-    """What a camera costs by all the points, those of the elements it leaves out too."""
+    """Return what a camera costs by all the points, those of the elements it leaves out too."""
     off = (found.vector[: found.prior.mean.shape[1]] - found.prior.mean[0]) * (
         found.prior.inverse_sd[0]
     )
@@ -115,7 +115,8 @@ def _negative_k1_cost(found: CameraSolution) -> float:
 
 
 def _predicted_gain(found: CameraSolution, frame: ImageFrame) -> float:
-    """What a step of the coefficient below 0 promises to save, squares of the error of a point."""
+    """Return what a step of the coefficient below 0 promises to save, squares of the error of a
+    point."""
     free = found.prior.mean.shape[1]
     seen = found.seen.with_excluded(found.left_out)
     at = pinhole_residuals(found.vector[None], seen, half_diagonal=frame.half_diagonal, free=free)
@@ -182,7 +183,8 @@ def try_cropped(found: CameraSolution, field: Field, frame: ImageFrame) -> Camer
 
 
 def is_cropped(found: CameraSolution) -> bool:
-    """Whether a camera of the model R+ was fitted as one of a picture cut out of a larger one."""
+    """Return whether a camera of the model R+ was fitted as one of a picture cut out of a larger
+    one."""
     return bool(found.prior.inverse_sd[0, PRINCIPAL_X] < 1 / CENTRE_SD)
 
 
@@ -322,8 +324,8 @@ def try_wide_angle(
 
 
 def wide_angle_explains_more(strong: CameraSolution, plain: CameraSolution) -> bool:
-    """Whether a strong lens leaves no more elements out than a camera with one coefficient, and
-    costs clearly less."""
+    """Return whether a strong lens leaves no more elements out than a camera with one coefficient,
+    and costs clearly less."""
     saved = _wide_angle_cost(plain) - _wide_angle_cost(strong)
     better = saved > _WIDE_ANGLE_EVIDENCE * point_error_sd(strong) ** 2
     return bool(better and strong.left_out.sum() <= plain.left_out.sum())
@@ -391,7 +393,7 @@ def _radial_vector_from(vector: FloatArray, half_diagonal: float) -> FloatArray:
 
 
 def _has_bent_lines(seen: Observations) -> bool:
-    """Whether several straight elements are bent."""
+    """Return whether several straight elements are bent."""
     bent = 0
     for row, element in enumerate(seen.elements):
         points = seen.points[:, seen.element_of_point == row]
@@ -407,7 +409,7 @@ def _has_bent_lines(seen: Observations) -> bool:
 
 
 def _wide_angle_cost(found: CameraSolution) -> float:
-    """What a camera costs by all the points, those of the elements it leaves out too."""
+    """Return what a camera costs by all the points, those of the elements it leaves out too."""
     free = found.prior.mean.shape[1]
     off = (found.vector[:free] - found.prior.mean[0]) * found.prior.inverse_sd[0]
     losses = ROBUST_LOSS.cost_and_weight(found.distances)[0]

@@ -38,7 +38,7 @@ _SMOOTH_JOINT_COSINE = math.cos(math.radians(10))
 
 @dataclass(frozen=True, eq=False)
 class Primitives:
-    """What E elements are made of: L lines, C curves and S spots, numbered in this order.
+    """Primitives of E elements: L lines, C curves and S spots, numbered in this order.
 
     Attributes:
         line_ends: (3, 2 L) metres: the first ends of the lines, then their second.
@@ -97,7 +97,7 @@ class Primitives:
 
     @cached_property
     def all_have_ends(self) -> bool:
-        """Whether all parts end at their ends: without smooth chains they do."""
+        """Return whether all parts end at their ends: without smooth chains they do."""
         return bool(self.ends.all())
 
 

@@ -72,8 +72,8 @@ class RadialLensCurve:
         return np.asarray(self.unit * (np.tan(t) if self.fisheye else t))
 
     def growth(self, squares: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """How an undistorted place v grows: g and w so that v appears at g v, and a small step dv
-        of it at g dv + w v (v . dv).
+        """Return how an undistorted place v grows: g and w so that v appears at g v, and a small
+        step dv of it at g dv + w v (v . dv).
 
         Args:
             squares: (B, N) of |v|, solver px squared.

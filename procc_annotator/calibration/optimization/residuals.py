@@ -283,7 +283,7 @@ def whitened(
 def projected_spot_covariance(
     spots: FloatArray, spreads: FloatArray, linear: FloatArray
 ) -> FloatArray:
-    """What uncertain places are off in the picture, to first order.
+    """Return what uncertain places are off in the picture, to first order.
 
     Args:
         spots: (3, K) metres, world frame.

@@ -110,12 +110,13 @@ class CameraSolution:
 
     @property
     def is_consistent(self) -> bool:
-        """Whether the elements it leaves out are those that are too far off."""
+        """Return whether the elements it leaves out are those that are too far off."""
         return bool((outlier_elements(self.seen, self.distances) == self.left_out).all())
 
     @property
     def has_stale_start(self) -> bool:
-        """Whether the points speak so much against it that another camera may explain them."""
+        """Return whether the points speak so much against it that another camera may explain
+        them."""
         off = self.seen.max_per_element(self.distances) > OUTLIER_PX
         means = self.seen.mean_per_element(self.distances)
         return bool(off.mean() >= _STALE_ELEMENT_SHARE or np.median(means) > _STALE_PX)
@@ -350,7 +351,7 @@ def search_homography(seen: Observations, field: Field, frame: ImageFrame) -> Ca
 
 @dataclass(frozen=True, eq=False)
 class _SearchContext:
-    """What a search looks at."""
+    """Inputs of a search."""
 
     seen: Observations
     frame: ImageFrame

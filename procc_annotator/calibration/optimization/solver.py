@@ -23,7 +23,7 @@ _MIN_DAMPING, _MAX_DAMPING = 1e-8, 1e8
 
 @dataclass(frozen=True)
 class RobustLoss:
-    """What a distance costs: half its square at first, less and less beyond ``scale``."""
+    """Robust cost of a distance: half its square at first, less and less beyond ``scale``."""
 
     kind: LossKind
     scale: float  # solver px
@@ -52,7 +52,7 @@ FINAL_LOSS = RobustLoss("huber", 2.0)
 
 @dataclass(frozen=True, eq=False)
 class GaussianPrior:
-    """Where parameters are expected: (B or 1, n) means, and inverse standard deviations."""
+    """Prior of parameters: (B or 1, n) means, and inverse standard deviations."""
 
     mean: FloatArray
     inverse_sd: FloatArray
@@ -60,7 +60,7 @@ class GaussianPrior:
 
 @dataclass(frozen=True, eq=False)
 class Solution:
-    """Where B searches ended, or are.
+    """State or result of B searches.
 
     Attributes:
         vectors: (B, m) parameters.
@@ -82,7 +82,7 @@ class Solution:
 
     @classmethod
     def at(cls, problem: Problem, vectors: FloatArray) -> Solution:
-        """What a problem is at (B, m) parameters."""
+        """Return what a problem is at (B, m) parameters."""
         found = problem.residuals(vectors)
         cost, normal, gradient = problem.summed(found)
         free = gradient.shape[1]
@@ -135,7 +135,7 @@ class Solution:
 
 @dataclass(frozen=True, eq=False)
 class Problem:
-    """What is minimised: the weighted cost of the points' distances plus half the squared prior.
+    """Objective: the weighted cost of the points' distances plus half the squared prior.
 
     Attributes:
         residuals: (B, m) parameters -> residuals, with derivatives by the first n parameters.
@@ -163,7 +163,7 @@ class Problem:
         return int(self.prior.mean.shape[1])
 
     def summed(self, found: Residuals) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """What N residuals of B cameras sum up to.
+        """Return what N residuals of B cameras sum up to.
 
         Returns:
             (B,) cost, (B, n, n) weighted J^T J, (B, n) gradient: of the points alone.
@@ -208,7 +208,7 @@ def normal_equations(
 
 @dataclass(frozen=True, eq=False)
 class SolveRequest:
-    """What is to be minimised, from where, and how far.
+    """A minimisation request: objective, start and limit.
 
     Attributes:
         problem: what to minimise.
@@ -244,7 +244,7 @@ def solve(
 
 
 def run_steps(steps: SolveSteps[T]) -> T:
-    """What steps come to that ask for one descent after another."""
+    """Return what steps come to that ask for one descent after another."""
     try:
         asked = next(steps)
         while True:
@@ -269,7 +269,7 @@ def solve_request(asked: SolveRequest) -> Solution:
 
 @dataclass(eq=False)
 class SolverState:
-    """Where B searches are.
+    """State of B searches.
 
     Attributes:
         at: what is known there.

@@ -116,7 +116,7 @@ def _outward_directions(course: FloatArray) -> FloatArray:
 
 
 def _curve_near(course: FloatArray, place: FloatArray, *, on_ground: bool) -> FloatArray | None:
-    """What of a course lies around a place, every pixel; None: too little."""
+    """Return what of a course lies around a place, every pixel; None: too little."""
     lengths = arc_lengths(course)
     nearest = lengths[np.hypot(*(course - place).T).argmin()]
     reach = _JOINT_WINDOW_PX if on_ground else _BAR_WINDOW_PX
@@ -259,8 +259,8 @@ def find_ghosts(
 def unannotated_stretches(
     annotation: FrameAnnotation, field: Field, fit: FitResult, without: Collection[str] = ()
 ) -> tuple[VisibleStretch, ...]:
-    """What the fitted camera has in sight of elements that have no points yet, neither under their
-    own class nor under another one."""
+    """Return what the fitted camera has in sight of elements that have no points yet, neither under
+    their own class nor under another one."""
     if fit.camera is None:
         return ()
     taken = {p.class_name for p in (*annotation.polylines, *annotation.unconfirmed) if p.points}

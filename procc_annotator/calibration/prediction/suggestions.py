@@ -47,7 +47,7 @@ Float32 = NDArray[np.float32]
 
 @dataclass(frozen=True, eq=False)
 class _ExpectedViews:
-    """Where usual cameras show elements, shares of the picture's width.
+    """Places where usual cameras show elements, shares of the picture's width.
 
     Attributes:
         names: (E,) elements.
@@ -171,7 +171,7 @@ _MIN_GAIN_PX, _MIN_GAIN = 0.1, 0.1  # px of the picture, share
 
 @dataclass(frozen=True, slots=True)
 class AnnotationSuggestion:
-    """What annotating an element would bring.
+    """Gain of annotating an element.
 
     Attributes:
         name: the class.
@@ -188,12 +188,12 @@ class AnnotationSuggestion:
 
     @property
     def gain_px(self) -> float:
-        """How much surer the projection becomes, px."""
+        """Return how much surer the projection becomes, px."""
         return self.sd_before_px - self.sd_after_px
 
     @property
     def is_worthwhile(self) -> bool:
-        """Whether annotating it makes a difference worth a word."""
+        """Return whether annotating it makes a difference worth a word."""
         return self.gain_px >= max(_MIN_GAIN_PX, _MIN_GAIN * self.sd_before_px)
 
 
@@ -250,8 +250,8 @@ def suggest_annotations(
 
 
 class _SimulatedClicks(NamedTuple):
-    """Where an annotator would click an element: (n, 3) metres, and (n, 2) the directions in which
-    each click ties the camera down; how many points they are."""
+    """Places where an annotator would click an element: (n, 3) metres, and (n, 2) the directions in
+    which each click ties the camera down; how many points they are."""
 
     world: FloatArray
     across: FloatArray
@@ -322,7 +322,6 @@ def _evaluation_points(seen: list[VisibleStretch], frame: ImageFrame) -> FloatAr
 
 
 def _rows_every(stretch: VisibleStretch, count: int) -> np.ndarray:
-    """Rows of so many points, evenly along a stretch."""
     lengths = arc_lengths(stretch.points_px)
     rows = np.searchsorted(lengths, np.linspace(0.0, lengths[-1], count))
     return np.unique(np.minimum(rows, len(lengths) - 1))

@@ -58,7 +58,7 @@ def project_error_ellipses(
     camera_covariances: FloatArray | None = None,
     level: float = ELLIPSE_SCALE_95,
 ) -> list[ErrorEllipse | None]:
-    """Where a view shows places, to first order.
+    """Return where a view shows places, to first order.
 
     Args:
         camera: of the view, px.
@@ -102,7 +102,7 @@ _BORDER_TOLERANCE_PX = 0.5  # pixels are unit squares around their centres
 
 @dataclass(frozen=True, eq=False)
 class GroundUncertainty:
-    """How surely a fit knows the ground, over the part of the field that is in sight.
+    """Uncertainty of the ground under a fit, over the part of the field that is in sight.
 
     A standard deviation is that in the worst direction, from the camera's uncertainty alone: what
     a click or a detection is off by comes on top.
@@ -260,13 +260,12 @@ def _project_grid(
 
 
 def _dilate_mask(mask: BoolArray) -> BoolArray:
-    """With the neighbours of what is in it."""
     padded = np.pad(mask, 1)
     rows = padded[:-2] | padded[1:-1] | padded[2:]
     return np.asarray(rows[:, :-2] | rows[:, 1:-1] | rows[:, 2:])
 
 
 def _sample_lengths(samples: FloatArray) -> FloatArray:
-    """What each sample stands for, metres; the first and the last are at the border."""
+    """Return what each sample stands for, metres; the first and the last are at the border."""
     middles = (samples[1:] + samples[:-1]) / 2
     return np.diff(np.concatenate((samples[:1], middles, samples[-1:])))

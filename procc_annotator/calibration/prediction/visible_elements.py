@@ -30,7 +30,7 @@ def expected_line_end(
     size: ImageSize | None,
     reach_px: float,
 ) -> FloatArray | None:
-    """Where the end of a straight element belongs.
+    """Return where the end of a straight element belongs.
 
     Args:
         end: (2,) px, its last point.
@@ -60,7 +60,7 @@ def expected_line_end(
 def _segment_intersection(
     end: FloatArray, along: FloatArray, line: FloatArray
 ) -> FloatArray | None:
-    """Where the ray's line meets the end segment of another polyline that is nearer, px."""
+    """Return where the ray's line meets the end segment of another polyline that is nearer, px."""
     first = np.hypot(*(line[0] - end)) <= np.hypot(*(line[-1] - end))
     begin, other = (line[0], line[1]) if first else (line[-1], line[-2])
     across = other - begin
@@ -75,7 +75,7 @@ def _segment_intersection(
 
 
 def image_edge_point(end: FloatArray, along: FloatArray, size: ImageSize) -> FloatArray | None:
-    """Where the ray from a place in the picture leaves it; None from outside.
+    """Return where the ray from a place in the picture leaves it; None from outside.
 
     Args:
         end: (2,) px.
@@ -90,7 +90,7 @@ def image_edge_point(end: FloatArray, along: FloatArray, size: ImageSize) -> Flo
 
 
 def steps_to_image_edge(place: FloatArray, step: FloatArray, limits: FloatArray) -> float:
-    """How many steps lead from a place to the picture's edge.
+    """Return how many steps lead from a place to the picture's edge.
 
     Args:
         place: (2,) px, inside.

@@ -296,7 +296,7 @@ def _evenly_along(
 def view_distance_px(
     vector: FloatArray, others: FloatArray, lines: FieldLinePoints, half_height: float
 ) -> FloatArray:
-    """How far apart cameras show the lines that one of them has in view.
+    """Return how far apart cameras show the lines that one of them has in view.
 
     Args:
         vector: (11,) the one.

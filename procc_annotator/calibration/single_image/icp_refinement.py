@@ -184,7 +184,7 @@ _DAMPING_FACTOR = 1.02
 
 @dataclass(frozen=True, eq=False)
 class SearchScene:
-    """What a search goes by.
+    """Inputs of a search.
 
     Attributes:
         lines: of the field.
@@ -198,7 +198,8 @@ class SearchScene:
     known: GaussianPrior | None = None
 
     def prior(self, vectors: FloatArray, free: int) -> GaussianPrior:
-        """Where cameras (B, 11) are expected, by the side of the field each one stands on."""
+        """Return where cameras (B, 11) are expected, by the side of the field each one stands
+        on."""
         if self.known is not None:
             return GaussianPrior(self.known.mean[:, :free], self.known.inverse_sd[:, :free])
         return wide_prior(self._sides(vectors), self.lines.around, free)
@@ -277,7 +278,7 @@ def _normal_equations(pulls: Correspondences, scale: float) -> tuple[FloatArray,
 
 @dataclass(frozen=True, eq=False)
 class ChamferAgreement:
-    """How well B cameras and a picture agree.
+    """Agreement of B cameras with a picture.
 
     Attributes:
         coverage: (B,) share of the lines in sight that lie on paint.

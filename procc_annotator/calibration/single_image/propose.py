@@ -77,7 +77,7 @@ _SURE_MIN_ELEMENTS, _ALL_FOUND_SHARE = 4, 0.9
 
 @dataclass(frozen=True, eq=False)
 class ProposalEvidence:
-    """What speaks for and against a camera.
+    """Evidence for and against a camera.
 
     Attributes:
         fit: the camera.
@@ -103,7 +103,7 @@ def rival_camera_reason() -> str:
 
 
 def classify_proposal(seen: ProposalEvidence) -> tuple[ProposalState, str]:
-    """Whether a camera is sure, unsure or none, and why, in a sentence."""
+    """Return whether a camera is sure, unsure or none, and why, in a sentence."""
     shares = translatable(
         "{lines:.0f} % of the lines in sight lie on paint, which explains {paint:.0f} % of the"
         " paint on the ground",
@@ -259,8 +259,8 @@ def better_proposal(free: Proposal, at_known: Proposal, field: Field) -> Proposa
 
 
 def _positions_agree(free: FitResult, vector: FloatArray, at_known: FitResult) -> bool:
-    """Whether the position that a picture alone gives, seen from the side of ``vector``, agrees
-    with the known one within the uncertainty of both."""
+    """Return whether the position that a picture alone gives, seen from the side of ``vector``,
+    agrees with the known one within the uncertainty of both."""
     assert free.vector is not None
     assert free.covariance is not None
     assert at_known.vector is not None
@@ -329,7 +329,7 @@ class _BestCandidate:
         return self.candidate.score
 
     def proposal(self, picture: PixelArray, field: Field, frame: ImageFrame) -> Proposal:
-        """What is proposed."""
+        """Return what is proposed."""
         best, other = self.candidate, self.other
         margin = min(max(1 - self.other_score / max(self.score, 1e-6), 0.0), 1.0)
         refined = best.refined

@@ -107,7 +107,6 @@ class CameraHypotheses:
 
 
 def _top_indices(scores: FloatArray, most: int) -> IntArray:
-    """Where the highest ones are."""
     count = min(most, len(scores))
     return np.argpartition(-scores, count - 1)[:count]
 

@@ -90,7 +90,7 @@ _STORED_EDGE_POINTS = 64
 
 @dataclass(frozen=True, eq=False)
 class FilterStep:
-    """Where a frame's camera is.
+    """Camera of a frame.
 
     Attributes:
         belief: after the frame.
@@ -143,7 +143,7 @@ def predict_state(
     last: FloatArray,
     stand: ProcessNoise = TRIPOD_NOISE,
 ) -> GaussianState:
-    """What is believed of a camera one frame on.
+    """Return what is believed of a camera one frame on.
 
     Args:
         belief: of the frame before.
@@ -169,7 +169,8 @@ def predict_state(
 
 
 def projection_sd_px(belief: GaussianState, seen: FloatArray, frame: ImageFrame) -> float:
-    """How surely places (3, n) metres in sight are known in the picture: that of nine in ten."""
+    """Return how surely places (3, n) metres in sight are known in the picture: that of nine in
+    ten."""
     if not seen.shape[1]:
         return np.inf
     few = seen[:, :: max(1, seen.shape[1] // 60)]
@@ -297,7 +298,7 @@ def _projection_difference(
 
 
 def _percentile_90(values: FloatArray) -> float:
-    """What nine in ten of them are below; infinite without any."""
+    """Return what nine in ten of them are below; infinite without any."""
     return float(np.sort(values)[int(0.9 * (len(values) - 1))]) if len(values) else np.inf
 
 
@@ -340,7 +341,8 @@ def nearest_pinhole_vector(camera: Camera, field: Field, frame: ImageFrame) -> F
 def state_from_camera(
     vector: FloatArray, field: Field, painted: MarkingPoints, frame: ImageFrame
 ) -> GaussianState:
-    """What is believed of a frame whose camera (11,) was given: that it shows lines about right."""
+    """Return what is believed of a frame whose camera (11,) was given: that it shows lines about
+    right."""
     expected = expected_line_points(vector, painted, frame, spacing_px=20.0)
     rows = expected.rows
     across = (expected.px * expected.normal).sum(axis=0)

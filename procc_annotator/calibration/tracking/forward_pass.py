@@ -111,12 +111,12 @@ def track_run(
 
 
 def _is_unconfirmed(last: FilterStep, cut: bool) -> bool:
-    """Whether nothing confirms the last frame before a cut, or before it was lost."""
+    """Return whether nothing confirms the last frame before a cut, or before it was lost."""
     return last.marks is None and (cut or last.turn is None)
 
 
 def _is_unseen_cut(now: DecodedFrame, before: Sequence[float]) -> bool:
-    """Whether a frame differs from the one before it as those before it did not."""
+    """Return whether a frame differs from the one before it as those before it did not."""
     usual = float(np.median(before)) if before else 0.0
     return now.unlike > max(_CUT_DIFFERENCE, _CUT_RATIO * usual)
 

@@ -107,7 +107,7 @@ def _emit_frame(held: deque[_PendingFrame], done: deque[tuple[float, float]]) ->
 def _read_ahead(
     frame: ReadFrame, numbers: Sequence[int], to_follow: bool
 ) -> Iterator[tuple[int, PixelArray, MotionImage, FrameSignature]]:
-    """What a thread has read ahead, in the order asked for."""
+    """Return what a thread has read ahead, in the order asked for."""
     ready: queue.Queue[object] = queue.Queue(maxsize=_READ_AHEAD_FRAMES)
     stopped = threading.Event()
 

@@ -77,7 +77,7 @@ def unexplained_beside(
 
 
 def _are_like(angles: FloatArray, expected: ExpectedLinePoints) -> np.ndarray:
-    """Whether directions (rad) are those of the places (n,), nearly."""
+    """Return whether directions (rad) are those of the places (n,), nearly."""
     turn = angles - np.arctan2(expected.normal[1], expected.normal[0])  # 90 degrees if alike
     return np.asarray(np.abs(np.mod(turn, np.pi) - np.pi / 2) < SAME_DIRECTION_RAD)
 

@@ -47,7 +47,7 @@ _BACKGROUND_DISTANCE_M = 1000.0
 
 @dataclass(frozen=True, eq=False)
 class InterFrameMotion:
-    """How a camera turned and zoomed.
+    """Turn and zoom of a camera.
 
     Attributes:
         step: (4,) change of the parameters `OWN`.
@@ -64,7 +64,7 @@ class InterFrameMotion:
 
 @dataclass(frozen=True, eq=False)
 class MotionImage:
-    """What is looked at of a picture.
+    """Data of a picture.
 
     Attributes:
         grey: (h, `WIDTH`) the picture much reduced.
@@ -79,7 +79,7 @@ EMPTY_MOTION_IMAGE = MotionImage(np.zeros((1, 1), np.uint8), np.zeros((0, 2), np
 
 
 def motion_image(picture: PixelArray) -> MotionImage:
-    """What `estimate_inter_frame_motion` looks at of a picture (H, W, 4) BGRA."""
+    """Return what `estimate_inter_frame_motion` looks at of a picture (H, W, 4) BGRA."""
     height = max(1, round(picture.shape[0] * WORKING_WIDTH_PX / picture.shape[1]))
     small = cv2.resize(picture, (WORKING_WIDTH_PX, height), interpolation=cv2.INTER_AREA)
     grey = np.asarray(cv2.cvtColor(small, cv2.COLOR_BGRA2GRAY), dtype=np.uint8)
@@ -95,7 +95,7 @@ def estimate_inter_frame_motion(
     expected: FloatArray,
     frame: ImageFrame,
 ) -> InterFrameMotion | None:
-    """How the camera moved from one frame to the next.
+    """Return how the camera moved from one frame to the next.
 
     Args:
         before, now: both frames.
@@ -212,7 +212,7 @@ def _project_after_motion(
 
 @dataclass(frozen=True, eq=False)
 class ProcessNoise:
-    """What may change from frame to frame, and how much.
+    """Parameters that may change from frame to frame, and how much.
 
     Attributes:
         own: parameters that each frame has of its own.

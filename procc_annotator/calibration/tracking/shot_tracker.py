@@ -55,8 +55,8 @@ _MIN_COVERAGE = 0.65  # below it a frame is doubtful
 def is_at_known_position(
     fit: FitResult | None, coverages: Sequence[float], places: Sequence[KnownPosition]
 ) -> bool:
-    """Whether what all frames of a shot tell of their camera is a place that is known, and its
-    lines are on their paint.
+    """Return whether what all frames of a shot tell of their camera is a place that is known, and
+    its lines are on their paint.
 
     Args:
         fit: of one of its frames, solved with all the others.
@@ -115,7 +115,7 @@ def _is_recent(number: int, looked: tuple[int, float] | None) -> bool:
 
 
 class _TooManyMissing(Exception):
-    """What is being followed cannot count any more."""
+    """The tracked work is outdated."""
 
 
 def track_shot(
@@ -189,7 +189,7 @@ def _untracked_runs(numbers: range, found: Mapping[int, TrackedFrame]) -> list[r
 
 @dataclass(eq=False)
 class _ShotTracker:
-    """What is being followed, and what has been found."""
+    """State of tracking, with what has been found."""
 
     frame: ReadFrame
     field: Field
@@ -411,14 +411,14 @@ class _ShotTracker:
         return end, None
 
     def _state_from_proposal(self, vector: FloatArray, fit: FitResult) -> GaussianState:
-        """What is believed of a proposed camera (11,): what the paint of its picture told, if its
-        fit says how much that is."""
+        """Return what is believed of a proposed camera (11,): what the paint of its picture told,
+        if its fit says how much that is."""
         if fit.covariance is None:
             return state_from_camera(vector, self.field, self.painted, self.picture)
         return GaussianState(vector, np.asarray(np.linalg.inv(fit.covariance)))
 
     def _position_near(self, number: int) -> tuple[KnownPosition, ...]:
-        """Where the camera of the frame before stood, if it is of the same shot."""
+        """Return where the camera of the frame before stood, if it is of the same shot."""
         before = self.found.get(number - 1)
         if number in self.begins or before is None or before.fit is None:
             return ()
@@ -442,13 +442,13 @@ class _ShotTracker:
 
 
 def _states_of_frames(chain: FrameChain, numbers: Iterable[int]) -> dict[int, GaussianState]:
-    """What is believed of the cameras of those frames that a chain has got to."""
+    """Return what is believed of the cameras of those frames that a chain has got to."""
     places = {number: place for place, number in enumerate(chain.numbers)}
     return {number: chain.steps[places[number]].belief for number in numbers if number in places}
 
 
 def _camera_may_move(still: SmoothedChain, asked: int) -> bool:
-    """Whether one position leaves so much open that a camera that moves has to be tried."""
+    """Return whether one position leaves so much open that a camera that moves has to be tried."""
     found = still.coverages
     return (
         still.beside_px > _MOVING_DISPLACEMENT_PX

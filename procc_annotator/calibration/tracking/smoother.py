@@ -51,7 +51,7 @@ class BandedNormalEquations:
 
 @dataclass(frozen=True, eq=False)
 class BandedSolution:
-    """What solves them.
+    """Their solution.
 
     Attributes:
         own: (K, n, r) of each frame's unknowns, for each right-hand side.
@@ -167,7 +167,7 @@ def smooth_chain(
 
 @dataclass(frozen=True, eq=False)
 class _StatePriors:
-    """What is known of cameras beside what their pictures tell.
+    """Priors of cameras beside their pictures.
 
     Attributes:
         given: place in the chain -> what is believed of that frame's camera by itself.
@@ -261,8 +261,8 @@ def _element_offset_effect(
     frame: ImageFrame,
     stand: ProcessNoise,
 ) -> tuple[float, FloatArray]:
-    """What it does to the cameras that elements lie beside the model, each all along the chain by
-    as much as elements of single frames do: more frames do not average that out.
+    """Return what it does to the cameras that elements lie beside the model, each all along the
+    chain by as much as elements of single frames do: more frames do not average that out.
 
     Returns:
         Solver px by which they do, root mean square, and (K, 8, 8) the covariance of the cameras

@@ -34,7 +34,7 @@ class EdgePointBatch:
 
 
 class ShotEdgePoints:
-    """What smoothing needs of K frames.
+    """Inputs of smoothing for K frames.
 
     Attributes:
         vectors: (K, 11) where following left their cameras.

@@ -116,12 +116,12 @@ def _readable(
 
 
 def backup_path(path: Path) -> Path:
-    """Where the backup copy of a database lies."""
+    """Return where the backup copy of a database lies."""
     return path.with_name(f"{path.name}.backup")
 
 
 def backup_time(path: Path) -> str:
-    """When the backup of a database was made, as local time; empty if there is none."""
+    """Return when the backup of a database was made, as local time; empty if there is none."""
     try:
         made = backup_path(path).stat().st_mtime
     except OSError:
@@ -130,7 +130,7 @@ def backup_time(path: Path) -> str:
 
 
 def is_backup_due(path: Path) -> bool:
-    """Whether a database was changed after its backup was made, or has none."""
+    """Return whether a database was changed after its backup was made, or has none."""
     try:
         return path.stat().st_mtime_ns >= backup_path(path).stat().st_mtime_ns
     except OSError:

@@ -88,7 +88,8 @@ class OpenedDatabase:
 
 
 def lies_outside(path: Path) -> bool:
-    """Whether a database in ``.procc``, its journal or its backup is a link out of the dataset."""
+    """Return whether a database in ``.procc``, its journal or its backup is a link out of the
+    dataset."""
     dataset = os.path.realpath(path.parent.parent)
     return not all(Path(os.path.realpath(f)).is_relative_to(dataset) for f in _files(path))
 
@@ -175,7 +176,7 @@ def open_database(
 
 
 def loss_message(path: Path) -> str:
-    """How a database is lost whose place shows that there was one; empty if it is there.
+    """Return how a database is lost whose place shows that there was one; empty if it is there.
 
     A file without content is one: SQLite writes none, but for an instant when it begins one.
     """
@@ -299,7 +300,7 @@ def data_version(connection: sqlite3.Connection) -> int:
 
 
 def identity_of(path: Path | None) -> Identity | None:
-    """What tells a file from another that takes its place; None when there is none."""
+    """Return what tells a file from another that takes its place; None when there is none."""
     if path is None:
         return None
     try:
@@ -310,7 +311,7 @@ def identity_of(path: Path | None) -> Identity | None:
 
 
 def is_damage(error: Exception) -> bool:
-    """Whether a failure means that the file holds something else than this program wrote."""
+    """Return whether a failure means that the file holds something else than this program wrote."""
     if isinstance(error, (DamagedError, UnicodeDecodeError)):
         return True
     if not isinstance(error, sqlite3.DatabaseError):
@@ -322,7 +323,7 @@ def is_damage(error: Exception) -> bool:
 
 
 def reason_of(error: Exception) -> str:
-    """What a failure says, in one line."""
+    """Return what a failure says, in one line."""
     if isinstance(error, UnicodeDecodeError):
         return "it contradicts itself"
     return " ".join((getattr(error, "strerror", None) or str(error)).split())

@@ -64,7 +64,7 @@ _NO_WAIT_S = 0.1
 
 @dataclass(frozen=True)
 class _ExternalChanges:
-    """What other processes made of the database, valid if nothing was changed here meanwhile."""
+    """State that other processes gave the database, valid if nothing was changed here meanwhile."""
 
     changes: int
     frames: frozenset[str]
@@ -73,7 +73,7 @@ class _ExternalChanges:
 
 
 class WorkspaceDatabase(MetadataCache):
-    """What is known of a dataset's frames: what is kept in memory, origins and versions.
+    """Database of a dataset's frames: what is kept in memory, origins and versions.
 
     Belongs to one thread (any may use `record`, `records`, `read_origins`, `add_version`,
     ``problem`` and `flush`). Frames are known by name, which may hold any characters.
@@ -123,8 +123,8 @@ class WorkspaceDatabase(MetadataCache):
 
     @property
     def shared(self) -> bool:
-        """Whether everybody who opens the dataset reads this: not what lies in the user's data
-        folder, or in memory."""
+        """Return whether everybody who opens the dataset reads this: not what lies in the user's
+        data folder, or in memory."""
         return self.path == database_path(self._dataset)
 
     def origins(self, frame: str) -> dict[PointKey, Origin]:
@@ -237,7 +237,7 @@ class WorkspaceDatabase(MetadataCache):
 
     @property
     def looking(self) -> bool:
-        """Whether a look that `poll` began is to be collected."""
+        """Return whether a look that `poll` began is to be collected."""
         return self._looking is not None
 
     def collect(self) -> frozenset[str]:

@@ -37,7 +37,6 @@ from procc_annotator.dataset.database.schema import SETTING_KEY, DamagedError, W
 from procc_annotator.errors import InputError, SaveError
 from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.formats.file_source import read_file, walk
-from procc_annotator.formats.frame_names import FrameTable
 from procc_annotator.image.headers import PICTURE_SUFFIXES, VIDEO_SUFFIXES
 from procc_annotator.regular_file import open_regular
 from procc_annotator.resources import data_folder
@@ -84,15 +83,15 @@ def _suffix(name: str) -> str:
 
 
 def matches_folder(mark: Fingerprint, folder: Path) -> bool:
-    """Whether at least half of a mark's pictures are there as they were; an empty mark fits every
-    folder."""
+    """Return whether at least half of a mark's pictures are there as they were; an empty mark fits
+    every folder."""
     return 2 * sum(_file_signature(folder / name) == look for name, look in mark.items()) >= len(
         mark
     )
 
 
 def fingerprints_match(mark: Fingerprint, other: Fingerprint) -> bool:
-    """Whether at least half of a mark's pictures are in another mark too."""
+    """Return whether at least half of a mark's pictures are in another mark too."""
     return 2 * sum(other.get(name) == look for name, look in mark.items()) >= len(mark)
 
 
@@ -135,12 +134,12 @@ def folder_of(dataset: Path) -> Path:
 
 
 def database_path(dataset: Path) -> Path:
-    """Where a dataset's database belongs."""
+    """Return where a dataset's database belongs."""
     return folder_of(dataset) / FOLDER / FILE
 
 
 def user_fallback_path(dataset: Path) -> Path | None:
-    """Where it is kept for a dataset that cannot be written: the user's data folder.
+    """Return where it is kept for a dataset that cannot be written: the user's data folder.
 
     Returns:
         None when the user has no home.
@@ -212,24 +211,12 @@ def read_settings(dataset: Path) -> tuple[dict[str, str], str]:
         InputError: there is a workspace, but it cannot be read.
     """
     start = SETTING_KEY
-    meta, notice = _read_only(dataset, "key, value", "meta")
+    meta, notice = _read_meta(dataset)
     found = {k.removeprefix(start): v for k, v in meta.items() if k.startswith(start) and v}
     return found, notice
 
 
-def read_times(dataset: Path) -> FrameTable[float]:
-    """When the last point of each frame came to be, seconds since 1970; nothing is written.
-
-    Args:
-        dataset: its folder (or a picture in it).
-
-    Raises:
-        InputError: there is a workspace, but it cannot be read.
-    """
-    return FrameTable(_read_only(dataset, "frame, max(time) AS time", "origin GROUP BY frame")[0])
-
-
-def _read_only(dataset: Path, columns: str, rest: str) -> tuple[dict[str, Any], str]:
+def _read_meta(dataset: Path) -> tuple[dict[str, Any], str]:
     """Rows of a text and a value, none if there is no workspace; and a notice if they come from the
     backup, or if that is missing too."""
     path = database_path(dataset)
@@ -245,21 +232,21 @@ def _read_only(dataset: Path, columns: str, rest: str) -> tuple[dict[str, Any], 
     try:
         if lost:
             raise DamagedError(lost)
-        return _rows(path, columns, rest), ""
+        return _meta_rows(path), ""
     except FAILURES as error:
         why = reason_of(error)
         if made and is_damage(error):
             with suppress(*FAILURES):
-                found_there = _rows(backup_path(path), columns, rest)
+                found_there = _meta_rows(backup_path(path))
                 return found_there, f"{path}: {why}; its backup of {made} is read"
         raise InputError(path, f"the dataset's workspace cannot be read: {why}") from error
 
 
-def _rows(path: Path, columns: str, rest: str) -> dict[str, Any]:
+def _meta_rows(path: Path) -> dict[str, Any]:
     open_regular(path).close()  # SQLite would wait for a pipe
     connection = sqlite3.connect(f"{path.absolute().as_uri()}?mode=ro", _BUSY_S, uri=True)
     with closing(connection):
-        return dict(read(connection, columns, rest))
+        return dict(read(connection, "key, value", "meta"))
 
 
 def _mark_path(own: Path) -> Path:

@@ -59,7 +59,7 @@ class MetadataCache:
 
     @property
     def notices(self) -> tuple[str, ...]:
-        """What the user should know of the file, one line each; may grow."""
+        """Return what the user should know of the file, one line each; may grow."""
         return self._notices
 
     @property
@@ -68,7 +68,7 @@ class MetadataCache:
         return self._writer.problem
 
     def record(self, frame: str) -> FrameRecord:
-        """What is remembered about a frame."""
+        """Return what is remembered about a frame."""
         return self._known.records.get(frame, _UNTOUCHED)
 
     def records(self) -> Mapping[str, FrameRecord]:
@@ -121,7 +121,6 @@ class MetadataCache:
         self._set_comments(found.frame, changed)
 
     def _set_comments(self, frame: str, remarks: tuple[Comment, ...]) -> None:
-        """Replace a frame's comments, and count them."""
         self._known.comments[frame] = remarks
         self._known.records[frame] = schema.with_comments(self.record(frame), remarks)
 
@@ -186,11 +185,11 @@ class MetadataCache:
         )
 
     def verdicts(self, frame: str) -> Mapping[str, Verdict]:
-        """What was found of a frame, by the camera source's place."""
+        """Return what was found of a frame, by the camera source's place."""
         return MappingProxyType(self._known.verdicts.get(frame, {}))
 
     def all_verdicts(self) -> dict[str, Mapping[str, Verdict]]:
-        """What was found of every frame, by frame and the camera source's place."""
+        """Return what was found of every frame, by frame and the camera source's place."""
         return dict(self._known.verdicts)
 
     def not_visible(self, frame: str) -> frozenset[str]:
@@ -198,7 +197,7 @@ class MetadataCache:
         return frozenset(self.is_marked_not_visible(frame))
 
     def is_marked_not_visible(self, frame: str) -> Mapping[str, NotVisible]:
-        """Who said so, and when, by class."""
+        """Return who said so, and when, by class."""
         return MappingProxyType(self._known.not_visible.get(frame, {}))
 
     def set_not_visible(self, frame: str, class_name: str, hidden: bool) -> None:
@@ -223,7 +222,7 @@ class MetadataCache:
             self._known.drafts[frame] = bytes(data)
 
     def draft(self, frame: str) -> bytes | None:
-        """What was unfinished in a frame."""
+        """Return what was unfinished in a frame."""
         return self._known.drafts.get(frame)
 
     def drafts(self) -> tuple[str, ...]:
@@ -243,7 +242,7 @@ class MetadataCache:
             self._known.meta[key] = frame
 
     def setting(self, key: str) -> str | None:
-        """What the dataset was given under a key; None when nothing is."""
+        """Return what the dataset was given under a key; None when nothing is."""
         return self._known.meta.get(SETTING_KEY + key)
 
     def settings(self) -> dict[str, str]:
@@ -283,12 +282,10 @@ class MetadataCache:
         self._notices += tuple(line for line in notices if line not in self._notices)
 
     def _differences(self, found: Snapshot) -> frozenset[str]:
-        """The frames of which the file says something else."""
         each = (_differences(getattr(self._known, n), getattr(found, n)) for n in _BY_FRAME)
         return frozenset[str]().union(*each)
 
     def _settings_changed(self, found: Snapshot) -> frozenset[str]:
-        """The settings of which the file says something else."""
         keys = _differences(self._known.meta, found.meta)
         return frozenset(k.removeprefix(SETTING_KEY) for k in keys if k.startswith(SETTING_KEY))
 

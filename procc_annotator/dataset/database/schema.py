@@ -244,7 +244,7 @@ class Write:
 
 @dataclass
 class Snapshot:
-    """What is kept in memory; ``meta`` values are text."""
+    """Content of the database in memory; ``meta`` values are text."""
 
     records: dict[str, FrameRecord] = field(default_factory=dict)
     comments: dict[str, tuple[Comment, ...]] = field(default_factory=dict)  # by frame
@@ -342,7 +342,7 @@ def version_of(row: Row) -> Version:
 
 
 def load_version_data(connection: sqlite3.Connection, id_: str) -> Row | None:
-    """What `version_data_of` takes, or None when there is no such version.
+    """Return what `version_data_of` takes, or None when there is no such version.
 
     Raises:
         sqlite3.Error: it cannot be read.

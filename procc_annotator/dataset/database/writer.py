@@ -96,7 +96,7 @@ class DatabaseWriter:
                 self._changed.notify_all()
 
     def pending(self) -> list[Write]:
-        """What is not written yet, oldest first."""
+        """Return what is not written yet, oldest first."""
         with self._changed:
             return list(self._waiting)
 

@@ -44,7 +44,7 @@ class ClickedLandmark:
 
 @dataclass(frozen=True)
 class LocatedLandmark:
-    """What became of a landmark's clicks.
+    """Result for a landmark's clicks.
 
     Attributes:
         clicked: the clicks.
@@ -192,7 +192,7 @@ def why_kept(file: LandmarkFile, name: str, instant: str | None = None) -> str:
 
 
 def title_in(file: LandmarkFile, name: str) -> TranslatableText:
-    """What people call a landmark; its name where the file does not know it."""
+    """Return what people call a landmark; its name where the file does not know it."""
     entries = landmarks_by_name(file.landmarks).get(name)
     return translatable(entries[0].shown_title if entries else name.strip())
 

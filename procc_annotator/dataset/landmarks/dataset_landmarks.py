@@ -129,12 +129,11 @@ def _entries(file: LandmarkFile, name: str) -> list[Landmark]:
 
 
 def _appearance_entry(entries: Sequence[Landmark]) -> Landmark:
-    """The entry that says what a landmark is called and how it looks."""
     return next((mark for mark in entries if mark.instant is None), entries[0])
 
 
 def read_dataset_landmarks(dataset: Path) -> tuple[LandmarkFile, ViewGroups]:
-    """What the files of a dataset say; nothing where there are none.
+    """Return what the files of a dataset say; nothing where there are none.
 
     Args:
         dataset: see `folder_of_dataset`.
@@ -147,7 +146,7 @@ def read_dataset_landmarks(dataset: Path) -> tuple[LandmarkFile, ViewGroups]:
 
 
 def read_landmarks_in(folder: Path) -> tuple[LandmarkFile, ViewGroups]:
-    """What the files in a dataset's folder say; nothing where there are none.
+    """Return what the files in a dataset's folder say; nothing where there are none.
 
     Raises:
         InputError: one of them cannot be used.
@@ -156,7 +155,7 @@ def read_landmarks_in(folder: Path) -> tuple[LandmarkFile, ViewGroups]:
 
 
 def unknown_frames_message(groups: ViewGroups, workspace: Workspace) -> str:
-    """What is to say of rows that name a frame which a dataset has not, in one sentence; empty
+    """Return the remark on rows that name a frame which a dataset has not, in one sentence; empty
     where there are none.
 
     Args:

@@ -53,7 +53,7 @@ class FrameView:
 
 
 class ViewCameras(Protocol):
-    """Where the cameras of clicked frames come from."""
+    """Sources of the cameras of clicked frames."""
 
     def of(self, frame: str) -> FrameView | str:
         """A frame's camera, or why there is none."""
@@ -204,7 +204,7 @@ Progress = Callable[[int, int], None]
 
 @dataclass(frozen=True)
 class DatasetPaths:
-    """Where pictures and annotations of a dataset lie: the pictures tell the shape of frames.
+    """Paths of pictures and annotations of a dataset: the pictures tell the shape of frames.
 
     Attributes:
         dataset: as the user named it.
@@ -219,7 +219,7 @@ class DatasetPaths:
 
 @dataclass(frozen=True)
 class TriangulationSettings:
-    """How landmarks are looked for.
+    """Settings of a search for landmarks.
 
     Attributes:
         known: the landmarks of the dataset; what was surveyed is kept as it is.
@@ -244,7 +244,7 @@ class TriangulationSettings:
 
 @dataclass(frozen=True)
 class FoundInDataset:
-    """What became of the landmarks of a dataset.
+    """Result for the landmarks of a dataset.
 
     Attributes:
         located: in natural order, one an instant for what moves; empty if none is clicked.

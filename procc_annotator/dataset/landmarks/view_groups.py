@@ -27,7 +27,7 @@ _ADVICE = "the file needs a header like: frame,instant,view"
 
 @dataclass(frozen=True, slots=True)
 class ViewAssignment:
-    """When a frame was taken, and by which camera; "" where nobody says."""
+    """Instant and camera of a frame; "" where nobody says."""
 
     instant: str
     view: str = ""
@@ -48,7 +48,7 @@ class ViewGroups:
     lines: Mapping[str, int] = field(default_factory=dict, compare=False)
 
     def instant_of(self, frame: str) -> str | None:
-        """When a frame was taken; None where nobody says."""
+        """Return when a frame was taken; None where nobody says."""
         found = self.frames.get(frame)
         return None if found is None else found.instant
 
@@ -178,7 +178,7 @@ _MOST_VIEWS = 12
 
 @dataclass(frozen=True)
 class NamedViews:
-    """What a pattern makes of the names of frames.
+    """Groups that a pattern makes of the names of frames.
 
     Attributes:
         groups: of the names that fit it.
@@ -330,7 +330,7 @@ def _candidates(names: Sequence[str]) -> Iterator[str]:
 
 
 def _pattern_score(names: Sequence[str], pattern: str) -> tuple[int, int, int] | None:
-    """How well a pattern groups names, larger is better; None where it is none for them."""
+    """Return how well a pattern groups names, larger is better; None where it is none for them."""
     expression = _expression(pattern)
     found = [of for name in names if (of := _view_of(name, expression)) is not None]
     instants = Counter(of.instant for of in found)

@@ -53,7 +53,7 @@ _LISTS = ("images", "annotations", "categories")
 
 
 def sniff(content: Any) -> bool:
-    """Whether decoded JSON is such a file."""
+    """Return whether decoded JSON is such a file."""
     if type(content) is not dict or any(type(content.get(key)) is not list for key in _LISTS):
         return False
     return not any(type(i) is dict and "image_id" in i for i in content["images"][:10])
@@ -92,7 +92,7 @@ def read_many(
 
 @dataclass(frozen=True)
 class _Kind:
-    """What the keypoints of a category are: one line, or places of a template, if it is known.
+    """Meaning of a category's keypoints: one line, or places of a template, if it is known.
 
     Attributes:
         is_new: whether the category is no class, and no map says what it stands for.

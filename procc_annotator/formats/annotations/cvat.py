@@ -51,7 +51,7 @@ _OF_VIDEO = re.compile(r"(.+)_(\d{6,8})")  # as frames of a video are called
 
 
 def sniff(data: bytes) -> bool:
-    """Whether a file's bytes look like it."""
+    """Return whether a file's bytes look like it."""
     return b"<annotations" in data[:4096]
 
 

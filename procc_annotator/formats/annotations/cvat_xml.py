@@ -114,7 +114,7 @@ def whole_number(text: str | None) -> int | str | None:
 
 
 def is_xml_spellable(polyline: Polyline, frame: ExchangedFrame, writing: WriteContext) -> bool:
-    """Whether XML has a way to spell a class; if not, it is noted."""
+    """Return whether XML has a way to spell a class; if not, it is noted."""
     if _UNSPELLABLE.search(polyline.class_name) is None:
         return True
     writing.remarks.add("XML cannot spell the names of some classes: left out", frame.name)
@@ -122,7 +122,7 @@ def is_xml_spellable(polyline: Polyline, frame: ExchangedFrame, writing: WriteCo
 
 
 def kind_of_shape(polyline: Polyline) -> str:
-    """What a polyline is to CVAT."""
+    """Return what a polyline is to CVAT."""
     return "points" if len(polyline.points) == 1 else "polyline"
 
 

@@ -102,7 +102,7 @@ class ExchangedFrame:
 
 
 class Remarks:
-    """What was left out, joined or renamed on the way, and in which frames."""
+    """Labels left out, joined or renamed, and in which frames."""
 
     def __init__(self) -> None:
         self._frames: dict[str, dict[str, None]] = {}
@@ -132,7 +132,7 @@ class Remarks:
 
 @dataclass
 class ReadContext:
-    """What a reader is given, and where it leaves what went wrong.
+    """Input of a reader, and its list of problems.
 
     Attributes:
         field: knows the official names.
@@ -223,12 +223,11 @@ class ReadContext:
 
     @cached_property
     def _there(self) -> FrameTable[str]:
-        """The frames of the pictures around the files."""
         return FrameTable((PICTURE_SUFFIX.sub("", name), name) for name in self.pictures)
 
     def rule_of(self, label: str) -> Rule | Literal[False]:
-        """What a label stands for: its class, or what the map says (False: to be left out); None
-        where nothing is said of it."""
+        """Return what a label stands for: its class, or what the map says (False: to be left out);
+        None where nothing is said of it."""
         if self.names is not None and label.strip() in self.names.rules:
             rule = self.names.rules[label.strip()]
             return False if rule is None else rule
@@ -262,7 +261,7 @@ class ReadContext:
 
 @dataclass
 class WriteContext:
-    """What a writer is given, and where it leaves what went wrong.
+    """Input of a writer, and its list of problems.
 
     Attributes:
         field: names, order and colours of the elements.
@@ -325,7 +324,7 @@ class WriteContext:
         return None
 
     def only_one(self, frame: ExchangedFrame, pictures: Sequence[str]) -> bool:
-        """Whether an existing file has one picture of a frame's name at most.
+        """Return whether an existing file has one picture of a frame's name at most.
 
         With several nobody knows which one is meant: the frame is a problem then.
         """

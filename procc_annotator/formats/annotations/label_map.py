@@ -26,7 +26,7 @@ from procc_annotator.resources import resources_dir
 
 @dataclass(frozen=True)
 class KeypointTemplate:
-    """What the keypoints of a category are.
+    """Meaning of a category's keypoints.
 
     Attributes:
         name: in a file of labels.
@@ -56,14 +56,14 @@ class KeypointTemplate:
                 yield name, found
 
     def is_of(self, field: Field) -> bool:
-        """Whether a field has all its elements."""
+        """Return whether a field has all its elements."""
         return all(field.knows(field.canonical_name(name)) for name in self.elements)
 
     def _joins(self, edge: tuple[int, int]) -> bool:
         return any(edge[0] in some and edge[1] in some for some in self.elements.values())
 
     def matches(self, names: Sequence[Any], skeleton: Sequence[tuple[int, int]]) -> bool:
-        """Whether keypoints of these names, joined so (from 0), are this template's."""
+        """Return whether keypoints of these names, joined so (from 0), are this template's."""
         if len(names) != self.count:
             return False
         return tuple(names) in self.names or (bool(skeleton) and all(map(self._joins, skeleton)))
@@ -83,7 +83,7 @@ def known_templates() -> tuple[KeypointTemplate, ...]:
 
 
 def holds_template(category: Mapping[str, Any]) -> bool:
-    """Whether a category's keypoints are places rather than the points of one line."""
+    """Return whether a category's keypoints are places rather than the points of one line."""
     names = category.get("keypoints")
     if type(names) is not list or len(names) < 2:
         return False
@@ -95,7 +95,8 @@ def holds_template(category: Mapping[str, Any]) -> bool:
 
 
 def has_gaps(points: Sequence[Point | None]) -> bool:
-    """Whether keypoints that are labelled come behind others that are not: no polyline is so."""
+    """Return whether keypoints that are labelled come behind others that are not: no polyline is
+    so."""
     seen = [point is not None for point in points]
     return seen != sorted(seen, reverse=True)
 
@@ -112,7 +113,7 @@ def template_of(category: Mapping[str, Any]) -> KeypointTemplate | None:
 
 
 def _are_numbers(names: Sequence[Any]) -> bool:
-    """Whether keypoints are just counted, from 0 or from 1."""
+    """Return whether keypoints are just counted, from 0 or from 1."""
     return any(
         [str(name).lstrip("0") or "0" for name in names]
         == [str(i) for i in range(first, first + len(names))]
@@ -182,7 +183,7 @@ class LabelMap:
     rules: Mapping[str, Rule]
 
     def classes(self, shapes: Sequence[Shape]) -> tuple[list[str | None], list[str]]:
-        """What the shapes of one picture are.
+        """Return what the shapes of one picture are.
 
         Args:
             shapes: label and normalised points of each, in the order of the file.
@@ -222,7 +223,7 @@ class LabelMap:
         return found, remarks
 
     def unmet(self, labels: Mapping[str, int], unknown: Mapping[str, int]) -> list[str]:
-        """What to say of rules for labels that a set does not have, where one was misspelled.
+        """Return the remark on rules for labels that a set does not have, where one was misspelled.
 
         Args:
             labels: of the set.
@@ -240,7 +241,6 @@ class LabelMap:
 
 
 def _middle(points: Sequence[Point], order: str) -> float:
-    """Where a shape is along the direction of an order, normalised."""
     values = [point.v if order == TOP_DOWN else point.u for point in points]
     return (min(values) + max(values)) / 2 if values else 0.0
 
@@ -401,5 +401,4 @@ def _quoted(text: str) -> str:
 
 
 def _plain(text: str) -> str:
-    """A comment of one line."""
     return "".join(c if c.isprintable() else " " for c in text)

@@ -38,7 +38,7 @@ _KNOWN_KEYS = frozenset({
 
 
 def sniff(content: Any) -> bool:
-    """Whether decoded JSON is a labelme file."""
+    """Return whether decoded JSON is a labelme file."""
     return type(content) is dict and type(content.get("shapes")) is list
 
 

@@ -74,7 +74,7 @@ def write_many(frames: Iterable[ExchangedFrame], writing: WriteContext) -> None:
 
 
 def _drawable(frame: ExchangedFrame, size: Size, writing: WriteContext) -> bool:
-    """Whether a mask of this size is drawn; otherwise the frame is a problem."""
+    """Return whether a mask of this size is drawn; otherwise the frame is a problem."""
     if size[0] * size[1] <= MOST_PX:
         return True
     writing.problems.append(

@@ -326,7 +326,7 @@ def _name_in_file(frame: str) -> str:
 
 @dataclass
 class ReadSet:
-    """What was read.
+    """Content that was read.
 
     Attributes:
         title: of the format.
@@ -424,7 +424,7 @@ class SetReader:
 
     @property
     def losses(self) -> list[str]:
-        """What was left out or changed, one line each."""
+        """Return what was left out or changed, one line each."""
         reading = self.reading
         names = reading.names
         unmet = names.unmet(reading.labels, reading.unknown) if names is not None else ()

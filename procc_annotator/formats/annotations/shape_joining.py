@@ -138,7 +138,7 @@ def join_shapes(pieces: list[Points], size: Size, *, straight: bool) -> Points |
 
 
 def labels_for(polylines: tuple[Polyline, ...], field: Field) -> list[str]:
-    """What shapes are called where a class may have several: ``Line unknown (2)`` is ``Line
+    """Return what shapes are called where a class may have several: ``Line unknown (2)`` is ``Line
     unknown`` again if reading would number it the same way."""
     labels: list[str] = []
     met: dict[str, int] = {}
@@ -207,7 +207,7 @@ def _along_line(pieces: list[Points], size: Size) -> Points | None:
 
 
 def _is_one_line(along: FloatArray, across: FloatArray, *, beside_px: float) -> bool:
-    """Whether points lie on one line, straight or bent a little by a lens; px."""
+    """Return whether points lie on one line, straight or bent a little by a lens; px."""
     length = float(np.ptp(along))
     if length <= beside_px:
         return True

@@ -147,7 +147,7 @@ def annotation_of(content: Any, path: str, field: Field) -> FrameAnnotation:
 
 
 def may_be_points(value: object) -> bool:
-    """Whether the value of an unknown key is taken for the points of a class."""
+    """Return whether the value of an unknown key is taken for the points of a class."""
     return type(value) is list and (
         not value or any(type(item) is dict or type(item) is list for item in value)
     )

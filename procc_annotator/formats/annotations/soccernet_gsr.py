@@ -37,7 +37,7 @@ _OWN_KEYS = frozenset({
 
 
 def sniff(content: Any) -> bool:
-    """Whether decoded JSON is such a file."""
+    """Return whether decoded JSON is such a file."""
     if type(content) is not dict or type(content.get("images")) is not list:
         return False
     entries = content.get("annotations")

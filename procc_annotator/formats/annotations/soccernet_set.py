@@ -65,7 +65,7 @@ WITHOUT_GEOMETRY = frozenset(["Goal unknown", "Line unknown"])
 
 
 def has_soccernet_classes(field: Field) -> bool:
-    """Whether a field's elements are SoccerNet's, but for optional ones."""
+    """Return whether a field's elements are SoccerNet's, but for optional ones."""
     own = [e.name for e in field.elements if not e.optional]
     return bool(own) and all(name in CLASSES for name in own)
 
@@ -141,5 +141,5 @@ def official_frames(
 
 
 def left_out_words(field: Field, class_name: str) -> str:
-    """What is said of an element that is left out."""
+    """Return the remark on an element that is left out."""
     return f"{field.title_of(class_name)} is left out: SoccerNet has no such class"

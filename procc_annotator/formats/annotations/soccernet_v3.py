@@ -41,7 +41,7 @@ _ENTRY_KEYS = frozenset({"imageMetadata", "lines", EXTRA_KEY})
 
 
 def sniff(content: Any) -> bool:
-    """Whether decoded JSON is such a file."""
+    """Return whether decoded JSON is such a file."""
     return (
         type(content) is dict
         and type(content.get("actions")) is dict

@@ -61,8 +61,8 @@ def write_many(frames: Iterable[ExchangedFrame], writing: WriteContext) -> None:
 
 
 def is_pose_label(data: bytes) -> bool:
-    """Whether a text is one of YOLO pose: a class, a box and keypoints in widths and heights, with
-    or without visibility."""
+    """Return whether a text is one of YOLO pose: a class, a box and keypoints in widths and
+    heights, with or without visibility."""
     try:
         lines = [
             [float(word) for word in line.split()] for line in data.decode("ascii").split("\n")

@@ -38,7 +38,7 @@ _MOST_NUMBERS = 1_000_000  # of one array
 
 
 class _DamagedError(Exception):
-    """What is wrong with the file, in words."""
+    """The file is damaged; the message says how."""
 
 
 class _Element(NamedTuple):
@@ -235,13 +235,12 @@ def _next(parts: Iterator[_Element], what: str) -> _Element:
 
 
 def _name_of(parts: Iterator[_Element]) -> str:
-    """The name of a variable whose value is not read."""
     named = [part.data for part in parts if part.kind in (1, 2)]
     return named[0].decode("latin-1") if named else ""
 
 
 def _alone(values: list[Any]) -> Any:
-    """What a cell array or an array of structures is: of one thing that thing."""
+    """Return what a cell array or an array of structures is: of one thing that thing."""
     return values[0] if len(values) == 1 else values
 
 
@@ -271,7 +270,7 @@ _NO_PICKLES = "it holds pickled objects, which are never read: they may run any 
 
 
 def is_array_file(data: bytes) -> bool:
-    """Whether bytes are an ``.npz`` or a MATLAB file, whatever it is called."""
+    """Return whether bytes are an ``.npz`` or a MATLAB file, whatever it is called."""
     return data.startswith((_NPZ_MAGIC, MAGIC, _MAT73))
 
 
@@ -349,7 +348,7 @@ def _npz(data: bytes, path: str) -> dict[str, Any]:
 
 
 def _plain(array: NDArray[Any]) -> Any:
-    """What JSON would have for an array."""
+    """Return what JSON would have for an array."""
     if array.dtype.kind == "U":
         return array.tolist()
     if array.dtype.kind == "S":

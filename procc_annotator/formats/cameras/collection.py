@@ -150,7 +150,7 @@ class CameraCollection:
         return with_plausibility_remark(loaded)
 
     def display(self, frame: str) -> str:
-        """How to name the camera of a frame to a person: its file, and the place in it."""
+        """Return how to name the camera of a frame to a person: its file, and the place in it."""
         file = self.frames[frame]
         shown = self._source.display(file)
         if file in self._records:

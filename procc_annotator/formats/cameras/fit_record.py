@@ -101,7 +101,7 @@ def name_with_mark(name: str, fitted: FitCounts) -> str:
 
 
 def sidecar_content(digest: str) -> bytes:
-    """What a file beside a camera says of the annotation it was fitted to."""
+    """Return what a file beside a camera says of the annotation it was fitted to."""
     return json.dumps({DIGEST: digest}).encode()
 
 
@@ -115,7 +115,7 @@ def folders_of(file: str) -> Iterator[str]:
 
 
 class FitDigests:
-    """What the cameras of a source were fitted to; files beside them are read once."""
+    """Annotations that the cameras of a source were fitted to; files beside them are read once."""
 
     def __init__(self, read: Callable[[str], bytes | None]) -> None:
         """As above.
@@ -202,7 +202,7 @@ class LeftOutElement:
 
 @dataclass(frozen=True, slots=True)
 class LeftOutSettings:
-    """What distances were taken with.
+    """Settings that distances were measured with.
 
     Attributes:
         protocol: ``soccernet`` or ``procc``.
@@ -229,7 +229,7 @@ def camera_hash(data: bytes) -> str:
 
 
 class LeftOutTables:
-    """What such tables say of the cameras beside them; each is read once."""
+    """Content of such tables for the cameras beside them; each is read once."""
 
     def __init__(self, read: Callable[[str], bytes | None]) -> None:
         """As above.
@@ -241,7 +241,7 @@ class LeftOutTables:
         self._tables: dict[str, tuple[Mapping[str, LeftOutResult], str]] = {}
 
     def of(self, file: str, data: bytes) -> tuple[LeftOutResult | None, str]:
-        """What is known of a camera, and a remark on a table that cannot be read.
+        """Return what is known of a camera, and a remark on a table that cannot be read.
 
         Args:
             file: of the camera, in the source. data: its content.
@@ -280,7 +280,7 @@ def _read_table(data: bytes | None) -> tuple[Mapping[str, LeftOutResult], str]:
     except (csv.Error, ValueError, TypeError) as error:
         return {}, (
             f"{LEFT_OUT_FILE}, line {reader.line_num}: {error}; its figures are left out, calibrate"
-            " --held-out writes it anew"
+            " --leave-one-out writes it anew"
         )
     return {
         digest: LeftOutResult(terms[digest], tuple(found.values()))
@@ -294,11 +294,7 @@ def _element(row: Mapping[str, str]) -> LeftOutElement:
 
 
 def _distance(cell: str) -> float | None:
-    """px; None of an empty cell.
-
-    Raises:
-        ValueError: it is no distance.
-    """
+    """px; None of an empty cell."""
     if not cell:
         return None
     value = float(cell)

@@ -28,7 +28,7 @@ _SEEN = np.array([52.5, 34.0]) + _BESIDE_M
 
 @dataclass(frozen=True)
 class WorldConvention:
-    """How a data set's world becomes ours: ``metres = (units - centre) * unit_m``."""
+    """World coordinates of a data set: ``metres = (units - centre) * unit_m``."""
 
     title: str
     unit_m: float
@@ -150,7 +150,7 @@ def camera_from_homography(
 
 
 def _shows_field(camera: HomographyCamera, size: tuple[int, int]) -> bool:
-    """Whether the middle of a picture's lower edge is ground within sight of a field."""
+    """Return whether the middle of a picture's lower edge is ground within sight of a field."""
     ground = camera.ground_from_px(np.array([[(size[0] - 1) / 2, size[1] - 1.0]]))
     with np.errstate(invalid="ignore"):
         return bool((np.abs(ground) < _SEEN).all())

@@ -77,7 +77,7 @@ class JsonValues:
         return key in self.content
 
     def error(self, problem: str, key: str = "", advice: str = _CORRECT) -> CameraError:
-        """What is wrong with a key, or with the object."""
+        """Return what is wrong with a key, or with the object."""
         place = ": ".join(part for part in (self.inside, key) if part)
         return CameraError(self.path, problem, place=place, advice=advice)
 

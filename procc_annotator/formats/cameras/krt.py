@@ -73,7 +73,7 @@ KRT_KEYS = KrtKeys()
 
 
 def is_krt(content: object) -> bool:
-    """Whether a decoded value has the keys of such a camera."""
+    """Return whether a decoded value has the keys of such a camera."""
     return (
         type(content) is dict
         and any(key in content for key in KRT_KEYS.k)
@@ -242,7 +242,7 @@ PROJECTION_KEYS = ("P", "projection_matrix", "projection", "proj", "camera_proje
 
 
 def is_projection(content: object) -> bool:
-    """Whether a decoded value is such a matrix, or an object with one and no K beside it."""
+    """Return whether a decoded value is such a matrix, or an object with one and no K beside it."""
     if type(content) is dict:
         found = [content[key] for key in PROJECTION_KEYS if key in content]
         return "K" not in content and any(_is_3x4(value) or _are_twelve(value) for value in found)
@@ -288,7 +288,7 @@ def camera_of_projection(
 
 
 def _are_twelve(content: object) -> bool:
-    """Whether it is such a matrix row by row in one list."""
+    """Return whether it is such a matrix row by row in one list."""
     return (
         type(content) is list
         and len(content) == 12
@@ -323,12 +323,12 @@ BY_ORDER = "the file names no frames: they are called 0, 1, 2 ... by the order i
 
 
 def is_nested(content: object) -> bool:
-    """Whether a decoded value holds cameras under ``cameras``."""
+    """Return whether a decoded value holds cameras under ``cameras``."""
     return type(content) is dict and any(is_krt(entry) for _, _, entry in _nested(content))
 
 
 def is_stack(content: object) -> bool:
-    """Whether a decoded value is an object of stacked matrices, one a frame."""
+    """Return whether a decoded value is an object of stacked matrices, one a frame."""
     return type(content) is dict and _frames_of_stack(content) is not None
 
 
@@ -407,7 +407,7 @@ def _nested_from(content: object, path: str, inside: str) -> LoadedCamera:
 
 
 def _frames_of_stack(content: dict[str, Any]) -> int | None:
-    """How many frames an object of stacked matrices is of; None for one that is no stack."""
+    """Return how many frames an object of stacked matrices is of; None for one that is no stack."""
     counts = {
         len(value)
         for key, value in content.items()
@@ -430,7 +430,7 @@ def _is_stacked(key: str, value: Any, count: int) -> bool:
 
 
 def _depth(value: Any) -> tuple[int, int]:
-    """How deeply lists nest, and how long the innermost one is."""
+    """Return how deeply lists nest, and how long the innermost one is."""
     depth = length = 0
     while type(value) is list:
         depth, length = depth + 1, len(value)

@@ -146,7 +146,7 @@ class CameraRecords:
         return self.read_record(records[0].content, self.path, records[0].place)
 
     def place(self, frame: str) -> str:
-        """Where in the file a frame's camera stands."""
+        """Return where in the file a frame's camera stands."""
         return self.entries[frame][0].place
 
 

@@ -41,7 +41,8 @@ def read_opencv(data: bytes, *, path: str) -> LoadedCamera:
 
 
 def is_storage(content: object) -> bool:
-    """Whether decoded JSON is a FileStorage's: one of its entries is a matrix as it writes them."""
+    """Return whether decoded JSON is a FileStorage's: one of its entries is a matrix as it writes
+    them."""
     return type(content) is dict and any(
         type(entry) is dict and {"rows", "cols", "data"} <= entry.keys()
         for entry in content.values()
@@ -106,7 +107,6 @@ def write_opencv(camera: PinholeCamera | FisheyeCamera, size: tuple[int, int] | 
 
 
 def _spelled(number: float) -> str:
-    """A number that OpenCV takes for one with a fraction."""
     text = repr(float(number))
     return text if any(c in text for c in ".en") else f"{text}."
 

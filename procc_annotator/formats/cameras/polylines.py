@@ -22,7 +22,7 @@ _FAR = 4.0
 
 
 def looks_like_points(content: object) -> bool:
-    """Whether a decoded value is an object of classes with points, as annotations are."""
+    """Return whether a decoded value is an object of classes with points, as annotations are."""
     return (
         type(content) is dict
         and bool(content)

@@ -279,7 +279,7 @@ def _detected(content: object, path: str) -> JsonFormat:
 
 
 def _unknown(content: object, path: str) -> CameraError:
-    """What is wrong with content of no known format, and the keys of every format."""
+    """Return what is wrong with content of no known format, and the keys of every format."""
     if type(content) is dict and any(key in content for key in _HOMOGRAPHY_KEYS):
         return CameraError(
             path,
@@ -304,7 +304,7 @@ def _is_camera(content: object) -> bool:
 
 
 def _is_lines(data: bytes) -> bool:
-    """Whether a file holds one TVCalib record a line, judged by its first."""
+    """Return whether a file holds one TVCalib record a line, judged by its first."""
     data = strip_bom(data)
     first, _, rest = data.lstrip().partition(b"\n")
     if not rest.strip() or not first.lstrip().startswith(b"{") or b'"image_ids"' not in first:
@@ -378,7 +378,7 @@ def plugin_problems() -> tuple[str, ...]:
 
 
 def format_titles() -> dict[str, str]:
-    """What people read for each name that can be asked for, ``auto`` first."""
+    """Return what people read for each name that can be asked for, ``auto`` first."""
     return {"auto": word("by file type and content"), **{f.name: f.title for f in all_formats()}}
 
 

@@ -80,7 +80,7 @@ def camera_from(
 
 
 def is_soccernet(content: Mapping[str, Any]) -> bool:
-    """Whether an object has keys that only such a camera has."""
+    """Return whether an object has keys that only such a camera has."""
     return not _KEYS.isdisjoint(content)
 
 
@@ -152,7 +152,7 @@ _ASSUMED = (960, 540)
 
 
 def is_tvcalib(content: object) -> bool:
-    """Whether a decoded value is such a record."""
+    """Return whether a decoded value is such a record."""
     return type(content) is dict and _NAME_KEYS[0] in content
 
 
@@ -248,7 +248,7 @@ _RADIAL = "normalizedRadialDistortionCoefficients"
 
 
 def is_broadtrack(content: object) -> bool:
-    """Whether a decoded value is such a file: an object of objects with ``cp``."""
+    """Return whether a decoded value is such a file: an object of objects with ``cp``."""
     return type(content) is dict and any(
         type(entry) is dict and "cp" in entry for entry in content.values()
     )

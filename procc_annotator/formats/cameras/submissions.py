@@ -237,7 +237,7 @@ _LONGEST_NAME = 60
 
 @dataclass(frozen=True)
 class Manifest:
-    """What a submission was made for.
+    """Terms that a submission was made for.
 
     Attributes:
         method: what it is called in tables.
@@ -289,7 +289,7 @@ def encode_polylines(pieces: Mapping[str, tuple[FloatArray, ...]], size: tuple[i
 
 
 def holds_manifest(path: Path) -> bool:
-    """Whether an archive is a submission of polylines."""
+    """Return whether an archive is a submission of polylines."""
     if path.suffix.lower() != ".zip" or not path.is_file():
         return False
     with ZipSource(path) as archive:
@@ -297,7 +297,7 @@ def holds_manifest(path: Path) -> bool:
 
 
 def read_manifest(path: Path) -> Manifest:
-    """What the archive was made for.
+    """Return what the archive was made for.
 
     Raises:
         InputError: the archive cannot be opened, or holds no manifest that can be used.

@@ -63,7 +63,7 @@ class CameraWriter:
 
 @dataclass
 class ConvertedCameras:
-    """What was written.
+    """Files that were written.
 
     Attributes:
         path: the folder or archive.
@@ -255,7 +255,7 @@ def write_cameras(
 
 
 def _place(writer: CameraWriter, frame: str, split: str) -> str:
-    """Where a frame's file goes in the output; those of a tree keep their folders."""
+    """Return where a frame's file goes in the output; those of a tree keep their folders."""
     head, slash, tail = writer.file_name.rpartition("/")
     prefix, suffix = tail.split("{}")
     return f"{head}{slash}".format(split=split) + file_of_frame(frame, suffix, prefix)
@@ -323,7 +323,8 @@ def _called(camera: CameraOrProjections) -> str:
 
 
 def _fit(loaded: LoadedCamera) -> dict[str, Any]:
-    """What a file that has a place for it says of the annotation the camera was fitted to."""
+    """Return what a file that has a place for it says of the annotation the camera was fitted
+    to."""
     if loaded.fitted_on is None:
         return {}
     return {FIT_KEY: loaded.content.get(FIT_KEY, {DIGEST: loaded.fitted_on})}

@@ -26,7 +26,7 @@ _CACHED_ENTRIES = 1 << 22  # entries of all matrices that are kept, two bytes ea
 
 @dataclass(frozen=True)
 class BootstrapSettings:
-    """How chance is asked.
+    """Settings of statistical inference.
 
     Attributes:
         count: how many sets are drawn, or labels exchanged.
@@ -172,7 +172,7 @@ def bootstrap(
 
 
 def resample_counts(clusters: int, draws: BootstrapSettings) -> Iterator[FloatArray]:
-    """How often each cluster is in each set drawn, (b, G), until all sets are drawn."""
+    """Return how often each cluster is in each set drawn, (b, G), until all sets are drawn."""
     if clusters * draws.count > _CACHED_ENTRIES or clusters > np.iinfo(np.uint16).max:
         return _resample_counts(clusters, draws)
     return (counts.astype(np.float64) for counts in _cached_resample_counts(clusters, draws))

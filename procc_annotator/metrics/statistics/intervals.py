@@ -70,7 +70,7 @@ INTERVAL_METHODS: tuple[IntervalMethodName, ...] = get_args(IntervalMethodName)
 
 @dataclass(frozen=True, slots=True)
 class Interval:
-    """Where a figure lies, chance considered.
+    """Confidence interval of a figure.
 
     Attributes:
         low, high: in the unit of the figure.
@@ -84,7 +84,7 @@ class Interval:
     method: IntervalMethodName
 
     def excludes(self, value: float) -> bool:
-        """Whether a value lies outside."""
+        """Return whether a value lies outside."""
         return not self.low <= value <= self.high
 
 
@@ -126,13 +126,13 @@ def confidence_intervals(
 
 
 def critical_value(effective: float, level: float) -> float:
-    """How many deviations an interval reaches to either side: Student's quantile for as many
+    """Return how many deviations an interval reaches to either side: Student's quantile for as many
     clusters as there effectively are, less one."""
     return student_t_ppf((1 + level) / 2, max(1.0, round(effective - 1, 6)))
 
 
 def bca_acceleration(without: FloatArray) -> float:
-    """How fast a figure's deviation changes with it (Efron 1987).
+    """Return how fast a figure's deviation changes with it (Efron 1987).
 
     Args:
         without: (G,) the figure without each cluster.

@@ -52,7 +52,7 @@ class PairedDifference:
 
     @property
     def beyond_chance(self) -> bool:
-        """Whether interval and corrected test agree that the two differ."""
+        """Return whether interval and corrected test agree that the two differ."""
         return (
             self.interval is not None
             and self.corrected is not None
@@ -101,8 +101,8 @@ def paired_differences(
 
 
 def min_clusters_for_significance(level: float) -> int:
-    """How many it takes before any exchange of the sources is as rare as a difference must be: one
-    and its opposite always differ as much."""
+    """Return how many it takes before any exchange of the sources is as rare as a difference must
+    be: one and its opposite always differ as much."""
     return math.floor(1 - math.log2(1 - level)) + 1
 
 
@@ -299,47 +299,3 @@ def minimum_detectable_difference(
 def _detection_multiplier(clusters: float, level: float, power: float) -> float:
     freedom = max(1.0, round(clusters - 1, 6))
     return critical_value(clusters, level) + student_t_ppf(power, freedom)
-
-
-_MIN_VALUES = 4  # of fewer values no order is rare
-
-
-@dataclass(frozen=True, slots=True)
-class Trend:
-    """A trend.
-
-    Attributes:
-        slope: the median of the slopes between every two values, in their unit, from one to the
-            next (Sen, Journal of the American Statistical Association 1968).
-        p: the share of random orders in which values rise or fall as steadily: Kendall's count of
-            pairs that rise less those that fall, permuted.
-    """
-
-    slope: float
-    p: float
-
-
-def trend_test(values: FloatArray, draws: BootstrapSettings) -> Trend | None:
-    """The trend of (n,) values in their order; None of fewer than four."""
-    count = len(values)
-    if count < _MIN_VALUES:
-        return None
-    first, second = np.triu_indices(count, 1)
-    slope = float(np.median((values[second] - values[first]) / (second - first)))
-
-    def rises(order: FloatArray) -> FloatArray:
-        return np.asarray(np.sign(order[..., second] - order[..., first]).sum(axis=-1))
-
-    least = abs(float(rises(values)))
-    rng = np.random.default_rng(draws.seed)
-    reached = sum(
-        int((np.abs(rises(rng.permuted(np.tile(values, (rows, 1)), axis=1))) >= least).sum())
-        for rows in _rows(draws.count, len(first))
-    )
-    return Trend(slope, (1 + reached) / (1 + draws.count))
-
-
-def _rows(count: int, pairs: int) -> list[int]:
-    """So many at once that a matrix of all pairs stays small."""
-    most = max(1, (1 << 20) // pairs)
-    return [min(most, count - begin) for begin in range(0, count, most)]

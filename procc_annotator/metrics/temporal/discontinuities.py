@@ -102,7 +102,6 @@ def find_discontinuities(
 
 
 def _true_runs(marked: BoolArray) -> list[tuple[int, int]]:
-    """First and last of each run of marked places."""
     edges = np.flatnonzero(np.diff(np.concatenate(([False], marked, [False]))))
     return [(int(a), int(b) - 1) for a, b in zip(edges[::2], edges[1::2], strict=True)]
 
@@ -126,8 +125,8 @@ class _ShotProjections:
     limit_px: float
 
     def off_px(self, before: int, after: int) -> float:
-        """How far frame ``after`` lies from where the steps around lead from ``before``, px, as the
-        error of one frame; infinite where nobody can tell."""
+        """Return how far frame ``after`` lies from where the steps around lead from ``before``, px,
+        as the error of one frame; infinite where nobody can tell."""
         steps = [(before - 1, before), (after, after + 1)]
         around = [s for s in steps if s[0] >= 0 and s[1] < len(self.cameras) and self._follow(*s)]
         a, b = self._shown(before), self._shown(after)
@@ -225,7 +224,7 @@ class FrameOffset:
 
     @property
     def is_sure(self) -> bool:
-        """Whether no other shift could be the right one: never where nothing moves."""
+        """Return whether no other shift could be the right one: never where nothing moves."""
         least = max(_MIN_MARGIN_PX, _MIN_MARGIN_SE * self.margin_se_px)
         return self.frames >= MIN_FRAMES and self.margin_px > least
 

@@ -171,10 +171,6 @@ def _rms_or_nan(off: FloatArray) -> float:
     return float(np.sqrt(known.mean())) if len(known) >= _MIN_POINTS else math.nan
 
 
-_MIN_FRAMES = 5  # frames that say anything of a relation
-_MIN_TRAVEL_M, _MIN_ZOOM = 0.01, 1e-3  # below them nothing is traded
-
-
 @dataclass(frozen=True, eq=False)
 class ShotPoses:
     """Of the n frames of a shot; NaN where there is no pose.
@@ -208,33 +204,6 @@ class PoseJitter:
     position_m: float | None
 
 
-@dataclass(frozen=True)
-class PositionDrift:
-    """How far the position moves about over a shot, metres from its median.
-
-    Attributes:
-        rms_m: root mean square.
-        largest_m: of the frame that is farthest away.
-    """
-
-    rms_m: float
-    largest_m: float
-
-
-@dataclass(frozen=True)
-class FocalDistanceAmbiguity:
-    """Position against focal length: an error in one is made up for by the other.
-
-    Attributes:
-        correlation: of the way back along the axis and the logarithm of the focal length, -1 to 1;
-            near 1 the camera backs off as it zooms in, and the picture hardly changes.
-        metres_a_percent: how far it backs off for each percent of focal length.
-    """
-
-    correlation: float
-    metres_per_percent: float
-
-
 def shot_poses(cameras: Sequence[CameraOrProjections | None], size: tuple[int, int]) -> ShotPoses:
     """The poses of a shot's cameras.
 
@@ -258,7 +227,7 @@ def shot_poses(cameras: Sequence[CameraOrProjections | None], size: tuple[int, i
 
 
 def pose_jitter(poses: ShotPoses, numbers: Sequence[int], left_out: BoolArray) -> PoseJitter:
-    """How unsteadily pan, tilt, roll, zoom and position go over a shot.
+    """Return how unsteadily pan, tilt, roll, zoom and position go over a shot.
 
     Args:
         poses: of its frames.
@@ -276,40 +245,6 @@ def pose_jitter(poses: ShotPoses, numbers: Sequence[int], left_out: BoolArray) -
         of(poses.log_focal),
         of(poses.position_world),
     )
-
-
-def position_drift(poses: ShotPoses) -> PositionDrift | None:
-    """How far the position moves about; None where no frame has one."""
-    known = poses.position_world[np.isfinite(poses.position_world).all(axis=1)]
-    if not len(known):
-        return None
-    off = np.linalg.norm(known - np.median(known, axis=0), axis=1)
-    return PositionDrift(float(np.sqrt(np.mean(off**2))), float(off.max()))
-
-
-def offsets_along_axis(poses: ShotPoses) -> FloatArray:
-    """(n,) metres that each camera stands behind the shot's median position, along its axis."""
-    pan, tilt = np.deg2rad(poses.pan_deg), np.deg2rad(poses.tilt_deg)
-    axis = np.stack((np.sin(pan) * np.sin(tilt), -np.cos(pan) * np.sin(tilt), np.cos(tilt)), axis=1)
-    known = np.isfinite(poses.position_world).all(axis=1)
-    if not known.any():
-        return np.full(len(pan), np.nan)
-    off = poses.position_world - np.median(poses.position_world[known], axis=0)
-    return np.asarray(-(off * axis).sum(axis=1), dtype=np.float64)
-
-
-def focal_distance_ambiguity(poses: ShotPoses) -> FocalDistanceAmbiguity | None:
-    """How position and focal length make up for each other; None where one of them stays."""
-    back, zoom = offsets_along_axis(poses), poses.log_focal
-    known = np.isfinite(back) & np.isfinite(zoom)
-    if known.sum() < _MIN_FRAMES:
-        return None
-    back, zoom = back[known] - back[known].mean(), zoom[known] - zoom[known].mean()
-    way, zoomed = float(back.std()), float(zoom.std())
-    if way < _MIN_TRAVEL_M or zoomed < _MIN_ZOOM:
-        return None
-    together = float((back * zoom).mean())
-    return FocalDistanceAmbiguity(together / (way * zoomed), together / zoomed**2 / 100)
 
 
 def without_bare_projections(cameras: Sequence[CameraOrProjections | None]) -> list[Camera | None]:

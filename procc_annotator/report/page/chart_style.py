@@ -169,7 +169,7 @@ _MARKERS = ("o", "s", "^", "D", "v", "P")
 
 @dataclass(frozen=True, slots=True)
 class MethodStyle:
-    """How a source is drawn, whichever chart: never by colour alone."""
+    """Look of a source in all charts: never by colour alone."""
 
     name: str
     colour: str
@@ -270,7 +270,7 @@ def legend_above(figure: Figure, charted: Sequence[ChartedMethod]) -> None:
 
 
 def line_style(look: MethodStyle) -> dict[str, Any]:
-    """How matplotlib is to draw the source's lines."""
+    """Return how matplotlib is to draw the source's lines."""
     return {"color": look.colour, "ls": look.dash, "lw": 1.4, "label": chart_label(look.name)}
 
 

@@ -339,8 +339,8 @@ _SIDES = (
 
 
 def _reaches(one: ChartedMethod) -> Floats:
-    """How far the bar of each sector reaches, shares of the radius; the first one is to the right,
-    the others follow anticlockwise."""
+    """Return how far the bar of each sector reaches, shares of the radius; the first one is to the
+    right, the others follow anticlockwise."""
     residuals = one.points.residuals_px
     # The picture's y points down, that of a rose up.
     angles = np.arctan2(-residuals[:, 1], residuals[:, 0]) % (2 * math.pi)

@@ -115,7 +115,7 @@ _HEAD = 2000
 
 @dataclass(frozen=True, slots=True)
 class Heading:
-    """What stands at the head of a report.
+    """Head of a report.
 
     Attributes:
         title: of the report.
@@ -155,7 +155,7 @@ class Page:
 
 
 def is_foreign_file(path: Path) -> bool:
-    """Whether there is a file, and no report wrote it."""
+    """Return whether there is a file, and no report wrote it."""
     try:
         return f'"{_GENERATOR}"'.encode() not in read_head(path, _HEAD)
     except FileNotFoundError:

@@ -24,7 +24,7 @@ _MOST_SENTENCES = 8
 
 @dataclass(frozen=True, slots=True)
 class Painters:
-    """Who paints: pictures become JPEG, which suits photographs, plain ground PNG."""
+    """Painters of pictures: photographs become JPEG, which suits photographs, plain ground PNG."""
 
     photograph: Paint
     plain: Paint

@@ -39,7 +39,7 @@ Progress = Callable[[Iterable[ComparedFrame], int, str], Iterator[ComparedFrame]
 
 @dataclass(frozen=True, slots=True)
 class PairPainters:
-    """Who paints: with a photograph as JPEG, on plain ground as PNG."""
+    """Painters of pictures: with a photograph as JPEG, on plain ground as PNG."""
 
     photograph: PaintPair
     plain: PaintPair

@@ -35,7 +35,7 @@ from procc_annotator.report.page.report_tables import (
     report_json,
     terms,
 )
-from procc_annotator.report.tables.latex import COLUMN_PT, latex_tables
+from procc_annotator.report.tables.latex import latex_tables
 from procc_annotator.report.tables.table import MetricTable
 from procc_annotator.report.temporal import (
     TemporalMetrics,
@@ -52,15 +52,14 @@ _LIBRARIES = ("numpy", "opencv-python-headless", "matplotlib", "PySide6-Essentia
 
 @dataclass(frozen=True, slots=True)
 class ReportRequest:
-    """What a report is to hold.
+    """Request for a report.
 
     Attributes:
         title, date: at its head.
         worst: frames a source to draw; lot: frames to draw by lot, with ``seed``.
         disagreement: pairs of sources; pictures: how many of each.
         reference: the source that the metrics of earlier papers take as true; empty for none.
-        latex_width_pt: that tables in LaTeX may have.
-        recipe: name of the file that holds what all figures were made from; empty for none.
+        manifest: name of the run manifest; empty for none.
     """
 
     title: str
@@ -71,13 +70,12 @@ class ReportRequest:
     disagreement: tuple[tuple[str, str], ...] = ()
     pictures: int = 3
     reference: str = ""
-    recipe: str = ""
-    latex_width_pt: float = COLUMN_PT
+    manifest: str = ""
 
 
 @dataclass(frozen=True)
 class ReportPainters:
-    """Who paints what, and in which colours.
+    """Painters and colours of a report.
 
     Attributes:
         overlays: paint one frame under one source.
@@ -92,7 +90,7 @@ class ReportPainters:
 
 @dataclass(frozen=True)
 class ReportInputs:
-    """What figures and pictures are made from.
+    """Inputs of figures and pictures.
 
     Attributes:
         annotations: the source of annotation files.
@@ -183,12 +181,12 @@ def write_report(
         contents["json"] = report_json(report, every_pair, material.over_time)
     if "tex" in kinds:
         remarks = [request.title, request.date, terms(report), f"procc-annotator {__version__}"]
-        remarks += [f"recipe: {request.recipe}"] if request.recipe else []
+        remarks += [f"manifest: {request.manifest}"] if request.manifest else []
         fits = fits_table(report)
         first = [comparison_table(report), *([fits] if fits else []), *report.told.sheets]
-        contents["tex"] = latex_tables(
-            [*first, *steady, *tables], remarks, request.latex_width_pt
-        ).encode("utf-8", "backslashreplace")
+        contents["tex"] = latex_tables([*first, *steady, *tables], remarks).encode(
+            "utf-8", "backslashreplace"
+        )
     if "html" in kinds and drawing is not None:
         page = _page(report, material, request, drawing, pairs, tables, work, problems)
         if material.over_time:
@@ -202,7 +200,6 @@ def write_report(
 
 
 def _marked(pairs: Sequence[ReportedPair], report: AuditReport) -> list[ReportedPair]:
-    """The same, their sources called as they stand in the other tables."""
     names = {source.name: source.marked_name for source in report.sources}
     return [replace(p, a=names.get(p.a, p.a), b=names.get(p.b, p.b)) for p in pairs]
 

@@ -74,7 +74,7 @@ class FrameMetrics:
 
 @dataclass(frozen=True, slots=True)
 class ReportedFrame:
-    """What a report keeps of one annotated frame under one source.
+    """Report entry of one annotated frame under one source.
 
     Attributes:
         name: the frame.
@@ -196,7 +196,7 @@ class AuditReport:
 
     @cached_property
     def certainty(self) -> Inference:
-        """How surely the figures of the sources that have any are known."""
+        """Return how surely the figures of the sources that have any are known."""
         return self.chance.certainty(
             self.dataset,
             [
@@ -214,7 +214,7 @@ class AuditReport:
 
     @cached_property
     def told(self) -> StatisticalResult:
-        """What chance leaves of their figures."""
+        """Return what chance leaves of their figures."""
         return statistical_result(
             self.certainty,
             [source.summaries for source in self.evaluated],
@@ -248,7 +248,7 @@ def _no_progress(
 
 @dataclass(frozen=True, slots=True)
 class ReportWork:
-    """How the frames are evaluated: who shares the work (None: nobody), who watches, and how points
+    """Means of evaluating frames: who shares the work (None: nobody), who watches, and how points
     are moved where it is asked what clicks leave open."""
 
     executor: Executor | None = None
@@ -293,7 +293,7 @@ def gather_report(
 def reported_frame(
     evaluated: Evaluated, thresholds: tuple[float, ...], noise: ClickNoise | None = None
 ) -> ReportedFrame:
-    """What a report keeps of a frame, made where the frame was scored."""
+    """Return what a report keeps of a frame, made where the frame was scored."""
     result = evaluated.result
     audit = None
     if evaluated.camera is not None and evaluated.measurement is not None:

@@ -146,7 +146,7 @@ def fits_table(report: AuditReport) -> MetricTable | None:
 
 
 def frames_table(report: AuditReport) -> MetricTable:
-    """How many frames each source was evaluated on."""
+    """Return how many frames each source was evaluated on."""
     columns = (
         SOURCE,
         Column("folder", "Folder"),
@@ -204,7 +204,7 @@ def _class_medians(source: ReportedSource) -> dict[int, float]:
 
 
 def errors_table(report: AuditReport) -> MetricTable:
-    """How the distances of points are spread, and whether they lean to one side."""
+    """Return how the distances of points are spread, and whether they lean to one side."""
     columns = (
         SOURCE,
         *map(defined_count_column, (ERROR_POINTS, UNDEFINED)),

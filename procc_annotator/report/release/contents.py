@@ -25,7 +25,7 @@ PROVENANCE_FORMAT = "procc-annotator provenance 1"
 
 @dataclass(frozen=True)
 class FrameProvenance:
-    """What is known of how a frame's clicks came to be.
+    """Origins of a frame's clicks.
 
     Attributes:
         origins: of its points.
@@ -135,7 +135,7 @@ ONE_SPLIT = "all"
 
 @dataclass(frozen=True)
 class ReleaseDescription:
-    """What its keeper says of a dataset.
+    """Statements of a dataset's maintainer.
 
     Attributes:
         name: of the dataset; title: for people.
@@ -187,7 +187,7 @@ class ReleasedFrame:
 
     @property
     def elements(self) -> int:
-        """How many are annotated."""
+        """Return how many are annotated."""
         return sum(bool(line.points) for line in self.annotation.polylines)
 
     @property

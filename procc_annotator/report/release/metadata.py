@@ -5,174 +5,30 @@ from __future__ import annotations
 import json
 import math
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from functools import cache
+from typing import TYPE_CHECKING, Any
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.dataset.layout import STADIUMS_FILE
 from procc_annotator.errors import printable
 from procc_annotator.messages import pluralize
 from procc_annotator.report.release.contents import (
-    AGREEMENT_FILE,
     ANNOTATIONS,
-    CHANGES_FILE,
-    CROISSANT_FILE,
-    FIELD_COPY,
-    FINDINGS_FILE,
     INDEX_FILE,
     PICTURES,
-    PROVENANCE_FILE,
-    SPLITS,
     Release,
+    ReleaseDescription,
 )
-from procc_annotator.report.run_manifest import CITATION
 from procc_annotator.report.tables.data_files import json_bytes
+from procc_annotator.resources import resources_dir
 from procc_annotator.version import __version__
 
-_SIZES = ((1_000, "n<1K"), (10_000, "1K<n<10K"), (100_000, "10K<n<100K"), (10**6, "100K<n<1M"))
-_HUB_LICENCE = re.compile(r"[a-z0-9][a-z0-9.\-]*")
-
-
-def markdown_bytes(text: str) -> bytes:
-    """Markdown as a file; names and texts in it stay text: no HTML, nothing a terminal obeys."""
-    return printable(text, keep="\n").replace("<", "&lt;").encode()
-
-
-def dataset_card(release: Release) -> bytes:
-    """The whole README."""
-    terms = release.terms
-    parts = [
-        f"# {_one_line(terms.title)}",
-        terms.description.strip(),
-        _facts(release),
-        "## Splits",
-        _table(("split", "frames"), ((_cell(s), len(f)) for s, f in release.splits.items())),
-        "## Elements",
-        _table(("element", "frames"), ((_cell(e), n) for e, n in release.elements.most_common())),
-        "## Files",
-        _files(release),
-        "## How good the labels are",
-        _quality(release),
-        "## Changes",
-        f"See `{CHANGES_FILE}`.",
-        "## Citation",
-        "\n\n".join(
-            f"```bibtex\n{text.strip()}\n```"
-            for text in (terms.citation, *CITATION.values())
-            if text.strip()
-        ),
-        f"Made by ProCC Annotator {__version__}.",
-    ]
-    text = "\n\n".join(part for part in parts if part) + "\n"
-    return f"{_header(release)}\n\n".encode() + markdown_bytes(text)
-
-
-def _header(release: Release) -> str:
-    terms, count = release.terms, len(release.frames)
-    hub = terms.licence.lower()
-    licence = hub if _HUB_LICENCE.fullmatch(hub) and hub else "other"
-    size = next((name for most, name in _SIZES if count < most), "n>1M")
-    lines = [
-        "---",
-        f"pretty_name: {_quoted(terms.title)}",
-        f"license: {licence}",
-        *([f"license_name: {_quoted(terms.licence)}"] if licence == "other" else []),
-        "task_categories:",
-        "- keypoint-detection",
-        "tags:",
-        *(f"- {tag}" for tag in ("camera-calibration", "sports", "sports-field-registration")),
-        f"- {_quoted(release.field.name)}",
-        "size_categories:",
-        f"- {size}",
-        "configs:",
-        "- config_name: default",
-        f"  data_files: {INDEX_FILE}",
-        "---",
-    ]
-    return "\n".join(lines)
-
-
-def _facts(release: Release) -> str:
-    terms = release.terms
-    points = sum(frame.points for frame in release.frames)
-    sizes = ", ".join(f"{size} ({n})" for size, n in release.picture_sizes.most_common())
-    rows = [
-        ("version", terms.version),
-        ("date", terms.date),
-        ("licence", terms.licence or "not said"),
-        ("by", ", ".join(terms.creators)),
-        ("found at", terms.url),
-        ("frames", str(len(release.frames))),
-        ("elements, points", f"{sum(release.elements.values())}, {points}"),
-        ("field", f"{release.field.described} (SHA-256 `{release.fingerprint}`)"),
-        ("picture sizes", sizes or "no picture at hand when this was made"),
-    ]
-    return _table(("", ""), ((name, _cell(value)) for name, value in rows if value))
-
-
-def _files(release: Release) -> str:
-    passed_on = (
-        f"`{PICTURES}/`: the pictures"
-        if release.with_pictures
-        else "The pictures are not passed on. Who has them can tell by the SHA-256 in"
-        f" `{INDEX_FILE}` that they are the same"
-    )
-    there = {name for name, _ in release.files}
-    lines = [
-        f"- `{ANNOTATIONS}/FRAME.json`: class -> points, each a share of the picture's width and"
-        " height: pixel = share x (size - 1)",
-        f"- `{SPLITS}/NAME.txt`: the frames of a split, one a line",
-        f"- `{INDEX_FILE}`: a row a frame, with the SHA-256 of annotation and picture",
-        f"- {passed_on}",
-        f"- `{CROISSANT_FILE}`: this dataset as Croissant metadata",
-    ]
-    more = {
-        PROVENANCE_FILE: "how every point came to be",
-        AGREEMENT_FILE: "how near two annotators are, frame by frame",
-        FINDINGS_FILE: "findings of the label check that are still open",
-        FIELD_COPY: "the field that is annotated",
-        STADIUMS_FILE: "the stadium of each frame, and the dimensions of its field in metres",
-    }
-    lines += [f"- `{name}`: {what}" for name, what in more.items() if name in there]
-    return "\n".join(lines)
-
-
-def _quality(release: Release) -> str:
-    lines = []
-    if release.findings is not None:
-        found = ", ".join(pluralize(n, severity) for severity, n in release.findings.items() if n)
-        lines.append(f"- Label check, still open: {found or 'nothing'}.")
-    if release.agreement:
-        lines.append(f"- Two annotators: {release.agreement}")
-    if release.provenance:
-        total = sum(release.provenance.values())
-        origins = ", ".join(
-            f"{_cell(name)} {100 * n / total:.0f} %" for name, n in release.provenance.items()
-        )
-        lines.append(f"- How the {total} points came to be: {origins}.")
-    return "\n".join(lines) or "Nobody looked: no label check, no second annotator, no provenance."
-
-
-def _table(header: tuple[str, str], rows: Iterable[tuple[object, object]]) -> str:
-    lines = [f"| {header[0]} | {header[1]} |", "|---|---|"]
-    return "\n".join([*lines, *(f"| {a} | {b} |" for a, b in rows)])
-
-
-def _one_line(text: str) -> str:
-    return " ".join(text.split())
-
-
-def _quoted(text: str) -> str:
-    return json.dumps(_one_line(text)).replace("<", "\\u003c")
-
-
-def _cell(text: str) -> str:
-    return _one_line(text).replace("\\", "\\\\").replace("|", "\\|")
+if TYPE_CHECKING:
+    from jinja2 import Environment
 
 
 _WIDTH_PX, _HEIGHT_PX = 959, 539  # that moves are told in
-_LISTED = 200
 
 
 @dataclass(frozen=True)
@@ -215,13 +71,13 @@ class Changes:
 
     @property
     def any(self) -> bool:
-        """Whether anything did."""
+        """Return whether anything did."""
         frames = (self.added, self.removed, self.changed, self.moved_splits, self.pictures)
         return self.other_field or any(frames)
 
 
 def changed_frame(name: str, before: FrameAnnotation, now: FrameAnnotation) -> ChangedFrame | None:
-    """How a frame's elements differ; None where no point does."""
+    """Return how a frame's elements differ; None where no point does."""
     was, is_ = _points(before), _points(now)
     moved = tuple(
         (element, _farthest(was[element], is_[element]))
@@ -231,45 +87,6 @@ def changed_frame(name: str, before: FrameAnnotation, now: FrameAnnotation) -> C
     added = tuple(element for element in is_ if element not in was)
     removed = tuple(element for element in was if element not in is_)
     return ChangedFrame(name, added, removed, moved) if added or removed or moved else None
-
-
-def changelog(version: str, date: str, changes: Changes | None, earlier: str = "") -> str:
-    """Markdown, the newest release first.
-
-    Args:
-        changes: against the release before; None for a first one.
-        earlier: the changelog of the release before, without its heading.
-    """
-    lines = ["# Changelog", "", f"## {version} ({date})", ""]
-    if changes is None:
-        lines += ["The first release.", ""]
-    elif not changes.any:
-        lines += [f"No frame and no element differs from {changes.before}.", ""]
-    else:
-        lines += [f"Against {changes.before}:", "", *_lines(changes), ""]
-    return "\n".join(lines) + (f"\n{earlier.strip()}\n" if earlier.strip() else "")
-
-
-def _lines(changes: Changes) -> Sequence[str]:
-    found = ["- **the field is another one**: scores do not compare"] if changes.other_field else []
-    for what, names in (
-        ("added", changes.added),
-        ("removed", changes.removed),
-        ("in another split", changes.moved_splits),
-        ("with another picture", changes.pictures),
-    ):
-        if names:
-            found.append(f"- {pluralize(len(names), 'frame')} {what}: {_listed(names)}")
-    if changes.changed:
-        found.append(f"- elements of {pluralize(len(changes.changed), 'frame')} changed:")
-        found += [f"  - {one.name}: {one.in_words}" for one in changes.changed[:_LISTED]]
-        if (more := len(changes.changed) - _LISTED) > 0:
-            found.append(f"  - and {more} more frames")
-    return found
-
-
-def _listed(names: Sequence[str]) -> str:
-    return ", ".join(names[:_LISTED]) + (", ..." if len(names) > _LISTED else "")
 
 
 def _points(annotation: FrameAnnotation) -> Mapping[str, tuple[tuple[float, float], ...]]:
@@ -285,6 +102,81 @@ def _farthest(before: Sequence[tuple[float, float]], now: Sequence[tuple[float, 
         min(math.hypot((u - a) * _WIDTH_PX, (v - b) * _HEIGHT_PX) for a, b in before)
         for u, v in now
     )
+
+
+_HUB_LICENCE = re.compile(r"[a-z0-9][a-z0-9.\-]*")
+_LISTED = 200
+
+
+def dataset_card(release: Release) -> bytes:
+    """Return the README."""
+    terms = release.terms
+    points = sum(frame.points for frame in release.frames)
+    sizes = ", ".join(f"{size} ({n})" for size, n in release.picture_sizes.most_common())
+    facts = (
+        ("version", terms.version),
+        ("date", terms.date),
+        ("licence", terms.licence or "not said"),
+        ("by", ", ".join(terms.creators)),
+        ("found at", terms.url),
+        ("frames", str(len(release.frames))),
+        ("elements, points", f"{sum(release.elements.values())}, {points}"),
+        ("field", f"{release.field.described} (SHA-256 `{release.fingerprint}`)"),
+        ("picture sizes", sizes or "no picture at hand when this was made"),
+    )
+    hub = terms.licence.lower()
+    found = (release.findings or {}).items()
+    return _rendered(
+        "README.md", release=release, terms=terms, facts=facts, version=__version__,
+        hub_licence=hub if _HUB_LICENCE.fullmatch(hub) else "",
+        files={name for name, _ in release.files},
+        findings=", ".join(pluralize(n, severity) for severity, n in found if n),
+    )  # fmt: skip
+
+
+def changelog(terms: ReleaseDescription, changes: Changes | None, earlier: str = "") -> bytes:
+    """Return the changelog, the newest release first.
+
+    Args:
+        changes: since the release before; None for a first one.
+        earlier: the changelog of the release before, without its heading.
+    """
+    return _rendered("CHANGELOG.md", terms=terms, changes=changes, earlier=earlier, most=_LISTED)
+
+
+def _rendered(name: str, **values: Any) -> bytes:
+    return _environment().get_template(name).render(values).encode()
+
+
+@cache
+def _environment() -> Environment:
+    from jinja2 import Environment, FileSystemLoader, StrictUndefined
+
+    environment = Environment(
+        loader=FileSystemLoader(resources_dir() / "release"),
+        autoescape=False,  # Markdown, see finalize
+        undefined=StrictUndefined,
+        finalize=_plain,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+    )
+    environment.filters["one_line"] = _one_line
+    environment.filters["quoted"] = lambda text: json.dumps(_one_line(text)).replace("<", "\\u003c")
+    environment.filters["cell"] = lambda text: (
+        _one_line(text).replace("\\", "\\\\").replace("|", "\\|")
+    )
+    environment.filters["frames"] = lambda number: pluralize(number, "frame")
+    return environment
+
+
+def _plain(value: Any) -> Any:
+    """Keep names and texts text: no HTML, nothing that a terminal obeys."""
+    return printable(value, keep="\n").replace("<", "&lt;") if type(value) is str else value
+
+
+def _one_line(text: str) -> str:
+    return " ".join(text.split())
 
 
 CONFORMS_TO = "http://mlcommons.org/croissant/1.0"
@@ -354,7 +246,7 @@ def _maintainer_entries(release: Release) -> Mapping[str, Any]:
     found: dict[str, Any] = {
         "url": terms.url,
         "license": terms.licence,
-        "citeAs": terms.citation.strip() or _citation(release),
+        "citeAs": terms.citation.strip() or _citation(terms),
         "creator": [{"@type": "sc:Person", "name": name} for name in terms.creators],
     }
     return {key: value for key, value in found.items() if value}
@@ -414,16 +306,13 @@ def _frames(release: Release) -> dict[str, Any]:
     }
 
 
-def _citation(release: Release) -> str:
-    terms = release.terms
+def _citation(terms: ReleaseDescription) -> str:
     title, by = (re.sub("[{}]", "", text) for text in (terms.title, " and ".join(terms.creators)))
-    lines = [
-        f"  title = {{{title}}}",
-        *([f"  author = {{{by}}}"] if by else []),
-        f"  year = {{{terms.date[:4]}}}",
-        f"  version = {{{terms.version}}}",
-    ]
-    return f"@misc{{{_plain_name(terms.name)},\n" + ",\n".join(lines) + "\n}"
+    author = f"  author = {{{by}}},\n" if by else ""
+    return (
+        f"@misc{{{_plain_name(terms.name)},\n  title = {{{title}}},\n{author}"
+        f"  year = {{{terms.date[:4]}}},\n  version = {{{terms.version}}}\n}}"
+    )
 
 
 def _plain_name(name: str) -> str:

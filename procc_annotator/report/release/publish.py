@@ -49,7 +49,6 @@ from procc_annotator.report.release.metadata import (
     changelog,
     croissant_bytes,
     dataset_card,
-    markdown_bytes,
 )
 from procc_annotator.report.tables.data_files import csv_bytes, json_bytes
 from procc_annotator.version import __version__
@@ -111,7 +110,7 @@ def gather_frames(
 
 
 def origins_of(provenance: bytes) -> dict[str, int]:
-    """How many points came to be in which way, the most frequent first.
+    """Return how many points came to be in which way, the most frequent first.
 
     Args:
         provenance: as `report.release.contents` writes it.
@@ -146,7 +145,6 @@ def write_release(
         InputError: the release before, or a picture, cannot be read.
         SaveError: writing failed; an archive is then not there.
     """
-    terms = release.terms
     changes = None if before is None else changes_since(before, release)
     earlier = "" if before is None else _earlier_changes(before)
     index = csv_bytes(index_table(release.frames))
@@ -164,8 +162,7 @@ def write_release(
             target.write(name, data)
         target.write(INDEX_FILE, index)
         target.write(CROISSANT_FILE, croissant_bytes(release, index, _sha256(index)))
-        text = changelog(terms.version, terms.date, changes, earlier)
-        target.write(CHANGES_FILE, markdown_bytes(text))
+        target.write(CHANGES_FILE, changelog(release.terms, changes, earlier))
         target.write(RELEASE_FILE, _release_bytes(release))
         target.write(CARD_FILE, dataset_card(release))
     _remove(out, set(older) - _own_files(release))
@@ -173,7 +170,7 @@ def write_release(
 
 
 def _own_files(release: Release) -> set[str]:
-    """What a release has, but for the files that every release has."""
+    """Return what a release has, but for the files that every release has."""
     pictures = [f.picture.file for f in release.frames if f.picture and release.with_pictures]
     return {
         *(f"{ANNOTATIONS}/{frame.name}.json" for frame in release.frames),
@@ -184,11 +181,7 @@ def _own_files(release: Release) -> set[str]:
 
 
 def _files_of_release(folder: Path) -> set[str]:
-    """The same of a release that was written to a folder; nothing where there is none.
-
-    Raises:
-        InputError: it cannot be read.
-    """
+    """The same of a release that was written to a folder; nothing where there is none."""
     if not (folder / RELEASE_FILE).exists():
         return set()
     frames = _read_release(folder).frames
@@ -212,7 +205,7 @@ def _remove(folder: Path, names: Iterable[str]) -> None:
 
 
 def changes_since(before: Path, release: Release) -> Changes:
-    """What changed since a release.
+    """Return what changed since a release.
 
     Raises:
         InputError: it is no release, or cannot be read.
@@ -243,7 +236,7 @@ def changes_since(before: Path, release: Release) -> Changes:
 
 
 def _is_another(then: _Entry, picture: ReleasedPicture | None) -> bool:
-    """Whether a frame has another picture than before; not where either has none."""
+    """Return whether a frame has another picture than before; not where either has none."""
     known = picture is not None and then.picture_sha256 is not None
     return known and picture is not None and then.picture_sha256 != picture.sha256
 
@@ -257,7 +250,7 @@ class _Entry:
 
 @dataclass(frozen=True)
 class _Known:
-    """What `RELEASE_FILE` holds."""
+    """Content of `RELEASE_FILE`."""
 
     format: str
     name: str

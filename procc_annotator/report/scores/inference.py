@@ -29,7 +29,7 @@ from procc_annotator.report.tables.table import MetricTable
 
 @dataclass(frozen=True)
 class InferenceSettings:
-    """What is asked of chance.
+    """Settings of statistical inference.
 
     Attributes:
         cluster: a tag, ``shot`` or ``none``; None for shots where there are any.
@@ -84,8 +84,8 @@ class EvaluatedMethod(Protocol):
 
 @dataclass(frozen=True)
 class StatisticalResult:
-    """What chance leaves of the sources of one set at one size; curves, and differences in parts of
-    it, are for files alone and take long."""
+    """Statistical results for the sources of one set at one size; curves, and differences in parts
+    of it, are for files alone and take long."""
 
     set_name: str
     described: str
@@ -119,7 +119,7 @@ def statistical_result(
     of_set: tuple[str, Field],
     described: str,
 ) -> StatisticalResult:
-    """What chance leaves of some sources.
+    """Return what chance leaves of some sources.
 
     Args:
         certainty: of the sources. summaries: the figures of each, by threshold.

@@ -156,7 +156,7 @@ def differences_table(certainty: Inference, described: str) -> MetricTable:
 
 
 def verdict(found: PairedDifference) -> str:
-    """What can be said of a difference, in two words."""
+    """Return what can be said of a difference, in two words."""
     if found.interval is None:
         return "cannot tell"
     return "beyond chance" if found.beyond_chance else "undecided"
@@ -183,8 +183,8 @@ def ranks_table(certainty: Inference, described: str) -> MetricTable:
 
 
 def power_table(certainty: Inference, described: str) -> MetricTable:
-    """How many frames a set like this one needs to find differences of 1, 2 and 5 points of JaC; of
-    a single source, to know it to 1, 2 and 5 points."""
+    """Return how many frames a set like this one needs to find differences of 1, 2 and 5 points of
+    JaC; of a single source, to know it to 1, 2 and 5 points."""
     columns = [TAU, Column("a", "A"), Column("b", "B"), defined_count_column(FRAMES)]
     columns.append(
         metric_column(
@@ -407,7 +407,7 @@ def _most_different_first(parts: Sequence[Stratum], tau: float) -> list[Stratum]
 def annotation_noise_tables(
     certainty: Inference, noise: ClickNoise, described: str
 ) -> list[MetricTable]:
-    """What the clicks leave open: of every source, and of every two."""
+    """Return what the clicks leave open: of every source, and of every two."""
     columns = [Column("source", "source"), TAU, metric_column(MEAN_JAC), metric_column(CLICKED_JAC)]
     columns += [metric_column(CLICK_DEVIATION), metric_column(CLICK_SHARE)]
     rows: list[tuple[Value, ...]] = []

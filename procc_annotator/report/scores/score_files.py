@@ -18,7 +18,6 @@ from procc_annotator.metrics.sets import SetSummary
 from procc_annotator.metrics.setup import EvaluationSetup
 from procc_annotator.report.tables.data_files import csv_header, csv_rows, encoded, metric_entry
 from procc_annotator.report.tables.metrics import (
-    ANNOTATED,
     FN,
     FP,
     JAC,
@@ -26,17 +25,14 @@ from procc_annotator.report.tables.metrics import (
     OF_CLASS,
     OF_FRAME,
     OF_SET,
-    SPREAD,
     TP,
 )
 from procc_annotator.report.tables.table import (
     TAU,
     Column,
-    Kind,
     Row,
     Value,
     count_column,
-    defined_count_column,
     metric_column,
     metric_values,
     shortest_number,
@@ -61,8 +57,6 @@ def field_terms(field: Field) -> dict[str, Any]:
     }
 
 
-ScoreRow = tuple[Any, ...]  # one value a column
-
 COUNTS = (TP, FP, FN)
 
 FRAME_COLUMNS = (
@@ -81,32 +75,6 @@ def frame_values(score: FrameScore | None) -> tuple[Value, ...]:
     if score is None:
         return (None,) * len(FRAME_COLUMNS)
     return (*metric_values((JAC, *COUNTS), score), score.mirrored, *metric_values(OF_FRAME, score))
-
-
-def _required(key: str, kind: Kind = "text") -> Column:
-    return Column(key, kind=kind, required=True)
-
-
-_KEY_COLUMNS = (
-    _required("set"), _required("method"), _required("frame"), _required("threshold", "number"),
-    _required("field"), _required("protocol"), _required("width", "whole"),
-    _required("height", "whole"), _required("off_plane"), _required("mirrored_labels", "yes_no"),
-)  # fmt: skip
-COLUMNS = (
-    *_KEY_COLUMNS,
-    _required("counted", "yes_no"),
-    Column("model"),
-    *FRAME_COLUMNS,
-    count_column("points"),
-    Column("camera"),
-    Column("error"),
-    _required("version"),
-    *FITTED_COLUMNS,
-    defined_count_column(ANNOTATED),
-    metric_column(SPREAD),
-)
-NAMES = tuple(column.key for column in COLUMNS)
-KEYS = len(_KEY_COLUMNS)  # they come first
 
 
 _COLUMNS = (
@@ -405,7 +373,6 @@ class JsonList:
 
 
 def _more(entries: Mapping[str, Any] | None) -> bytes:
-    """More keys of an object that has some."""
     return b"," + encoded(entries)[1:-1] if entries else b""
 
 

@@ -46,7 +46,7 @@ from procc_annotator.report.tables.table import (
 
 @dataclass(frozen=True, slots=True)
 class FrameRow:
-    """What the table of worst frames says about one frame at one threshold."""
+    """Row of the table of worst frames: one frame at one threshold."""
 
     name: str
     jac: float
@@ -240,7 +240,7 @@ def pixels(value: float | None) -> str:
     return MEAN_ERROR.text(value)
 
 
-LEFT_OUT_METHOD = "calibrate --held-out"
+LEFT_OUT_METHOD = "calibrate --leave-one-out"
 
 
 class MethodWithLeftOut(Protocol):

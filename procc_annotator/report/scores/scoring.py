@@ -33,23 +33,20 @@ from procc_annotator.report.scores.score_files import (
     CsvScores,
     JsonList,
     JsonScores,
-    ScoreRow,
     ScoreWriter,
     csv_fragment,
 )
-from procc_annotator.report.scores.score_table import Figures, figures_of, whole_rows
 from procc_annotator.report.scores.score_tables import FrameRow, WorstFrames, left_out_entry
 
 
 @dataclass(frozen=True, slots=True)
 class EncodedFrame:
-    """What is left of a frame once it is written: small, and cheap to send between processes."""
+    """Digest of a scored frame: small, and cheap to send between processes."""
 
     row: FrameRow | None
     error: str | None
     notices: tuple[str, ...]
     fragments: tuple[bytes, ...]
-    figures: tuple[Figures, ...] = ()
     sums: FrameSums | None = None
 
 
@@ -71,18 +68,16 @@ class EvaluationRequest:
 
 @dataclass(frozen=True)
 class RequestedOutputs:
-    """What an evaluation leaves behind.
+    """Outputs of an evaluation.
 
     Attributes:
         outputs: ``.json`` and ``.csv`` files; each appears when it is complete.
         named: whether these say set and method of every evaluation; they have to for several.
-        rows: whether rows for a table of scores are kept.
         chance: how surely the figures are to be told; None for not at all.
     """
 
     outputs: Sequence[Path] = ()
     named: bool = False
-    rows: bool = False
     chance: InferenceSettings | None = None
 
     @property
@@ -107,7 +102,6 @@ class Scored:
     set_name: str = ""
     method: str = ""
     groups: tuple[GroupSummary, ...] = ()
-    rows: list[ScoreRow] = field(default_factory=list)
     annotation_notes: tuple[str, ...] = ()
     sums: SourceSums | None = None
     fitted: FitCounts = NOT_FITTED
@@ -135,7 +129,6 @@ def encode_frame(
     formats: tuple[str, ...],
     names: tuple[str, ...] = (),
     by: tuple[str, ...] = (),
-    with_figures: bool = False,
     chance: InferenceSettings | None = None,
 ) -> EncodedFrame:
     """Encode a frame for each output format and keep its row at the first threshold."""
@@ -149,9 +142,8 @@ def encode_frame(
     row = None
     if result.scores:  # as they are written, also where mirrored labels count on a tie
         row = FrameRow.of(result.name, result.scores[thresholds[0]])
-    figures = figures_of(result, thresholds) if with_figures else ()
     sums = None if chance is None else frame_sums(evaluated, thresholds, chance.noise)
-    return EncodedFrame(row, result.error, result.notices, fragments, figures, sums)
+    return EncodedFrame(row, result.error, result.notices, fragments, sums)
 
 
 def score_set(
@@ -299,7 +291,6 @@ class _Scoring:
             formats=outcome.formats,
             names=self._names,
             by=asked.grouping.by,
-            with_figures=outcome.rows,
             chance=outcome.chance,
         )
         self.run: EvaluationRun[EncodedFrame] = run_digested(
@@ -315,7 +306,6 @@ class _Scoring:
         self._worst = WorstFrames()
         self._errors: list[str] = []
         self._notices = Counter[str](self.run.notices)
-        self._rows: list[ScoreRow] = []
         self._sums: list[FrameSums | None] = []
         self.scored: Scored
 
@@ -342,9 +332,6 @@ class _Scoring:
         self._sums.append(frame.sums)
         for writer, fragment in zip(self._writers, frame.fragments, strict=True):
             writer.add(fragment)
-        if frame.figures:
-            asked = self._asked
-            self._rows += whole_rows(asked.set_name, asked.method, asked.setup, frame.figures)
 
     def sum_up(self) -> None:
         """Make the figures; all frames have been taken."""
@@ -366,7 +353,6 @@ class _Scoring:
             self._asked.set_name,
             self._asked.method,
             run.group_summaries(),
-            self._rows,
             run.annotation_notes,
             SourceSums.of(self._asked.method, self._thresholds, self._sums),
             run.fitted,

@@ -142,15 +142,6 @@ MISSED = Metric(
     "Elements that more than half of the others, or the answer, have, and an annotator not.",
     attribute="only_b",
 )  # fmt: skip
-TREND = Metric(
-    "trend_px", "trend, in 10 frames", "px", "lower", signed=True,
-    definition="By how much the median distance of a frame rises from one gold frame to the tenth"
-    " after it, in the order of work (median of all slopes).",
-)  # fmt: skip
-TREND_P = Metric(
-    "trend_p", "p", digits=4,
-    definition="The share of random orders of the frames in which it rises or falls as steadily.",
-)  # fmt: skip
 OF_AGREEMENT = (COMMON, APART, ONLY_A, ONLY_B, POINTS, LEFT_OUT, *DISTANCES)
 
 # --- two sources of cameras: attributes of `MapSummary` and `LegacyMetrics`, keys of comparisons
@@ -264,30 +255,8 @@ POSE_JITTER = tuple(
         ("position_m", "position", "m", "position, implied by the homography if there is no other"),
     )
 )  # fmt: skip
-POSITION_DRIFT_M = Metric(
-    "wander_m", "wander", "m", "lower",
-    definition="How far the position, implied or not, is from its median over the shot, root mean"
-    " square.",
-)  # fmt: skip
-FARTHEST_M = Metric(
-    "wander_largest_m", "farthest", "m", "lower",
-    definition="How far the position is from its median over the shot in the worst frame.",
-)  # fmt: skip
-FOCAL_DISTANCE_AMBIGUITY = Metric(
-    "vertigo", "vertigo",
-    definition="Correlation over a shot of the way the camera backs off along its axis and its"
-    " focal length: near 1 position and zoom make up for each other's errors.",
-)  # fmt: skip
-FOCAL_DISTANCE_DIRECTION = Metric(
-    "vertigo_m_a_percent", "backs off", "m a %",
-    definition="How far the camera backs off for each percent of focal length.",
-)  # fmt: skip
 OUTAGE_SHARE = Metric(
     "outage_share", "without a camera", "%", "lower", 1, "Frames of the shot without a camera."
-)
-JAC_THIRDS = tuple(
-    Metric(f"jac_{key}", key, "%", "higher", 1, f"Mean JaC in the {key} third of the shot.")
-    for key in ("first", "middle", "last")
 )
 OFFSET_COST = Metric(
     "offset_cost_px", "then", "px", "lower",

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from itertools import takewhile
 from typing import Literal
 
 from procc_annotator.errors import printable
@@ -91,7 +90,7 @@ class Column:
         written: how its numbers are written in CSV, e.g. ``.2f``, or ``shortest`` for 5 instead of
             5.0; otherwise with as many digits as it takes to read back the same value. People see
             them so, too, where it is no figure that has digits of its own.
-        required: never None; Parquet says so.
+        required: never None.
     """
 
     key: str
@@ -105,7 +104,7 @@ class Column:
 
     @property
     def numeric(self) -> bool:
-        """Whether it stands at the right edge."""
+        """Return whether it stands at the right edge."""
         return self.kind in ("whole", "number")
 
     def text(self, value: Value, of_row: Metric | None = None) -> str:
@@ -217,7 +216,7 @@ class DisplayColumn:
 
 @dataclass(frozen=True, slots=True)
 class Cell:
-    """What is shown, and whether it stands out."""
+    """Text of a cell, and whether it is bold."""
 
     text: str
     bold: bool = False
@@ -225,18 +224,13 @@ class Cell:
 
 @dataclass(frozen=True)
 class DisplayTable:
-    """Texts of a sheet; columns that are joined share a cell.
-
-    Attributes:
-        naming: how many of the first columns it takes to tell its rows apart, at least one.
-    """
+    """Texts of a sheet; columns that are joined share a cell."""
 
     caption: str
     columns: tuple[DisplayColumn, ...]
     rows: tuple[tuple[Cell, ...], ...]
     notes: tuple[str, ...]
     parts: tuple[int, ...]
-    naming: int
 
     @property
     def groups(self) -> tuple[tuple[str, int], ...]:
@@ -261,16 +255,7 @@ def display_table(sheet: MetricTable) -> DisplayTable:
         if not column.joined
     )  # fmt: skip
     rows = tuple(_cells(sheet, at) for at in range(len(sheet.rows)))
-    return DisplayTable(sheet.caption, columns, rows, sheet.notes, sheet.parts, _naming(sheet))
-
-
-def _naming(sheet: MetricTable) -> int:
-    """Of the columns before the first figure: as many as make the rows differ, or all of them."""
-    plain = list(takewhile(lambda c: c.figure is None and not c.joined, sheet.columns))
-    for count in range(1, len(plain)):
-        if len({row[:count] for row in sheet.rows}) == len(sheet.rows):
-            return count
-    return max(1, len(plain))
+    return DisplayTable(sheet.caption, columns, rows, sheet.notes, sheet.parts)
 
 
 def _cells(sheet: MetricTable, at: int) -> tuple[Cell, ...]:

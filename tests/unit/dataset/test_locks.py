@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import shutil
 import subprocess
@@ -14,7 +13,7 @@ from pathlib import Path
 import pytest
 
 from procc_annotator.dataset import locks as locks_module
-from procc_annotator.dataset.locks import FrameLocks, locks_folder, process_start
+from procc_annotator.dataset.locks import FrameLocks, locks_folder
 
 HOLD = """
 import sys
@@ -112,6 +111,7 @@ def test_names_that_look_alike_are_told_apart(folder: Path) -> None:
     assert bert.holder("a  b") is None
 
 
+@pytest.mark.skipif(os.name != "posix", reason="there a lock is free after a minute")
 def test_lock_of_a_killed_process_is_free_at_once(
     folder: Path, crashing: subprocess.Popen[str]
 ) -> None:
@@ -126,16 +126,6 @@ def test_lock_of_a_killed_process_is_free_at_once(
     assert anna.held == {"f"}
     anna.release_all()
     assert list(folder.iterdir()) == []
-
-
-@pytest.mark.skipif(not process_start(os.getpid()), reason="the system does not say when it began")
-def test_reused_process_id_is_no_holder(folder: Path) -> None:
-    dead = FrameLocks(folder, "Dead")
-    dead.acquire("f")
-    path = _only_lock(folder)
-    entries = json.loads(path.read_text())
-    path.write_text(json.dumps(entries | {"started": "1"}))
-    assert FrameLocks(folder, "Anna").holder("f") is None
 
 
 def test_lock_of_another_machine_expires(folder: Path) -> None:
@@ -176,7 +166,7 @@ def test_wrong_clocks_do_not_matter(folder: Path, monkeypatch: pytest.MonkeyPatc
 
 GARBAGE = [
     *(b"", b"{", b"[" * 4000, b"\xff\xfe", b"{}", b"[1]", b'{"session": 3}', b"x" * 10000),
-    *(b'{"session": "s", "pid": 1e999, "beat": 0}', b'{"session":"s","pid":true,"beat":"x"}'),
+    *(b'{"session": "s", "pid": 1e999}', b'{"session":"s","pid":true,"since":"x"}'),
 ]
 
 
@@ -208,16 +198,6 @@ def test_a_full_disk_leaves_no_lock_behind(folder: Path) -> None:
         resource.setrlimit(resource.RLIMIT_FSIZE, limits)
     assert not anna.is_there("f")
     assert FrameLocks(folder, "Bert").acquire("f") is None
-
-
-def test_an_empty_lock_is_nobodys_after_a_moment(folder: Path) -> None:
-    FrameLocks(folder, "Anna").acquire("f")
-    path = _only_lock(folder)
-    path.write_bytes(b"")
-    bert = FrameLocks(folder, "Bert")
-    assert bert.holder("f") is not None  # it may be being written this moment
-    _age(path, 5)
-    assert bert.acquire("f") is None
 
 
 def test_text_of_a_stranger_stays_in_one_line(folder: Path) -> None:
@@ -318,22 +298,8 @@ def test_of_many_takers_one_gets_it(folder: Path) -> None:
     for thread in threads:
         thread.join()
     for window in windows:
-        assert window.beat() == frozenset()
+        window.beat()  # of two who took one in the same moment one learns that it lost
     assert sorted(name for window in windows for name in window.held) == sorted(names)
-
-
-def test_crash_while_taking_over_blocks_for_no_longer_than_a_lock(folder: Path) -> None:
-    FrameLocks(folder, "Dead", host="elsewhere").acquire("f")
-    path = _only_lock(folder)
-    _age(path, 100)
-    token = path.with_name(path.name + ".taking")
-    token.write_bytes(b"")
-    anna = FrameLocks(folder, "Anna")
-    anna.acquire("f")
-    assert anna.held == frozenset()
-    _age(token, 100)
-    assert anna.acquire("f") is None
-    assert anna.held == {"f"}
 
 
 def test_single_picture_shares_the_locks_of_its_folder(tmp_path: Path) -> None:
