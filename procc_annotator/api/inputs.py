@@ -26,8 +26,8 @@ from procc_annotator.formats.cameras.loaded_camera import (
     NAME_THE_FORMAT,
     LoadedCamera,
     field_mismatch,
+    fit_to_size,
 )
-from procc_annotator.formats.cameras.registry import fit_to_size
 from procc_annotator.image.decoding import decode_bgra
 from procc_annotator.image.pixels import PixelArray, bgra_from_bgr
 from procc_annotator.metrics.projection import clipped_projection_error

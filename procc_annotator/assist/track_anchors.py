@@ -29,7 +29,7 @@ from procc_annotator.field.load import field_for_frame
 from procc_annotator.field.model import Field
 from procc_annotator.formats.cameras.collection import CameraCollection
 from procc_annotator.formats.cameras.fit_record import annotation_digest
-from procc_annotator.formats.cameras.registry import fit_to_size
+from procc_annotator.formats.cameras.loaded_camera import fit_to_size
 from procc_annotator.formats.cameras.writers import OFFICIAL_SIZE
 from procc_annotator.image.pixels import PixelArray
 

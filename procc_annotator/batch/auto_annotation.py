@@ -16,7 +16,7 @@ from procc_annotator.errors import InputError
 from procc_annotator.field.load import field_for_frame
 from procc_annotator.field.model import Field
 from procc_annotator.formats.cameras.collection import CameraCollection
-from procc_annotator.formats.cameras.registry import fit_to_size
+from procc_annotator.formats.cameras.loaded_camera import fit_to_size
 from procc_annotator.formats.cameras.writers import OFFICIAL_SIZE
 from procc_annotator.image.decoding import decode_bgra
 from procc_annotator.image.pixels import PixelArray

@@ -31,7 +31,7 @@ from procc_annotator.errors import CameraError, InputError, ProccError, UsageErr
 from procc_annotator.field.load import field_for_frame
 from procc_annotator.field.model import Field
 from procc_annotator.formats.cameras.collection import CameraCollection
-from procc_annotator.formats.cameras.registry import discover
+from procc_annotator.formats.cameras.plugins import discover
 from procc_annotator.formats.cameras.writers import OFFICIAL_SIZE
 from procc_annotator.formats.csv_tables import read_table
 from procc_annotator.image.decoding import decode_for_camera

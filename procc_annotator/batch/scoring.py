@@ -26,7 +26,7 @@ from procc_annotator.formats.cameras.fit_record import (
     LeftOutResult,
     LeftOutSettings,
 )
-from procc_annotator.formats.cameras.registry import fit_to_size
+from procc_annotator.formats.cameras.loaded_camera import fit_to_size
 from procc_annotator.formats.strict_json import printable
 from procc_annotator.messages import first_names, list_names
 from procc_annotator.metrics.measurement import Measurement, measure_frames

@@ -33,7 +33,7 @@ from procc_annotator.errors import CameraError, ImageError, InputError
 from procc_annotator.field.model import Field
 from procc_annotator.formats.cameras.collection import CameraCollection
 from procc_annotator.formats.cameras.fit_record import NOT_FITTED, FitCounts
-from procc_annotator.formats.cameras.registry import fit_to_size
+from procc_annotator.formats.cameras.loaded_camera import fit_to_size
 from procc_annotator.formats.file_source import FileSource
 from procc_annotator.formats.frame_names import FrameTable
 from procc_annotator.image.decoding import decode_bgra

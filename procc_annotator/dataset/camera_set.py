@@ -18,7 +18,7 @@ from procc_annotator.dataset.saving import FileStamps, Stamp, stamp_of
 from procc_annotator.errors import CameraError
 from procc_annotator.field.model import Field
 from procc_annotator.formats.cameras.collection import CameraCollection
-from procc_annotator.formats.cameras.registry import fit_to_size
+from procc_annotator.formats.cameras.loaded_camera import fit_to_size
 
 _KEPT = 64
 _COARSEST_NS = 2_000_000_000  # between two times that a file system tells apart

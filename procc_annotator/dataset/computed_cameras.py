@@ -10,8 +10,7 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.calibration.result import FitResult
 from procc_annotator.calibration.tracking.track import TrackedFrame
 from procc_annotator.dataset.camera_set import CameraForFrame
-from procc_annotator.formats.cameras.loaded_camera import LoadedCamera
-from procc_annotator.formats.cameras.registry import fit_to_size
+from procc_annotator.formats.cameras.loaded_camera import LoadedCamera, fit_to_size
 from procc_annotator.translation import translatable
 
 FIT_NAME = "fit"  # no cameras from files are called so

@@ -17,8 +17,7 @@ from procc_annotator.formats.annotations.registry import PLAIN, detect_formats
 from procc_annotator.formats.annotations.soccernet import read_annotation
 from procc_annotator.formats.annotations.soccernet_set import WITHOUT_GEOMETRY
 from procc_annotator.formats.annotations.yolo_pose import is_pose_label
-from procc_annotator.formats.cameras.json_detection import detected_title
-from procc_annotator.formats.cameras.registry import suffixes_of
+from procc_annotator.formats.cameras.registry import detected_title, suffixes_of
 from procc_annotator.formats.file_listing import CAMERA_PREFIX, list_annotations
 from procc_annotator.formats.file_source import FileSource, open_source
 from procc_annotator.image.headers import PICTURE_SUFFIXES, VIDEO_SUFFIXES

@@ -1,9 +1,10 @@
-"""Strict JSON decoding: UTF-8, one value, no repeated keys, errors with their place."""
+"""Strict JSON decoding (no repeated keys, errors with their place); numbers with all digits."""
 
 from __future__ import annotations
 
 import json
 import math
+import re
 from collections import deque
 from collections.abc import Callable
 from pathlib import Path
@@ -11,7 +12,7 @@ from typing import Any, TypeGuard, TypeVar
 
 import msgspec
 
-from procc_annotator.errors import InputError
+from procc_annotator.errors import CameraError, InputError
 
 T = TypeVar("T")
 
@@ -29,6 +30,23 @@ class DuplicateKeyError(ValueError):
 def strip_bom(data: bytes) -> bytes:
     """The bytes behind UTF-8's byte order mark, which some editors write."""
     return data[3:] if data.startswith(_BOM) else data
+
+
+def utf8_text(data: bytes, path: Path | str, error: type[InputError] = CameraError) -> str:
+    """Text of a file, without a byte order mark.
+
+    Raises:
+        error: not UTF-8, or with zero bytes.
+    """
+    at, advice = data.find(b"\0"), "it looks like UTF-16 or a binary file: save it as UTF-8"
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError as problem:
+        if at < 0:
+            at, advice = problem.start, "save it as UTF-8"
+    if at >= 0:
+        raise error(path, "is not UTF-8 text", place=f"byte {at}", advice=advice)
+    return text
 
 
 def has_only_keys(data: bytes, keys: int) -> bool:
@@ -182,19 +200,7 @@ def json_kind(value: object) -> str:
 def _text(data: bytes, path: str, error: type[InputError]) -> str:
     if not data.strip(b" \t\r\n\0"):
         raise error(path, "is empty, expected a JSON object", advice="restore it from a backup")
-    if b"\0" in data:
-        raise error(
-            path,
-            "is not UTF-8 text",
-            place=f"byte {data.index(0)}",
-            advice="it looks like UTF-16 or a binary file: save it as UTF-8",
-        )
-    try:
-        return data.decode("utf-8-sig")
-    except UnicodeDecodeError as problem:
-        raise error(
-            path, "is not UTF-8 text", place=f"byte {problem.start}", advice="save it as UTF-8"
-        ) from problem
+    return utf8_text(data, path, error)
 
 
 def _no_repeats(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
@@ -250,3 +256,65 @@ def _is_deep(content: Any) -> bool:
 
 def _too_deep(path: Path | str, error: type[InputError]) -> InputError:
     return error(path, "is nested too deeply to be read", advice="is it this file?")
+
+
+# A float never needs more digits than this to be told from its neighbours.
+_FLOAT_DIGITS = 17
+_MOST_DIGITS = 40
+SMALLEST_EXACT, LARGEST_EXACT = 1e-30, 1e15  # numbers whose longer text is kept
+
+
+class WrittenNumber(float):
+    """A float that remembers the longer text it stands for."""
+
+    __slots__ = ("text",)
+    text: str
+
+    def __new__(cls, text: str) -> WrittenNumber:
+        number = super().__new__(cls, text)
+        number.text = text
+        return number
+
+
+def parse_number(text: str) -> float:
+    """A decimal text as a float; one with more digits than a float holds keeps its text."""
+    number = float(text)
+    if len(text) <= _FLOAT_DIGITS + 1 or not SMALLEST_EXACT < abs(number) < LARGEST_EXACT:
+        return number
+    mantissa = re.split("[eE]", text)[0].replace(".", "").lstrip("+-0")
+    return WrittenNumber(text) if _FLOAT_DIGITS < len(mantissa) <= _MOST_DIGITS else number
+
+
+def number_text(number: float) -> str:
+    """A number as it is written to a file."""
+    return number.text if isinstance(number, WrittenNumber) else repr(number)
+
+
+def json_text(value: Any, open_levels: int = 2, indent: str = "") -> str:
+    """A value as JSON; numbers with their longer text, the outer levels one entry a line.
+
+    Args:
+        value: what `json.dumps` takes.
+        open_levels: how many levels have their entries on lines of their own.
+        indent: in front of the entries of this level.
+    """
+    if isinstance(value, WrittenNumber):
+        return value.text
+    if type(value) is int or (type(value) is float and math.isfinite(value)):
+        return repr(value)  # as json.dumps does, ten times as fast
+    if not value or type(value) not in (dict, list, tuple):
+        return json.dumps(value, ensure_ascii=False)
+    below = indent + "  "
+    if type(value) is dict:
+        marks = "{}"
+        entries = [
+            f"{json.dumps(key, ensure_ascii=False)}: {json_text(entry, open_levels - 1, below)}"
+            for key, entry in value.items()
+        ]
+    else:
+        marks = "[]"
+        entries = [json_text(entry, open_levels - 1, below) for entry in value]
+    if open_levels <= 0:
+        return f"{marks[0]}{', '.join(entries)}{marks[1]}"
+    lines = ",\n".join(below + entry for entry in entries)
+    return f"{marks[0]}\n{lines}\n{indent}{marks[1]}"

@@ -26,8 +26,7 @@ from procc_annotator.formats.annotations.label_map import LabelMap
 from procc_annotator.formats.annotations.registry import ReadSet, SetReader, format_named, read_set
 from procc_annotator.formats.cameras.collection import CameraCollection
 from procc_annotator.formats.cameras.fit_record import SIDECAR_SUFFIX, sidecar_content
-from procc_annotator.formats.cameras.loaded_camera import LoadedCamera
-from procc_annotator.formats.cameras.registry import fit_to_size
+from procc_annotator.formats.cameras.loaded_camera import LoadedCamera, fit_to_size
 from procc_annotator.formats.cameras.submissions import (
     FORMAT,
     Manifest,

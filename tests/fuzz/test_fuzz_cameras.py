@@ -16,8 +16,9 @@ from procc_annotator.errors import CameraError
 from procc_annotator.field.load import load_field
 from procc_annotator.formats.cameras.collection import CameraCollection
 from procc_annotator.formats.cameras.krt import krt_content, write_krt
+from procc_annotator.formats.cameras.loaded_camera import fit_to_size
 from procc_annotator.formats.cameras.opencv import write_opencv
-from procc_annotator.formats.cameras.registry import fit_to_size, read_camera_file
+from procc_annotator.formats.cameras.registry import read_camera_file
 from procc_annotator.formats.cameras.soccernet import write_camera
 from procc_annotator.metrics.projection import project_field
 from procc_annotator.metrics.setup import EvaluationSetup

@@ -22,8 +22,8 @@ from procc_annotator.errors import AnnotationError
 from procc_annotator.field.load import load_field
 from procc_annotator.formats.annotations.soccernet import read_annotation, write_annotation
 from procc_annotator.formats.cameras.homography import CONVENTIONS
-from procc_annotator.formats.cameras.loaded_camera import LoadedCamera
-from procc_annotator.formats.cameras.registry import CAMERA_FORMATS, fit_to_size, read_camera_file
+from procc_annotator.formats.cameras.loaded_camera import LoadedCamera, fit_to_size
+from procc_annotator.formats.cameras.registry import CAMERA_FORMATS, read_camera_file
 from procc_annotator.formats.cameras.soccernet import write_camera
 
 Damage = Callable[[str, Sequence[bytes], int], Iterator[bytes]]

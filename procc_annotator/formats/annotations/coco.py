@@ -26,11 +26,9 @@ from procc_annotator.formats.annotations.exchange import (
     ReadContext,
     Size,
     WriteContext,
-    json_text,
-    parse_number,
-    point_of,
     points_to_px,
-    size_from_file,
+    require_objects,
+    without_image,
 )
 from procc_annotator.formats.annotations.label_map import (
     KeypointTemplate,
@@ -44,7 +42,7 @@ from procc_annotator.formats.annotations.label_map import (
 from procc_annotator.formats.annotations.shape_joining import ShapeCollector, extra_of, labels_for
 from procc_annotator.formats.file_source import FileSource
 from procc_annotator.formats.frame_names import picture_name
-from procc_annotator.formats.strict_json import decode_strict, json_kind, json_repr
+from procc_annotator.formats.strict_json import decode_strict, json_repr, json_text, parse_number
 
 DEFAULT_SPLIT = "default"
 # As COCO calls the files of its own sets: other programs know the kind of annotation by it.
@@ -89,12 +87,7 @@ def read_many(
                         yield frame
             for entries in found.values():
                 with reading.going_on():
-                    raise AnnotationError(
-                        path,
-                        f"belongs to no image: {json_repr(entries[0][1].get('image_id'))}",
-                        place=f"annotations[{entries[0][0]}].image_id",
-                        advice="correct it, or add the image",
-                    )
+                    raise without_image(*entries[0], path)
 
 
 @dataclass(frozen=True)
@@ -144,24 +137,7 @@ def _unknown_template(kind: _Kind) -> str:
 
 def _decode(data: bytes, path: str) -> dict[str, Any]:
     content = decode_strict(data, path=path, error=AnnotationError, parse_float=parse_number)
-    for key in _LISTS:
-        entries = content.get(key) if type(content) is dict else None
-        if type(entries) is not list:
-            raise AnnotationError(
-                path,
-                f"expected a list of {key}, found {json_kind(entries)}",
-                place=key,
-                advice="is this a file of COCO keypoints?",
-            )
-        for i, entry in enumerate(entries):
-            if type(entry) is not dict:
-                raise AnnotationError(
-                    path,
-                    f"expected an object, found {json_kind(entry)}",
-                    place=f"{key}[{i}]",
-                    advice="correct or remove it",
-                )
-    return dict(content)
+    return require_objects(content, _LISTS, path, "file of COCO keypoints")
 
 
 def _id(entry: dict[str, Any], key: str) -> Any:
@@ -180,52 +156,37 @@ def _read(
 ) -> ExchangedFrame | None:
     picture = image.get("file_name")
     frame = reading.frame_of_picture(picture, path, f"{place}.file_name")
-    size = size_from_file(
+    size = reading.size_in_file(
         image.get("width"), image.get("height"), path, f"{place}.width, height"
-    ) or reading.size_of(frame)
-    if size is None:
-        raise AnnotationError(
-            path,
-            "does not tell the size of the picture",
-            place=place,
-            advice="put the picture beside it, or give the size",
-        )
-    pieces = ShapeCollector(path, "annotations", reading, size)
+    )
+    pieces = ShapeCollector(path, "annotations", reading, size, frame)
     taken = False
     for i, entry in entries:
-        taken |= _add(pieces, entry, f"annotations[{i}]", kinds, frame)
+        taken |= _add(pieces, entry, f"annotations[{i}]", kinds)
     if not taken:
         return None
     extra = extra_of(image.get(EXTRA_KEY), path, f"{place}.{EXTRA_KEY}", reading.field)
-    annotation = pieces.annotation(frame, extra)
-    return ExchangedFrame(frame, annotation, size, picture_name(str(picture)))
+    return ExchangedFrame(frame, pieces.annotation(extra), size, picture_name(str(picture)))
 
 
 def _add(
-    pieces: ShapeCollector, entry: dict[str, Any], where: str, kinds: dict[Any, _Kind], frame: str
+    pieces: ShapeCollector, entry: dict[str, Any], where: str, kinds: dict[Any, _Kind]
 ) -> bool:
     """Take over the points of one annotation; False if it has none that mean something here."""
-    remarks = pieces.reading.remarks
     if "keypoints" not in entry:
-        remarks.add("annotations without keypoints are left out", frame)
+        pieces.remark("annotations without keypoints are left out")
         return False
     category = _id(entry, "category_id")
     if category not in kinds:
-        raise AnnotationError(
-            pieces.path,
-            f"expected the id of a category, found {json_repr(entry.get('category_id'))}",
-            place=f"{where}.category_id",
-            advice="correct it, or add the category",
-        )
-    points = _points(entry["keypoints"], pieces.size, pieces.path, f"{where}.keypoints")
+        problem = f"expected the id of a category, found {json_repr(entry.get('category_id'))}"
+        raise pieces.error(problem, f"{where}.category_id", "correct it, or add the category")
+    points = _points(pieces, entry["keypoints"], f"{where}.keypoints")
     kind = kinds[category]
     if kind.template is None and (kind.is_template or (kind.is_new and has_gaps(points))):
-        remarks.add(_unknown_template(kind), frame)
+        pieces.remark(_unknown_template(kind))
         return False
     if kind.template is not None:
-        remarks.add(
-            f"keypoints ({kind.template.title}) are points of the elements they lie on", frame
-        )
+        pieces.remark(f"keypoints ({kind.template.title}) are points of the elements they lie on")
         for name, some in kind.template.shapes(points):
             pieces.add(name, some, f"categories[id {category}].keypoints")
     else:
@@ -234,26 +195,18 @@ def _add(
     return True
 
 
-def _points(values: Any, size: Size, path: str, place: str) -> tuple[Point | None, ...]:
+def _points(pieces: ShapeCollector, values: Any, place: str) -> tuple[Point | None, ...]:
     """The keypoints in their order; None for those that are not labelled."""
     if type(values) is not list or len(values) % 3:
-        raise AnnotationError(
-            path,
-            f"expected keypoints [x, y, v, ...], found {json_repr(values)}",
-            place=place,
-            advice="correct or remove the annotation",
-        )
+        problem = f"expected keypoints [x, y, v, ...], found {json_repr(values)}"
+        raise pieces.error(problem, place, "correct or remove the annotation")
     points: list[Point | None] = []
     for i in range(0, len(values), 3):
         x, y, visible = values[i : i + 3]
         if visible not in (0, 1, 2) or type(visible) is bool:
-            raise AnnotationError(
-                path,
-                f"expected the visibility 0, 1 or 2, found {json_repr(visible)}",
-                place=f"{place}[{i + 2}]",
-                advice="correct it",
-            )
-        points.append(point_of(x, y, size, path, f"{place}[{i}]") if visible else None)
+            problem = f"expected the visibility 0, 1 or 2, found {json_repr(visible)}"
+            raise pieces.error(problem, f"{place}[{i + 2}]", "correct it")
+        points.append(pieces.point(x, y, f"{place}[{i}]") if visible else None)
     return tuple(points)
 
 

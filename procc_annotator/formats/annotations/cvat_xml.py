@@ -12,20 +12,16 @@ import re
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
-from procc_annotator.annotation import Point, Polyline
+from procc_annotator.annotation import Polyline
 from procc_annotator.errors import AnnotationError
 from procc_annotator.formats.annotations.exchange import (
     ExchangedFrame,
-    ReadContext,
     Size,
     WriteContext,
-    number_text,
-    parse_number,
-    point_of,
     points_to_px,
 )
 from procc_annotator.formats.annotations.shape_joining import ShapeCollector
-from procc_annotator.formats.strict_json import printable
+from procc_annotator.formats.strict_json import number_text, parse_number, printable
 
 if TYPE_CHECKING:
     from xml.etree.ElementTree import Element
@@ -80,47 +76,30 @@ def parse(data: bytes, path: str) -> Element:
     return root
 
 
-def add_shape(
-    pieces: ShapeCollector,
-    shape: Element,
-    label: str | None,
-    size: Size,
-    path: str,
-    place: str,
-    frame: str,
-    reading: ReadContext,
-) -> bool:
-    """Take a shape in, if it is a course of points; what is left out of it is noted.
+def add_shape(pieces: ShapeCollector, shape: Element, label: str | None, place: str) -> bool:
+    """Add a shape if it is a course of points, and note what is left out of it.
 
     Raises:
         AnnotationError: its points or its label cannot be read.
     """
     kind = str(shape.tag)
     if kind not in _COURSES:
-        reading.remarks.add(f"shapes of the type {printable(kind)} are left out", frame)
+        pieces.remark(f"shapes of the type {printable(kind)} are left out")
         return False
     if kind == "polygon":
-        reading.remarks.add("polygons are taken for open lines through their points", frame)
+        pieces.remark("polygons are taken for open lines through their points")
     if len(shape) or shape.get("occluded", "0") != "0" or shape.get("group_id") is not None:
-        reading.remarks.add("attributes, groups and occlusion of shapes are left out", frame)
+        pieces.remark("attributes, groups and occlusion of shapes are left out")
     text = shape.get("points", "")
-    pairs = text.split(";") if text.strip() else []
-    points = tuple([_point(p, size, path, f"{place}, point {i + 1}") for i, p in enumerate(pairs)])
-    pieces.add(label, points, f"{place}.label")
+    points = []
+    for i, pair in enumerate(text.split(";") if text.strip() else []):
+        numbers, at = pair.split(","), f"{place}, point {i + 1}"
+        if len(numbers) != 2 or not all(_NUMBER.fullmatch(number) for number in numbers):
+            raise pieces.error(f"expected a point x,y, found {printable(pair, 40)!r}", at)
+        x, y = (_number(number.strip()) for number in numbers)
+        points.append(pieces.point(x, y, at))
+    pieces.add(label, tuple(points), f"{place}.label")
     return True
-
-
-def _point(pair: str, size: Size, path: str, place: str) -> Point:
-    numbers = pair.split(",")
-    if len(numbers) != 2 or not all(_NUMBER.fullmatch(number) for number in numbers):
-        raise AnnotationError(
-            path,
-            f"expected a point x,y, found {printable(pair, 40)!r}",
-            place=place,
-            advice="correct or remove the point",
-        )
-    x, y = (_number(number.strip()) for number in numbers)
-    return point_of(x, y, size, path, place)
 
 
 def _number(text: str) -> float:

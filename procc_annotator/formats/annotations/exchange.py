@@ -4,9 +4,6 @@ numbers.
 
 from __future__ import annotations
 
-import json
-import math
-import re
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
@@ -28,37 +25,21 @@ from procc_annotator.formats.frame_names import (
     PictureFrames,
     frame_of_file,
 )
-from procc_annotator.formats.strict_json import is_finite_number, is_unicode, json_repr, printable
+from procc_annotator.formats.strict_json import (
+    LARGEST_EXACT,
+    SMALLEST_EXACT,
+    WrittenNumber,
+    is_finite_number,
+    is_unicode,
+    json_kind,
+    json_repr,
+    printable,
+)
 from procc_annotator.messages import pluralize
 
-# A float never needs more digits than this to be told from its neighbours.
-_FLOAT_DIGITS = 17
 # Three more, and the quotient of what is written can only round to the coordinate it came from.
 _EXACT = Context(prec=20)
-_MOST_DIGITS = 40
 _PX_DECIMALS = 10  # as many as people and programs write
-_SMALLEST, _LARGEST = 1e-30, 1e15
-
-
-class WrittenNumber(float):
-    """A float that remembers the longer text it stands for."""
-
-    __slots__ = ("text",)
-    text: str
-
-    def __new__(cls, text: str) -> WrittenNumber:
-        number = super().__new__(cls, text)
-        number.text = text
-        return number
-
-
-def parse_number(text: str) -> float:
-    """A decimal text as a float; one with more digits than a float holds keeps its text."""
-    number = float(text)
-    if len(text) <= _FLOAT_DIGITS + 1 or not _SMALLEST < abs(number) < _LARGEST:
-        return number
-    mantissa = re.split("[eE]", text)[0].replace(".", "").lstrip("+-0")
-    return WrittenNumber(text) if _FLOAT_DIGITS < len(mantissa) <= _MOST_DIGITS else number
 
 
 def normalised(px: float, extent: int) -> float:
@@ -89,44 +70,9 @@ def to_px(coordinate: float, extent: int) -> float:
     px = coordinate * extent
     if (short := round(px, _PX_DECIMALS)) / extent == coordinate:
         return short  # 500.0, not 500.00000000000006
-    if px / extent == coordinate or not _SMALLEST < abs(px) < _LARGEST:
+    if px / extent == coordinate or not SMALLEST_EXACT < abs(px) < LARGEST_EXACT:
         return px
     return WrittenNumber(str(_EXACT.multiply(Decimal(coordinate), Decimal(extent))))
-
-
-def number_text(number: float) -> str:
-    """A number as it is written to a file."""
-    return number.text if isinstance(number, WrittenNumber) else repr(number)
-
-
-def json_text(value: Any, open_levels: int = 2, indent: str = "") -> str:
-    """A value as JSON; numbers with their longer text, the outer levels one entry a line.
-
-    Args:
-        value: what `json.dumps` takes.
-        open_levels: how many levels have their entries on lines of their own.
-        indent: in front of the entries of this level.
-    """
-    if isinstance(value, WrittenNumber):
-        return value.text
-    if type(value) is int or (type(value) is float and math.isfinite(value)):
-        return repr(value)  # as json.dumps does, ten times as fast
-    if not value or type(value) not in (dict, list, tuple):
-        return json.dumps(value, ensure_ascii=False)
-    below = indent + "  "
-    if type(value) is dict:
-        marks = "{}"
-        entries = [
-            f"{json.dumps(key, ensure_ascii=False)}: {json_text(entry, open_levels - 1, below)}"
-            for key, entry in value.items()
-        ]
-    else:
-        marks = "[]"
-        entries = [json_text(entry, open_levels - 1, below) for entry in value]
-    if open_levels <= 0:
-        return f"{marks[0]}{', '.join(entries)}{marks[1]}"
-    lines = ",\n".join(below + entry for entry in entries)
-    return f"{marks[0]}\n{lines}\n{indent}{marks[1]}"
 
 
 Size = tuple[int, int]
@@ -261,6 +207,19 @@ class ReadContext:
         names = self._pictures or PictureFrames(())
         self._at = names.frame(picture, path, place)
         return self._at
+
+    def size_in_file(self, width: Any, height: Any, path: str, place: str) -> Size:
+        """The size of the picture of the frame that is read: as the file says, else the picture's.
+
+        Raises:
+            AnnotationError: no picture size, or nobody knows it.
+        """
+        size = size_from_file(width, height, path, place) or self.size_of(self._at)
+        if size is None:
+            advice = "put the picture beside it, or give the size"
+            problem = "does not tell the size of the picture"
+            raise AnnotationError(path, problem, place=place, advice=advice)
+        return size
 
     @cached_property
     def _there(self) -> FrameTable[str]:
@@ -456,6 +415,35 @@ def point_of(x: Any, y: Any, size: Size, path: str, place: str) -> Point:
             )
         values.append(normalised(value, extent))
     return Point(values[0], values[1])
+
+
+def require_objects(content: Any, keys: Sequence[str], path: str, kind: str) -> dict[str, Any]:
+    """A decoded file whose entries under some keys are lists of objects.
+
+    Raises:
+        AnnotationError: they are not.
+    """
+    for key in keys:
+        entries = content.get(key) if type(content) is dict else None
+        if type(entries) is not list:
+            problem = f"expected a list of {key}, found {json_kind(entries)}"
+            raise AnnotationError(path, problem, place=key, advice=f"is this a {kind}?")
+        for i, entry in enumerate(entries):
+            if type(entry) is not dict:
+                problem = f"expected an object, found {json_kind(entry)}"
+                advice = "correct or remove it"
+                raise AnnotationError(path, problem, place=f"{key}[{i}]", advice=advice)
+    return dict(content)
+
+
+def without_image(index: int, entry: dict[str, Any], path: str) -> AnnotationError:
+    """The error for an annotation of no image of the file."""
+    return AnnotationError(
+        path,
+        f"belongs to no image: {json_repr(entry.get('image_id'))}",
+        place=f"annotations[{index}].image_id",
+        advice="correct it, or add the image",
+    )
 
 
 def points_to_px(polyline: Polyline, size: Size) -> list[tuple[float, float]]:

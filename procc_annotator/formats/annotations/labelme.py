@@ -10,24 +10,24 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
-from procc_annotator.annotation import Point
 from procc_annotator.errors import AnnotationError
 from procc_annotator.formats.annotations.exchange import (
     EXTRA_KEY,
     ExchangedFrame,
     ReadContext,
-    Size,
     WriteContext,
-    json_text,
-    parse_number,
-    point_of,
     points_to_px,
-    size_from_file,
 )
 from procc_annotator.formats.annotations.shape_joining import ShapeCollector, extra_of, labels_for
 from procc_annotator.formats.file_source import FileSource
 from procc_annotator.formats.frame_names import picture_name
-from procc_annotator.formats.strict_json import decode_strict, json_kind, printable
+from procc_annotator.formats.strict_json import (
+    decode_strict,
+    json_kind,
+    json_text,
+    parse_number,
+    printable,
+)
 
 _TITLE = "labelme"
 _VERSION = "5.5.0"  # the release whose layout is written; labelme asks for the key
@@ -63,65 +63,38 @@ def _read(data: bytes, path: str, frame: str, reading: ReadContext) -> Exchanged
             advice="is this a file of labelme?",
         )
     width, height = content.get("imageWidth"), content.get("imageHeight")
-    size = size_from_file(width, height, path, "imageWidth, imageHeight") or reading.size_of(frame)
-    if size is None:
-        raise AnnotationError(
-            path,
-            "does not tell the size of its picture",
-            place="imageWidth, imageHeight",
-            advice="put the picture beside it, or give the size",
-        )
-    pieces = ShapeCollector(path, "shapes", reading, size)
+    size = reading.size_in_file(width, height, path, "imageWidth, imageHeight")
+    pieces = ShapeCollector(path, "shapes", reading, size, frame)
     for i, shape in enumerate(content["shapes"]):
-        _add_shape(pieces, shape, size, path, f"shapes[{i}]", frame, reading)
+        _add_shape(pieces, shape, f"shapes[{i}]")
     if content.keys() - _KNOWN_KEYS or content.get("flags"):
-        reading.remarks.add("flags and other entries of the files are left out", frame)
+        pieces.remark("flags and other entries of the files are left out")
     extra = extra_of(content.get(EXTRA_KEY), path, EXTRA_KEY, reading.field)
     picture = content.get("imagePath")
     picture = picture_name(picture) if type(picture) is str and picture else None
-    return ExchangedFrame(frame, pieces.annotation(frame, extra), size, picture)
+    return ExchangedFrame(frame, pieces.annotation(extra), size, picture)
 
 
-def _add_shape(
-    pieces: ShapeCollector,
-    shape: Any,
-    size: Size,
-    path: str,
-    place: str,
-    frame: str,
-    reading: ReadContext,
-) -> None:
+def _add_shape(pieces: ShapeCollector, shape: Any, place: str) -> None:
     if type(shape) is not dict or type(shape.get("points")) is not list:
-        raise AnnotationError(
-            path,
-            f"expected a shape with label and points, found {json_kind(shape)}",
-            place=place,
-            advice="correct or remove the shape",
-        )
+        problem = f"expected a shape with label and points, found {json_kind(shape)}"
+        raise pieces.error(problem, place, "correct or remove the shape")
     kind = shape.get("shape_type") or "polygon"  # the oldest files knew nothing else
     if kind == "polygon":
-        reading.remarks.add("polygons are taken for open lines through their points", frame)
+        pieces.remark("polygons are taken for open lines through their points")
     elif kind not in _COURSES:
         what = printable(kind) if type(kind) is str else json_kind(kind)
-        reading.remarks.add(f"shapes of the type {what} are left out", frame)
+        pieces.remark(f"shapes of the type {what} are left out")
         return
     if shape.get("group_id") is not None or shape.get("description") or shape.get("flags"):
-        reading.remarks.add("groups, descriptions and flags of shapes are left out", frame)
-    points = tuple(
-        [_point(pair, size, path, f"{place}.points[{i}]") for i, pair in enumerate(shape["points"])]
-    )
-    pieces.add(shape.get("label"), points, f"{place}.label")
-
-
-def _point(pair: Any, size: Size, path: str, place: str) -> Point:
-    if type(pair) is not list or len(pair) != 2:
-        raise AnnotationError(
-            path,
-            f"expected a point [x, y], found {json_kind(pair)}",
-            place=place,
-            advice="correct or remove the point",
-        )
-    return point_of(pair[0], pair[1], size, path, place)
+        pieces.remark("groups, descriptions and flags of shapes are left out")
+    points = []
+    for i, pair in enumerate(shape["points"]):
+        at = f"{place}.points[{i}]"
+        if type(pair) is not list or len(pair) != 2:
+            raise pieces.error(f"expected a point [x, y], found {json_kind(pair)}", at)
+        points.append(pieces.point(pair[0], pair[1], at))
+    pieces.add(shape.get("label"), tuple(points), f"{place}.label")
 
 
 def write_many(frames: Iterable[ExchangedFrame], writing: WriteContext) -> None:

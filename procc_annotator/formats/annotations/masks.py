@@ -16,13 +16,8 @@ from numpy.typing import NDArray
 
 from procc_annotator.annotation import FloatArray, Polyline, points_px
 from procc_annotator.errors import UsageError
-from procc_annotator.formats.annotations.exchange import (
-    ExchangedFrame,
-    Size,
-    WriteContext,
-    json_text,
-)
-from procc_annotator.formats.strict_json import printable
+from procc_annotator.formats.annotations.exchange import ExchangedFrame, Size, WriteContext
+from procc_annotator.formats.strict_json import json_text, printable
 
 LEGEND_NAME = "classes.json"
 BACKGROUND = 0

@@ -14,8 +14,7 @@ from procc_annotator.errors import AnnotationError, InputError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.formats.annotations import (
     coco,
-    cvat_images,
-    cvat_video,
+    cvat,
     labelme,
     masks,
     soccernet_gsr,
@@ -125,16 +124,16 @@ FORMATS: tuple[AnnotationFormat, ...] = (
         labelme.write_many, labelme.read_many, sniff_json=labelme.sniff,
     ),
     AnnotationFormat(
-        "cvat", "CVAT for images 1.1 XML", cvat_images.FILE_NAME, True,
+        "cvat", "CVAT for images 1.1 XML", cvat.FILE_NAME, True,
         "order, unknown and repeated classes",
         "classes without a point, further keys of points and frames, frames without an element",
-        cvat_images.write_many, cvat_images.read_many, sniff=cvat_images.sniff, pictures="images",
+        cvat.write_images, cvat.read_many, sniff=cvat.sniff, pictures="images",
     ),
     AnnotationFormat(
-        "cvat-video", "CVAT for video 1.1 XML (tracks)", cvat_video.FILE_NAME, True,
+        "cvat-video", "CVAT for video 1.1 XML (tracks)", cvat.FILE_NAME, True,
         "unknown and repeated classes; the order of those of a first frame",
         "classes without a point, further keys of points and frames, frames without an element",
-        cvat_video.write_many, cvat_images.read_many, pictures="images",
+        cvat.write_tracks, cvat.read_many, pictures="images",
     ),
     AnnotationFormat(
         "coco", "COCO keypoints JSON", coco.FILE_NAME, True,

@@ -16,7 +16,7 @@ import numpy as np
 from procc_annotator.annotation import FloatArray, FrameAnnotation, Point, Polyline
 from procc_annotator.errors import AnnotationError
 from procc_annotator.field.model import Field
-from procc_annotator.formats.annotations.exchange import ReadContext, Size
+from procc_annotator.formats.annotations.exchange import ReadContext, Size, point_of
 from procc_annotator.formats.annotations.soccernet import CAMERA_KEY, may_be_points
 from procc_annotator.formats.strict_json import json_kind, printable
 
@@ -37,17 +37,38 @@ class ShapeCollector:
 
     Attributes:
         path: of the file.
+        frame: its name.
         reading: what the reader was given.
         size: of the frame's picture, px; the usual one where nobody knows it.
     """
 
-    def __init__(self, path: str, place: str, reading: ReadContext, size: Size | None) -> None:
-        self.path = path
+    def __init__(
+        self, path: str, place: str, reading: ReadContext, size: Size | None, frame: str
+    ) -> None:
+        self.path, self.frame = path, frame
         self._place = place
         self.reading = reading
         self._field = reading.field
         self.size = size or _USUAL_SIZE
         self._shapes: list[tuple[str, Points]] = []
+
+    def error(
+        self, problem: str, place: str, advice: str = "correct or remove the point"
+    ) -> AnnotationError:
+        """The error for a place in the file."""
+        return AnnotationError(self.path, problem, place=place, advice=advice)
+
+    def remark(self, what: str) -> None:
+        """Note what is left out of the frame."""
+        self.reading.remarks.add(what, self.frame)
+
+    def point(self, x: Any, y: Any, place: str) -> Point:
+        """The point of a pixel position.
+
+        Raises:
+            AnnotationError: no finite numbers, or absurdly far from the picture.
+        """
+        return point_of(x, y, self.size, self.path, place)
 
     def add(self, label: Any, points: Points, place: str) -> None:
         """One more shape.
@@ -55,43 +76,35 @@ class ShapeCollector:
         Raises:
             AnnotationError: the label cannot be a class.
         """
-        if type(label) is not str:
-            raise AnnotationError(
-                self.path,
-                f"expected the name of a class, found {json_kind(label)}",
-                place=place,
-                advice="name the shape after a class",
-            )
-        if label == CAMERA_KEY:
-            raise AnnotationError(
-                self.path,
-                f"a class cannot be called {label!r}",
-                place=place,
-                advice="name the shape after a class",
+        if type(label) is not str or label == CAMERA_KEY:
+            found = json_kind(label) if type(label) is not str else repr(label)
+            raise self.error(
+                f"expected the name of a class, found {found}",
+                place,
+                "name the shape after a class",
             )
         self._shapes.append((label, points))
 
-    def annotation(self, frame: str, extra: tuple[tuple[str, Any], ...] = ()) -> FrameAnnotation:
+    def annotation(self, extra: tuple[tuple[str, Any], ...] = ()) -> FrameAnnotation:
         """The frame's annotation.
 
         Raises:
             AnnotationError: shapes of one class that cannot be joined without a guess.
         """
         polylines: list[Polyline] = []
-        remarks = self.reading.remarks
         by_class: dict[str, list[Points]] = {}
-        for name, points in self.reading.classed(self._shapes, frame):
+        for name, points in self.reading.classed(self._shapes, self.frame):
             by_class.setdefault(name, []).append(points)
         taken = set(by_class)
         for name, pieces in by_class.items():
             if len(pieces) == 1:
                 polylines.append(Polyline(name, pieces[0]))
             elif self._field.element(name) is None:
-                remarks.add("shapes of one unknown class stay apart, numbered", frame)
+                self.remark("shapes of one unknown class stay apart, numbered")
                 polylines.extend(_separate_labels(name, pieces, taken))
             else:
                 polylines.append(Polyline(name, self._join(name, pieces)))
-                remarks.add("shapes of one class were joined end to end", frame)
+                self.remark("shapes of one class were joined end to end")
         return FrameAnnotation(tuple(polylines), extra)
 
     def _join(self, name: str, pieces: list[Points]) -> Points:
@@ -100,12 +113,11 @@ class ShapeCollector:
             pieces, self.size, straight=element is not None and element.is_straight
         )
         if joined is None:
-            raise AnnotationError(
-                self.path,
+            raise self.error(
                 f"{len(pieces)} shapes are called {printable(name)!r} and do not continue one"
                 " another, expected one polyline a class",
-                place=self._place,
-                advice="make one shape of them, or remove the wrong ones; the frame is left out",
+                self._place,
+                "make one shape of them, or remove the wrong ones; the frame is left out",
             )
         return joined
 

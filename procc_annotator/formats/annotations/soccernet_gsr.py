@@ -18,14 +18,15 @@ from procc_annotator.formats.annotations.exchange import (
     ExchangedFrame,
     ReadContext,
     WriteContext,
-    json_text,
+    require_objects,
     size_from_file,
+    without_image,
 )
 from procc_annotator.formats.annotations.shape_joining import ShapeCollector, extra_of
 from procc_annotator.formats.annotations.soccernet import annotation_of
 from procc_annotator.formats.file_source import FileSource
 from procc_annotator.formats.frame_names import frame_of_picture, picture_name
-from procc_annotator.formats.strict_json import decode_strict, json_kind, json_repr
+from procc_annotator.formats.strict_json import decode_strict, json_kind, json_text
 
 FILE_NAME = "Labels-GameState.json"
 PITCH_CATEGORY = 5
@@ -66,12 +67,7 @@ def read_many(
                         yield _read(image, f"images[{i}]", found, path, reading)
             for found in pitches.values():
                 with reading.going_on():
-                    raise AnnotationError(
-                        path,
-                        f"belongs to no image: {json_repr(found[0][1].get('image_id'))}",
-                        place=f"annotations[{found[0][0]}].image_id",
-                        advice="correct it, or add the image",
-                    )
+                    raise without_image(*found[0], path)
 
 
 def decode_existing(data: bytes, path: str) -> dict[str, Any]:
@@ -81,24 +77,13 @@ def decode_existing(data: bytes, path: str) -> dict[str, Any]:
         AnnotationError: it is none.
     """
     content = decode_strict(data, path=path, error=AnnotationError)
-    for key, wanted in (("images", "image_id"), ("annotations", "image_id")):
-        entries = content.get(key) if type(content) is dict else None
-        if type(entries) is not list:
-            raise AnnotationError(
-                path,
-                f"expected a list of {key}, found {json_kind(entries)}",
-                place=key,
-                advice="is this a Labels-GameState.json?",
-            )
-        for i, entry in enumerate(entries):
-            if type(entry) is not dict or type(entry.get(wanted)) not in (str, int):
-                raise AnnotationError(
-                    path,
-                    f"expected an object with {wanted}",
-                    place=f"{key}[{i}]",
-                    advice="correct or remove it",
-                )
-    return dict(content)
+    content = require_objects(content, ("images", "annotations"), path, FILE_NAME)
+    for key in ("images", "annotations"):
+        for i, entry in enumerate(content[key]):
+            if type(entry.get("image_id")) not in (str, int):
+                problem, place = "expected an object with image_id", f"{key}[{i}]"
+                raise AnnotationError(path, problem, place=place, advice="correct or remove it")
+    return content
 
 
 def _key(image_id: Any) -> str:
@@ -124,7 +109,7 @@ def _read(
     picture = image.get("file_name")
     frame = reading.frame_of_picture(picture, path, f"{place}.file_name")
     size = size_from_file(image.get("width"), image.get("height"), path, f"{place}.width, height")
-    pieces = ShapeCollector(path, f"annotations[{found[0][0]}].lines", reading, size)
+    pieces = ShapeCollector(path, f"annotations[{found[0][0]}].lines", reading, size, frame)
     extra: dict[str, Any] = {}
     for i, entry in found:
         where = f"annotations[{i}]"
@@ -132,8 +117,8 @@ def _read(
             pieces.add(name, points, where)
         extra |= dict(extra_of(entry.get(EXTRA_KEY), path, f"{where}.{EXTRA_KEY}", reading.field))
         if entry.keys() - _OWN_KEYS:
-            reading.remarks.add("further keys of pitch annotations are left out", frame)
-    annotation = pieces.annotation(frame, tuple(extra.items()))
+            pieces.remark("further keys of pitch annotations are left out")
+    annotation = pieces.annotation(tuple(extra.items()))
     return ExchangedFrame(
         frame, annotation, size or reading.size_of(frame), picture_name(str(picture))
     )

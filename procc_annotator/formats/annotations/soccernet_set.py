@@ -32,10 +32,10 @@ def read_many(
             path, size = source.display(name), reading.size_of(frame)
             annotation = read_annotation(data, path=path, field=reading.field)
             if reading.names is not None:
-                pieces = ShapeCollector(path, "top level", reading, size)
+                pieces = ShapeCollector(path, "top level", reading, size, frame)
                 for polyline in annotation.polylines:
                     pieces.add(polyline.class_name, polyline.points, polyline.class_name)
-                annotation = pieces.annotation(frame, annotation.extra)
+                annotation = pieces.annotation(annotation.extra)
             yield ExchangedFrame(frame, annotation, size)
 
 

@@ -18,16 +18,20 @@ from procc_annotator.formats.annotations.exchange import (
     ReadContext,
     Size,
     WriteContext,
-    json_text,
-    parse_number,
-    point_of,
     points_to_px,
     size_from_file,
 )
 from procc_annotator.formats.annotations.shape_joining import ShapeCollector, extra_of, labels_for
 from procc_annotator.formats.file_source import FileSource
 from procc_annotator.formats.frame_names import frame_of_picture, picture_name
-from procc_annotator.formats.strict_json import decode_strict, json_kind, json_repr, printable
+from procc_annotator.formats.strict_json import (
+    decode_strict,
+    json_kind,
+    json_repr,
+    json_text,
+    parse_number,
+    printable,
+)
 
 FILE_NAME = "Labels-v3.json"
 _TITLE = "Labels-v3.json"
@@ -100,54 +104,33 @@ def _read(picture: str, entry: Any, path: str, place: str, reading: ReadContext)
         )
     metadata = entry.get("imageMetadata")
     metadata = metadata if type(metadata) is dict else {}
-    size = size_from_file(
-        metadata.get("width"), metadata.get("height"), path, f"{place}.imageMetadata"
-    ) or reading.size_of(frame)
-    if size is None:
-        raise AnnotationError(
-            path,
-            "does not tell the size of the picture",
-            place=f"{place}.imageMetadata",
-            advice="put the picture beside it, or give the size",
-        )
+    at = f"{place}.imageMetadata"
+    size = reading.size_in_file(metadata.get("width"), metadata.get("height"), path, at)
+    pieces = ShapeCollector(path, f"{place}.lines", reading, size, frame)
     if any(entry[key] for key in entry.keys() - _ENTRY_KEYS):
-        reading.remarks.add("players, links and other entries of the pictures are left out", frame)
-    pieces = ShapeCollector(path, f"{place}.lines", reading, size)
+        pieces.remark("players, links and other entries of the pictures are left out")
     for i, line in enumerate(entry["lines"]):
-        _add_line(pieces, line, size, path, f"{place}.lines[{i}]", frame, reading)
+        _add_line(pieces, line, f"{place}.lines[{i}]")
     extra = extra_of(entry.get(EXTRA_KEY), path, f"{place}.{EXTRA_KEY}", reading.field)
-    annotation = pieces.annotation(frame, extra)
-    return ExchangedFrame(frame, annotation, size, picture_name(picture))
+    return ExchangedFrame(frame, pieces.annotation(extra), size, picture_name(picture))
 
 
-def _add_line(
-    pieces: ShapeCollector,
-    line: Any,
-    size: Size,
-    path: str,
-    place: str,
-    frame: str,
-    reading: ReadContext,
-) -> None:
+def _add_line(pieces: ShapeCollector, line: Any, place: str) -> None:
     values = line.get("points") if type(line) is dict else None
     if type(values) is not list or len(values) % 2:
-        raise AnnotationError(
-            path,
-            f"expected points [x1, y1, x2, y2, ...], found {json_repr(values)}",
-            place=f"{place}.points",
-            advice="correct or remove the line",
-        )
+        problem = f"expected points [x1, y1, x2, y2, ...], found {json_repr(values)}"
+        raise pieces.error(problem, f"{place}.points", "correct or remove the line")
     points = tuple(
         [
-            point_of(x, y, size, path, f"{place}.points[{2 * i}]")
-            for i, (x, y) in enumerate(zip(values[::2], values[1::2], strict=True))
+            pieces.point(values[i], values[i + 1], f"{place}.points[{i}]")
+            for i in range(0, len(values), 2)
         ]
     )
     if line.get("class") is None:
-        reading.remarks.add("lines without a class are left out", frame)
+        pieces.remark("lines without a class are left out")
         return
     if line.keys() - _LINE_KEYS:
-        reading.remarks.add("further keys of lines are left out", frame)
+        pieces.remark("further keys of lines are left out")
     pieces.add(line["class"], points, f"{place}.class")
 
 

@@ -20,7 +20,6 @@ from procc_annotator.formats.cameras.fit_record import (
     LeftOutTables,
     folders_of,
 )
-from procc_annotator.formats.cameras.json_detection import PointsError
 from procc_annotator.formats.cameras.loaded_camera import (
     NAME_THE_FORMAT,
     CameraRecords,
@@ -29,7 +28,12 @@ from procc_annotator.formats.cameras.loaded_camera import (
     with_plausibility_remark,
 )
 from procc_annotator.formats.cameras.paired_files import paired_records
-from procc_annotator.formats.cameras.registry import format_of, plugin_problems, read_camera_file
+from procc_annotator.formats.cameras.registry import (
+    PointsError,
+    format_of,
+    plugin_problems,
+    read_camera_file,
+)
 from procc_annotator.formats.file_listing import CAMERA_PREFIX, list_cameras
 from procc_annotator.formats.file_source import FileSource, open_source
 from procc_annotator.formats.frame_names import PICTURE_FOLDERS, ByFrame

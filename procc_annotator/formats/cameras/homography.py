@@ -11,11 +11,12 @@ from procc_annotator.camera.base import FloatArray
 from procc_annotator.camera.models import HomographyCamera
 from procc_annotator.errors import CameraError
 from procc_annotator.formats.cameras.arrays import NPY_MAGIC, npy_array
+from procc_annotator.formats.cameras.json_values import JsonValues
 from procc_annotator.formats.cameras.krt import BY_ORDER, projection_from
 from procc_annotator.formats.cameras.loaded_camera import CameraRecord, CameraRecords, LoadedCamera
-from procc_annotator.formats.strict_json import printable
+from procc_annotator.formats.strict_json import printable, utf8_text
 
-_YARD_M = 0.9144
+YARD_M = 0.9144
 HOMOGRAPHY_SIZE = (1280, 720)
 _LARGEST_FILE = 64 * 1024
 _TURNED = "takes the ground to the picture, not the picture to the ground"
@@ -48,10 +49,10 @@ class WorldConvention:
 
 CONVENTIONS = {
     "wc14": WorldConvention(
-        "World Cup 2014: yards, 115 x 74, origin top left", _YARD_M, (57.5, 37.0)
+        "World Cup 2014: yards, 115 x 74, origin top left", YARD_M, (57.5, 37.0)
     ),
     "carwc": WorldConvention(
-        "CARWC, TS-WorldCup: yards, 114.83 x 74.37, origin top left", _YARD_M, (57.415, 37.185)
+        "CARWC, TS-WorldCup: yards, 114.83 x 74.37, origin top left", YARD_M, (57.415, 37.185)
     ),
     "world": WorldConvention("world metres, origin at the field's centre", 1.0, (0.0, 0.0)),
 }
@@ -197,33 +198,14 @@ def numbers_of_text(data: bytes, path: str) -> list[float]:
     Raises:
         CameraError: no text, or something else than finite numbers.
     """
-    try:
-        text = data.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        raise CameraError(
-            path,
-            "is neither UTF-8 text nor a .npy file",
-            place=f"byte {error.start}",
-            advice="save it as UTF-8 text: three lines of three numbers",
-        ) from error
-    if "\0" in text:
-        raise CameraError(
-            path,
-            "is not UTF-8 text",
-            place=f"character {text.index(chr(0)) + 1}",
-            advice="it looks like UTF-16 or a binary file: save it as UTF-8",
-        )
+    text = utf8_text(data, path)
     numbers: list[float] = []
     for line_number, line in enumerate(text.splitlines(), 1):
         for word in line.replace(",", " ").split():
             number = _number(word)
             if number is None:
-                raise CameraError(
-                    path,
-                    f"expected a finite number, found {word[:40]!r}",
-                    place=f"line {line_number}",
-                    advice="correct the file",
-                )
+                problem = f"expected a finite number, found {word[:40]!r}"
+                raise JsonValues({}, path).error(problem, f"line {line_number}")
             numbers.append(number)
     return numbers
 
@@ -242,12 +224,8 @@ def _finite(matrix: FloatArray, path: str) -> FloatArray:
     bad = np.argwhere(~np.isfinite(matrix))
     if len(bad):
         row, column = bad[0]
-        raise CameraError(
-            path,
-            f"expected a finite number, found {matrix[row, column]}",
-            place=f"row {row + 1} column {column + 1}",
-            advice="correct the file",
-        )
+        problem = f"expected a finite number, found {matrix[row, column]}"
+        raise JsonValues({}, path).error(problem, f"row {row + 1} column {column + 1}")
     return matrix
 
 
@@ -315,7 +293,7 @@ def _check_count(numbers: list[float], path: str) -> None:
 
 def _of_stack(content: FloatArray, path: str, inside: str) -> LoadedCamera:
     if not np.isfinite(content).all():
-        raise CameraError(path, "expected finite numbers", place=inside, advice="correct the file")
+        raise JsonValues({}, path).error("expected finite numbers", inside)
     if content.shape == (3, 4):
         return projection_from(content.tolist(), path, inside)
     world = CONVENTIONS["carwc"].world_from_units

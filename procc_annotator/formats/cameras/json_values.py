@@ -111,7 +111,7 @@ class JsonValues:
         """
         if key not in self.content:
             raise self.missing("a number", key)
-        return self._finite(self._bare(self.content[key]), key)
+        return self._finite(self.bare(self.content[key]), key)
 
     def focal(self, key: str) -> float:
         """A number of pixels that is not zero.
@@ -132,7 +132,7 @@ class JsonValues:
         """
         if key not in self.content:
             raise self.missing(f"{length} numbers", key)
-        value = self._bare(self.content[key], length)
+        value = self.bare(self.content[key], length)
         if type(value) is not list or len(value) != length:
             found = f"{len(value)} values" if type(value) is list else json_repr(value)
             raise self.error(f"expected {length} numbers, found {found}", key, advice)
@@ -218,7 +218,7 @@ class JsonValues:
         Raises:
             CameraError: it is no picture size.
         """
-        width, height = (self._bare(self.content[key]) for key in keys)
+        width, height = (self.bare(self.content[key]) for key in keys)
         # A larger picture does not exist; scaling by it would leave a camera of nothing.
         if all(is_finite_number(n) and n == int(n) and 2 <= n <= _WIDEST for n in (width, height)):
             return int(width), int(height)
@@ -227,7 +227,7 @@ class JsonValues:
             " and ".join(keys),
         )
 
-    def _bare(self, value: Any, length: int = 0) -> Any:
+    def bare(self, value: Any, length: int = 0) -> Any:
         """A value out of the lists of one it may stand in."""
         while self.nested and type(value) is list and len(value) == 1:
             if length == 1 and type(value[0]) is not list:

@@ -30,7 +30,6 @@ from procc_annotator.formats.cameras.loaded_camera import (
     with_notices,
 )
 
-KRT_KIND = "a K, R, t camera"
 MODELS = ("pinhole", "fisheye")
 # Of 1 and of the largest number: files round. A lens may differ by 0.03 px.
 _SAME_POSE, _SAME_LENS = 1e-3, 1e-5
@@ -38,7 +37,14 @@ _SAME_POSE, _SAME_LENS = 1e-3, 1e-5
 
 @dataclass(frozen=True)
 class KrtKeys:
-    """Keys of a format for the parts of a camera; several spellings of a part must agree."""
+    """The keys, units and axes of a format of K, R, t; several spellings of a part must agree.
+
+    Attributes:
+        unit_m: metres of the format's unit of length.
+        axes: (3, 3) our world's axes -> the format's; None where they are the same.
+        origin: our world's origin in the format's world, in its unit.
+        kind: what the object is, in messages.
+    """
 
     k: tuple[str, ...] = ("K", "camera_matrix", "cameraMatrix", "Camera_Matrix", "intrinsics")
     r: tuple[str, ...] = ("R", "rotation_matrix", "rvec", "rotation_vector", "rotation")
@@ -50,13 +56,17 @@ class KrtKeys:
     )  # fmt: skip
     model: tuple[str, ...] = ("model", "camera_model")
     fisheye: tuple[str, ...] = ("fisheye", "fisheye_model")  # flags in place of a model
-    # Keys that repeat what the others say; not read.
-    repeated: tuple[str, ...] = ()
+    repeated: tuple[str, ...] = ()  # keys that repeat what the others say; not read
+    unit_m: float = 1.0
+    axes: FloatArray | None = None
+    origin: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    kind: str = "a K, R, t camera"
 
     @property
     def used(self) -> tuple[str, ...]:
         """All spellings."""
-        return tuple(key for part in vars(self).values() for key in part)
+        parts = (self.k, self.r, self.t, self.position, self.distortion, self.model, self.fisheye)
+        return (*(key for part in parts for key in part), *self.repeated)
 
 
 KRT_KEYS = KrtKeys()
@@ -77,7 +87,7 @@ def krt_from(content: object, path: str, inside: str = "") -> LoadedCamera:
     Raises:
         CameraError: names the place and what was expected.
     """
-    return camera_of_matrices(JsonValues.of(content, path, inside, KRT_KIND), KRT_KEYS)
+    return camera_of_matrices(JsonValues.of(content, path, inside, KRT_KEYS.kind), KRT_KEYS)
 
 
 def camera_of_matrices(
@@ -104,9 +114,10 @@ def camera_of_matrices(
     )
     t_key, t = _agreeing(
         values, "3 numbers", (*keys.t, *keys.position),
-        lambda key: _translation(values, key, rotation if key in keys.position else None),
+        lambda key: _translation(values, key, rotation, keys),
         _SAME_POSE,
     )  # fmt: skip
+    rotation = rotation if keys.axes is None else rotation @ keys.axes
     try:
         pose = pose_from_rt(rotation, t)
     except ValueError as problem:
@@ -127,6 +138,12 @@ def camera_of_matrices(
     return LoadedCamera(camera, model, size, notices=notices)
 
 
+def centred_k(fx: float, fy: float, cx: float, cy: float) -> list[list[float]]:
+    """K of a format whose pixels count from the corner of the picture, not from the centre of its
+    first pixel."""
+    return [[fx, 0.0, cx - 0.5], [0.0, fy, cy - 0.5], [0.0, 0.0, 1.0]]
+
+
 def _agreeing(
     values: JsonValues,
     expected: str,
@@ -134,7 +151,11 @@ def _agreeing(
     read: Callable[[str], FloatArray],
     same: float = _SAME_LENS,
 ) -> tuple[str, FloatArray]:
-    """Return the first spelling that is there and what it holds."""
+    """Return the first spelling that is there and what it holds.
+
+    Raises:
+        CameraError: none is there, or two say something else.
+    """
     first, *others = [key for key in keys if key in values] or [values.need(expected, *keys)]
     found = read(first)
     for other in others:
@@ -157,17 +178,16 @@ def _rotation(values: JsonValues, key: str) -> FloatArray:
     return values.matrix(key, 3, 3)
 
 
-def _translation(values: JsonValues, key: str, rotation: FloatArray | None) -> FloatArray:
-    vector = _three(values, key)
-    with np.errstate(over="ignore", invalid="ignore"):
-        return vector if rotation is None else np.asarray(-rotation @ vector)
-
-
-def _three(values: JsonValues, key: str) -> FloatArray:
+def _translation(values: JsonValues, key: str, rotation: FloatArray, keys: KrtKeys) -> FloatArray:
+    """t in metres from our world's origin."""
     flat = values.numbers(key)
     if len(flat) != 3:
         raise values.error(f"expected 3 numbers, found {len(flat)}", key)
-    return np.array(flat)
+    origin = np.array(keys.origin)
+    with np.errstate(over="ignore", invalid="ignore"):
+        if key in keys.position:
+            return np.asarray(keys.unit_m * (-rotation @ (np.array(flat) - origin)))
+        return np.asarray(keys.unit_m * (np.array(flat) + rotation @ origin))
 
 
 def _model(values: JsonValues, keys: KrtKeys) -> str:
@@ -285,7 +305,6 @@ def _is_3x4(content: object) -> bool:
     )
 
 
-NESTED_KIND = "a K, R, t camera"
 NAME_KEYS = ("frames", "names", "image_names", "filenames", "images")
 _OWN_NAME = ("name", "image_name", "frame", "file_name", "id")
 _APART = ("intrinsics", "intrinsic", "extrinsics", "extrinsic")
@@ -296,11 +315,10 @@ _SHARED_LISTS = frozenset({*KRT_KEYS.k, "mtx", *KRT_KEYS.distortion})
 _DOME = frozenset({"K", "R", "t", "distCoef", "resolution"})
 _DOME_KEYS = KrtKeys(
     k=("K",), r=("R",), t=("t",), position=(), distortion=("distCoef",), model=(),
-    repeated=("resolution",),
+    repeated=("resolution",), unit_m=0.01, kind="a camera of the Panoptic Studio",
+    # The dome's axes in ours: x stays, our y is against its z, our z (down) is its y.
+    axes=np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]]),
 )  # fmt: skip
-_CM = 0.01
-# The dome's axes in ours: x stays, our y is against its z, our z (down) is its y.
-_DOME_FROM_WORLD = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])
 BY_ORDER = "the file names no frames: they are called 0, 1, 2 ... by the order in it"
 
 
@@ -323,7 +341,7 @@ def nested_records(content: object, path: str) -> CameraRecords:
     found = [(name, CameraRecord(place, entry)) for name, place, entry in _nested(content)]
     if not found:
         raise CameraError(path, "holds no camera, expected K, R and t under 'cameras'")
-    beside = JsonValues.of(content, path, kind=NESTED_KIND).unused("cameras")
+    beside = JsonValues.of(content, path, kind=KRT_KEYS.kind).unused("cameras")
     return CameraRecords.of(path, found, _nested_from, beside)
 
 
@@ -380,25 +398,12 @@ def _flatten_entry(entry: Any) -> Any:
 
 
 def _nested_from(content: object, path: str, inside: str) -> LoadedCamera:
-    if type(content) is dict and content.keys() >= _DOME:
-        return _dome_camera(content, path, inside)
-    return krt_from(content, path, inside)
-
-
-def _dome_camera(content: dict[str, Any], path: str, inside: str) -> LoadedCamera:
-    values = JsonValues(content, path, inside, "a camera of the Panoptic Studio")
-    rotation, t = values.matrix("R", 3, 3), values.numbers("t")
+    if type(content) is not dict or not content.keys() >= _DOME:
+        return krt_from(content, path, inside)
+    values = JsonValues(content, path, inside, _DOME_KEYS.kind)
     width, height = values.vector("resolution", 2)
-    sized = JsonValues({"width": width, "height": height}, path, inside)
-    if len(t) != 3:
-        raise values.error(f"expected 3 numbers, found {len(t)}", "t")
-    own = {
-        **content,
-        "R": (rotation @ _DOME_FROM_WORLD).tolist(),
-        "t": [_CM * number for number in t],
-    }
-    turned = JsonValues(own, path, inside, NESTED_KIND)
-    return camera_of_matrices(turned, _DOME_KEYS, sized.size())
+    size = JsonValues({"width": width, "height": height}, path, inside).size()
+    return camera_of_matrices(values, _DOME_KEYS, size)
 
 
 def _frames_of_stack(content: dict[str, Any]) -> int | None:

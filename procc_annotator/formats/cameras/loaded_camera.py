@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import PurePosixPath
 from typing import Any
 
-from procc_annotator.camera.base import CameraOrProjections
+from procc_annotator.camera.base import CameraOrProjections, ElementProjections, scaled_camera
 from procc_annotator.camera.models import FisheyeCamera, PinholeCamera
 from procc_annotator.errors import CameraError
 from procc_annotator.field.load import field_titles, is_builtin_field
@@ -150,6 +150,30 @@ class CameraRecords:
         return self.entries[frame][0].place
 
 
+@dataclass(frozen=True)
+class CameraFormat:
+    """One file format of cameras.
+
+    Attributes:
+        name: value of ``--camera-format``.
+        title: for people.
+        suffixes: of the files that may hold it, lower case.
+        default_for: the suffixes ``auto`` reads with it.
+        read: ``read(data, path=...)``, the camera of a file that holds one.
+        records: ``records(data, path=...)``, the cameras of a file that holds several, or None for
+            a file that holds one; None for a format whose files never do.
+        always_many: whether its files always hold several.
+    """
+
+    name: str
+    title: str
+    suffixes: tuple[str, ...]
+    default_for: tuple[str, ...]
+    read: Callable[..., LoadedCamera]
+    records: Callable[..., CameraRecords | None] | None = None
+    always_many: bool = False
+
+
 def frame_of_image(name: str, by_path: bool = False) -> str:
     """The frame a picture's name stands for: without the suffix of a picture, and without folders
     unless it is called by its path."""
@@ -203,3 +227,68 @@ def with_plausibility_remark(loaded: LoadedCamera) -> LoadedCamera:
         return loaded
     told = f"{doubt} (is the world of the file the field's?)"
     return with_notices(loaded, (told,))
+
+
+_FAR = 0.2  # of the picture's size
+_EXACT = 1e-6  # px
+
+
+def fit_to_size(
+    loaded: LoadedCamera,
+    size: tuple[int, int],
+    camera_size: tuple[int, int] | None = None,
+    unsized: tuple[int, int] | None = None,
+) -> tuple[CameraOrProjections, str | None]:
+    """The camera in pixels of the evaluation size, and a remark when it had to be scaled.
+
+    Args:
+        loaded: as read.
+        size: (width, height) of the evaluation, px.
+        camera_size: what the user says the camera's pixels belong to, where its file does not say.
+        unsized: what they belong to where nothing says it; None for ``size``.
+    """
+    camera = loaded.camera
+    if isinstance(camera, ElementProjections):
+        # Shares of the picture, which belong to any size: nothing to remark.
+        return scaled_camera(camera, loaded.size or size, size), None
+    told = loaded.size_where(camera_size)
+    own = told or unsized or size
+    said = f"{own[0]}x{own[1]}"
+    if loaded.size not in (None, own):
+        said += f" (usual: {loaded.size[0]}x{loaded.size[1]})"
+    if own != size:
+        return scaled_camera(camera, own, size), f"scaled from {said} to {size[0]}x{size[1]}"
+    if told is None:
+        return camera, _doubt(camera, size)
+    return camera, None if loaded.size in (None, own) else f"taken for {said}"
+
+
+def _doubt(camera: CameraOrProjections, size: tuple[int, int]) -> str | None:
+    """A remark when a camera that names no picture size hardly belongs to this one.
+
+    It is still taken as it is, as the official evaluation does: guessing would fail silently.
+    """
+    if not isinstance(camera, PinholeCamera | FisheyeCamera):
+        return None
+    x, y = camera.principal_point_px
+    width, height = size
+    off_x, off_y = abs(x - width / 2), abs(y - height / 2)
+    if off_x > _FAR * width or off_y > _FAR * height:
+        place = f"far from the middle of {width}x{height}"
+    elif (own := _exact_middle_of(x, y)) is not None and max(off_x, off_y) > 1:
+        place = f"in the exact middle of {own[0]}x{own[1]}, not of {width}x{height}"
+    else:
+        return None
+    return (
+        f"principal point {place}: if the camera belongs to another picture size, name it"
+        " (camera size)"
+    )
+
+
+def _exact_middle_of(x: float, y: float) -> tuple[int, int] | None:
+    """The (width, height) px a principal point was put in the middle of, be that (width - 1) / 2 or
+    width / 2; None for one that was fitted."""
+    twice = round(2 * x), round(2 * y)
+    if min(twice) < 2 or any(abs(2 * v - t) > _EXACT for v, t in zip((x, y), twice, strict=True)):
+        return None
+    return twice[0] + twice[0] % 2, twice[1] + twice[1] % 2

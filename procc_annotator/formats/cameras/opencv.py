@@ -17,7 +17,7 @@ from procc_annotator.errors import CameraError
 from procc_annotator.formats.cameras.json_values import SIZE_KEYS, JsonValues, is_camera_key
 from procc_annotator.formats.cameras.krt import KRT_KEYS, camera_of_matrices, krt_content
 from procc_annotator.formats.cameras.loaded_camera import LoadedCamera
-from procc_annotator.formats.strict_json import strip_bom
+from procc_annotator.formats.strict_json import utf8_text
 
 KIND = "an OpenCV calibration"
 # Of OpenCV's calibration sample: the poses of its boards.
@@ -70,7 +70,10 @@ def storage_numbers(
         if not root.isMap():
             raise _unreadable(path)
         names = set(root.keys())
-        return {key: _value(root.getNode(key), path, key) for key in wanted(names) if key in names}
+        values = JsonValues({}, path)
+        return {
+            key: _value(root.getNode(key), values, key) for key in wanted(names) if key in names
+        }
     except (cv2.error, SystemError, UnicodeDecodeError, MemoryError) as error:
         raise _unreadable(path) from error
 
@@ -90,24 +93,17 @@ def write_opencv(camera: PinholeCamera | FisheyeCamera, size: tuple[int, int] | 
     lines.append(f"model: {content['model']}")
     distortion = content["dist"]
     for key, rows, columns, numbers in (
-        ("camera_matrix", 3, 3, _flat(content["K"])),
+        ("camera_matrix", 3, 3, np.ravel(content["K"])),
         ("distortion_coefficients", len(distortion), 1, distortion),
-        ("R", 3, 3, _flat(content["R"])),
+        ("R", 3, 3, np.ravel(content["R"])),
         ("tvec", 3, 1, content["t"]),
     ):
         spelled = ", ".join(_spelled(number) for number in numbers)
         lines += [
-            f"{key}: !!opencv-matrix",
-            f"   rows: {rows}",
-            f"   cols: {columns}",
-            "   dt: d",
+            f"{key}: !!opencv-matrix", f"   rows: {rows}", f"   cols: {columns}", "   dt: d",
             f"   data: [ {spelled} ]",
-        ]
+        ]  # fmt: skip
     return ("\n".join(lines) + "\n").encode()
-
-
-def _flat(rows: list[list[float]]) -> list[float]:
-    return [number for row in rows for number in row]
 
 
 def _spelled(number: float) -> str:
@@ -122,19 +118,7 @@ def _text(data: bytes, path: str) -> str:
             f"is larger than {_LARGEST_FILE >> 20} MB, expected one calibration",
             advice="is it this file?",
         )
-    try:
-        text = strip_bom(data).decode("utf-8")
-    except UnicodeDecodeError as error:
-        raise CameraError(
-            path, "is not UTF-8 text", place=f"byte {error.start}", advice="save it as UTF-8"
-        ) from error
-    if "\0" in text:
-        raise CameraError(
-            path,
-            "is not UTF-8 text",
-            place=f"character {text.index(chr(0)) + 1}",
-            advice="it looks like UTF-16 or a binary file: save it as UTF-8",
-        )
+    text = utf8_text(data, path)
     if not text.strip():
         raise CameraError(path, "is empty, expected an OpenCV calibration")
     if _depth(text) > _DEEPEST:
@@ -190,64 +174,51 @@ def _unreadable(path: str) -> CameraError:
     )
 
 
-def _value(node: Any, path: str, key: str) -> Any:
+def _value(node: Any, values: JsonValues, key: str) -> Any:
     if node.isInt() or node.isReal():
         return float(node.real())
     if node.isString():
         return str(node.string())
     if node.isMap():
-        return _matrix(node, path, key)
-    if node.isSeq():
-        return _rows(node, path, key)
-    return None
+        return _matrix(node, values, key)
+    return _rows(node, values, key) if node.isSeq() else None
 
 
-def _matrix(node: Any, path: str, key: str) -> list[Any]:
+def _matrix(node: Any, values: JsonValues, key: str) -> list[Any]:
     # Never `mat()`: it makes room for as many numbers as the file announces.
     parts: Mapping[str, Any] = {name: node.getNode(name) for name in list(node.keys())}
     if {"sizes", "data"} <= parts.keys():  # how OpenCV 5 writes a vector
-        sizes = _rows(parts["sizes"], path, key) if parts["sizes"].isSeq() else []
+        sizes = _rows(parts["sizes"], values, key) if parts["sizes"].isSeq() else []
         sizes = sizes or [float(parts["sizes"].real())]
         if len(sizes) > 2 or any(type(size) is not float for size in sizes):
-            raise CameraError(
-                path,
-                f"has {len(sizes)} dimensions, expected a vector or a matrix",
-                place=key,
-                advice="correct the file",
-            )
+            found = f"has {len(sizes)} dimensions"
+            raise values.error(f"{found}, expected a vector or a matrix", key)
         rows, columns = (*sizes, 1.0)[:2]
     elif {"rows", "cols", "data"} <= parts.keys():
         rows, columns = (float(parts[name].real()) for name in ("rows", "cols"))
     else:
-        raise CameraError(path, "expected a matrix", place=key, advice="correct the file")
-    numbers = _rows(parts["data"], path, key) if parts["data"].isSeq() else []
+        raise values.error("expected a matrix", key)
+    numbers = _rows(parts["data"], values, key) if parts["data"].isSeq() else []
     if not (rows * columns == len(numbers) and rows == int(rows) and columns == int(columns)):
-        raise CameraError(
-            path,
-            f"announces {rows:g} x {columns:g} numbers, found {len(numbers)}",
-            place=key,
-            advice="the file may be cut off",
-        )
-    whole = int(columns)
+        problem = f"announces {rows:g} x {columns:g} numbers, found {len(numbers)}"
+        raise values.error(problem, key, "the file may be cut off")
     # A row or a column is a vector: nobody agrees on which it is.
     if min(rows, columns) <= 1:
         return numbers
-    return np.array(numbers, dtype=object).reshape(-1, whole).tolist()
+    return np.array(numbers, dtype=object).reshape(-1, int(columns)).tolist()
 
 
-def _rows(node: Any, path: str, key: str) -> list[Any]:
+def _rows(node: Any, values: JsonValues, key: str) -> list[Any]:
     count = int(node.size())
     if count > _MOST_NUMBERS:
-        raise CameraError(path, f"has {count} entries, more than a camera's matrix has", place=key)
+        raise values.error(f"has {count} entries, more than a camera's matrix has", key, "")
     found: list[Any] = []
     for i in range(count):
         entry = node.at(i)
         if entry.isSeq():
-            found.append(_rows(entry, path, f"{key}[{i}]"))
+            found.append(_rows(entry, values, f"{key}[{i}]"))
         elif entry.isInt() or entry.isReal():
             found.append(float(entry.real()))
         else:
-            raise CameraError(
-                path, "expected a number", place=f"{key}[{i}]", advice="correct the file"
-            )
+            raise values.error("expected a number", f"{key}[{i}]")
     return found

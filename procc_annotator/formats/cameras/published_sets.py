@@ -1,4 +1,8 @@
-"""Cameras of published datasets: DeepSportRadar JSON, WorldCup 2014 and PTZ MATLAB structures."""
+"""Cameras of published datasets and tools: DeepSportRadar, World Cup 2014, PTZ-SLAM, NeRF.
+
+Facts on transforms.json: https://docs.nerf.studio/quickstart/data_conventions.html and the docs of
+instant-ngp. A pose is camera -> world; a camera's axes are OpenGL's (x right, y up, z back).
+"""
 
 from __future__ import annotations
 
@@ -13,42 +17,50 @@ from procc_annotator.errors import CameraError
 from procc_annotator.formats.cameras.homography import (
     CONVENTIONS,
     HOMOGRAPHY_SIZE,
+    YARD_M,
     camera_from_homography,
 )
 from procc_annotator.formats.cameras.json_values import JsonValues
-from procc_annotator.formats.cameras.krt import KrtKeys, camera_of_matrices, krt_from
+from procc_annotator.formats.cameras.krt import KRT_KEYS, KrtKeys, camera_of_matrices, centred_k
 from procc_annotator.formats.cameras.loaded_camera import (
     CameraRecord,
     CameraRecords,
     LoadedCamera,
+    ReadRecord,
+    frame_of_image,
     with_notices,
 )
 from procc_annotator.formats.strict_json import json_kind
 
-DEEPSPORTRADAR_KIND = "a K, R, T camera of DeepSportRadar"
-_CM = 0.01
-# The centre of a FIBA court, in the file's units from the corner that is its origin.
-COURT_CENTRE_CM = (1400.0, 750.0, 0.0)
-_KEYS = KrtKeys(
-    k=("K",), r=("R",), t=("T",), position=(), distortion=("kc",), model=(),
-    repeated=("C", "P"),
+_DEEPSPORTRADAR = KrtKeys(
+    k=("K",), r=("R",), t=("T",), position=(), distortion=("kc",), model=(), repeated=("C", "P"),
+    unit_m=0.01,
+    origin=(1400.0, 750.0, 0.0),  # the centre of a FIBA court from the corner that is their origin
+    kind="a K, R, T camera of DeepSportRadar",
 )  # fmt: skip
+# World Cup 2014 in metres from a corner, z up; their axes in ours are half a turn about x.
+_HALF_TURN = np.diag([1.0, -1.0, -1.0])
+_PTZ = replace(
+    KRT_KEYS,
+    axes=_HALF_TURN,
+    origin=(115 / 2 * YARD_M, 74 / 2 * YARD_M, 0.0),
+    kind="a K, R, t camera",
+)
+_TRANSFORMS = replace(KRT_KEYS, axes=_HALF_TURN, kind="a transforms.json")
 # What the challenge's code writes where it found no camera.
 _NO_CAMERA = [1.0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1]
-
-
 _REMARK = "cameras of a basketball court, for frames called 0, 1, 2 ... by their order in the file"
 
 
 def is_deepsportradar(content: object) -> bool:
-    """Return whether a decoded value is such a list."""
+    """Return whether decoded content is a list of K, R, T."""
     return type(content) is list and any(
         type(entry) is dict and {"K", "R", "T"} <= entry.keys() for entry in content
     )
 
 
 def deepsportradar_records(content: object, path: str) -> CameraRecords:
-    """The cameras of a decoded list; the first entry may tell the pictures' size alone.
+    """The cameras of a decoded list; the first entry may give the pictures' size alone.
 
     Raises:
         CameraError: not a list, or one without cameras.
@@ -60,96 +72,58 @@ def deepsportradar_records(content: object, path: str) -> CameraRecords:
     size = None
     entries = list(enumerate(content))
     if entries and type(content[0]) is dict and set(content[0]) == {"width", "height"}:
-        size = JsonValues(content[0], path, "[0]", DEEPSPORTRADAR_KIND, nested=True).size()
+        size = JsonValues(content[0], path, "[0]", _DEEPSPORTRADAR.kind, nested=True).size()
         entries = entries[1:]
     if not entries:
         raise CameraError(path, "holds no camera, expected a list of cameras")
+
+    def camera(entry: object, path: str, at: str) -> LoadedCamera:
+        values = JsonValues.of(entry, path, at, _DEEPSPORTRADAR.kind, nested=True)
+        if "P" in values and list(values.numbers("P")) == _NO_CAMERA:
+            raise values.error('stands for "no camera found"', "P", advice="")
+        return camera_of_matrices(values, _DEEPSPORTRADAR, values.size() or size)
+
     found = [
-        (str(frame), CameraRecord(f"[{i}]", (entry, size)))
-        for frame, (i, entry) in enumerate(entries)
+        (str(frame), CameraRecord(f"[{i}]", entry)) for frame, (i, entry) in enumerate(entries)
     ]
-    return CameraRecords.of(path, found, _from_entry, (_REMARK,))
+    return CameraRecords.of(path, found, camera, (_REMARK,))
 
 
-def _from_entry(content: tuple[object, tuple[int, int] | None], path: str, at: str) -> LoadedCamera:
-    entry, size = content
-    values = JsonValues.of(entry, path, at, DEEPSPORTRADAR_KIND, nested=True)
-    if "P" in values and list(values.numbers("P")) == _NO_CAMERA:
-        raise values.error('stands for "no camera found"', "P", advice="")
-    rotation, t = values.matrix("R", 3, 3), values.numbers("T")
-    if len(t) != 3:
-        raise values.error(f"expected 3 numbers, found {len(t)}", "T")
-    moved = {**values.content, "T": _centred(rotation, t, values)}
-    own = JsonValues(moved, path, at, DEEPSPORTRADAR_KIND, nested=True)
-    return camera_of_matrices(own, _KEYS, own.size() or size)
+_MATLAB_KIND = "an annotation of a MATLAB structure"
 
 
-def _centred(rotation: FloatArray, t: tuple[float, ...], values: JsonValues) -> list[float]:
-    """t in metres, for a world whose origin is the court's centre."""
-    with np.errstate(over="ignore", invalid="ignore"):
-        moved: list[float] = (_CM * (np.array(t) + rotation @ np.array(COURT_CENTRE_CM))).tolist()
-    if not all(map(math.isfinite, moved)):
-        raise values.error("is without bounds", "T")
-    return moved
+def is_annotation_set(key: str, content: object) -> bool:
+    """Return whether decoded content is a structure of annotations with a key."""
+    return any(key in entry for entry in _annotations(content))
 
 
-MATLAB_SET_KIND = "an annotation of a MATLAB structure"
-_YARD_M = 0.9144
-# The field's centre in their axes, and those in ours: half a turn about x.
-_CENTRE = np.array([115 / 2 * _YARD_M, 74 / 2 * _YARD_M, 0.0])
-_TURN = np.diag([1.0, -1.0, -1.0])
-_FIELD = "soccer"
-
-
-def is_homography_set(content: object) -> bool:
-    """Return whether a decoded value is the first of these sets."""
-    return any("homography" in entry for entry in _entries(content))
-
-
-def is_ptz_set(content: object) -> bool:
-    """Return whether a decoded value is the second."""
-    return any("camera" in entry for entry in _entries(content))
-
-
-def homography_records(content: object, path: str) -> CameraRecords:
-    """The homographies of a decoded file.
-
-    Raises:
-        CameraError: there is none.
-    """
-    return _records(content, path, _homography)
-
-
-def ptz_records(content: object, path: str) -> CameraRecords:
-    """The cameras of a decoded file.
-
-    Raises:
-        CameraError: there is none.
-    """
-    return _records(content, path, _ptz)
-
-
-def _entries(content: object) -> list[dict[str, Any]]:
+def _annotations(content: object) -> list[dict[str, Any]]:
     found = content.get("annotation") if type(content) is dict else None
-    entries = [found] if type(found) is dict else found
-    if type(entries) is not list:
-        return []
+    entries = found if type(found) is list else [found]
     return [entry for entry in entries if type(entry) is dict and "image_name" in entry]
 
 
-def _records(content: object, path: str, read: Any) -> CameraRecords:
-    entries = _entries(content)
-    if not entries:
-        raise CameraError(path, "holds no camera, expected annotation(i) with image_name")
+def annotation_records(read: ReadRecord, content: object, path: str) -> CameraRecords:
+    """The cameras of the entries ``annotation(i)`` of decoded content.
+
+    Args:
+        read: `read_set_homography` or `read_ptz`.
+
+    Raises:
+        CameraError: there is none.
+    """
     found = [
         (str(entry["image_name"]), CameraRecord(f"annotation({i})", entry))
-        for i, entry in enumerate(entries, 1)
+        for i, entry in enumerate(_annotations(content), 1)
     ]
+    if not found:
+        raise CameraError(path, "holds no camera, expected annotation(i) with image_name")
     return CameraRecords.of(path, found, read)
 
 
-def _homography(content: Any, path: str, inside: str) -> LoadedCamera:
-    values = JsonValues.of(content, path, inside, MATLAB_SET_KIND)
+def read_set_homography(content: Any, path: str, inside: str) -> LoadedCamera:
+    """The camera of an entry with a homography, world -> picture, in yards."""
+    values = JsonValues.of(content, path, inside, _MATLAB_KIND)
     image_from_ground = values.matrix("homography", 3, 3)
     try:
         matrix: FloatArray = np.linalg.inv(image_from_ground).astype(np.float64)
@@ -157,26 +131,103 @@ def _homography(content: Any, path: str, inside: str) -> LoadedCamera:
         raise values.error("cannot be inverted", "homography") from error
     world = CONVENTIONS["wc14"].world_from_units
     loaded = camera_from_homography(matrix, world, HOMOGRAPHY_SIZE, path=path, place=inside)
-    return with_notices(replace(loaded, assumed_field=_FIELD), values.unused("homography"))
+    return with_notices(replace(loaded, assumed_field="soccer"), values.unused("homography"))
 
 
-def _ptz(content: Any, path: str, inside: str) -> LoadedCamera:
-    values = JsonValues.of(content, path, inside, MATLAB_SET_KIND)
+def read_ptz(content: Any, path: str, inside: str) -> LoadedCamera:
+    """The camera of an entry cx, cy, focal length, rotation vector, position (metres, z up)."""
+    values = JsonValues.of(content, path, inside, _MATLAB_KIND)
     cx, cy, focal, *rest = values.vector("camera", 9)
-    place = _TURN @ (np.array(rest[3:]) - _CENTRE)
-    rotation = _matrix_of(np.array(rest[:3])) @ _TURN
     own = {
         "K": [[focal, 0.0, cx], [0.0, focal, cy], [0.0, 0.0, 1.0]],
-        "R": rotation.tolist(),
-        "position": place.tolist(),
+        "rvec": rest[:3],
+        "position": rest[3:],
         "width": round(2 * cx),
         "height": round(2 * cy),
     }
-    loaded = krt_from(own, path, inside)
-    return with_notices(replace(loaded, assumed_field=_FIELD), values.unused("camera"))
+    loaded = camera_of_matrices(JsonValues(own, path, inside, _PTZ.kind), _PTZ)
+    return with_notices(replace(loaded, assumed_field="soccer"), values.unused("camera"))
 
 
-def _matrix_of(vector: Any) -> Any:
-    import cv2  # most sets have none of these files
+_POSE = "transform_matrix"
+_FISHEYE = "OPENCV_FISHEYE"
+_MODELS = ("OPENCV", "PINHOLE", "SIMPLE_PINHOLE", _FISHEYE)
+_TERMS = ("k1", "k2", "p1", "p2", "k3", "k4")
+_USED = (
+    _POSE, "camera_model", "is_fisheye", "w", "h", "fl_x", "fl_y", "camera_angle_x",
+    "camera_angle_y", "cx", "cy", *_TERMS,
+)  # fmt: skip
 
-    return np.asarray(cv2.Rodrigues(vector)[0], dtype=np.float64)
+
+def is_transforms(content: object) -> bool:
+    """Return whether decoded content is a transforms.json."""
+    frames = content.get("frames") if type(content) is dict else None
+    return type(frames) is list and any(type(f) is dict and _POSE in f for f in frames)
+
+
+def transforms_records(content: object, path: str) -> CameraRecords:
+    """The camera of every picture of a decoded transforms.json.
+
+    Raises:
+        CameraError: it lists no pictures.
+    """
+    values = JsonValues.of(content, path, kind=_TRANSFORMS.kind)
+    frames = values.content.get("frames")
+    if type(frames) is not list or not frames:
+        raise values.error("expected a list of pictures with their poses", "frames")
+    shared = {key: value for key, value in values.content.items() if key != "frames"}
+    found = []
+    for i, frame in enumerate(frames):
+        own = JsonValues.of(frame, path, f"frames[{i}]", _TRANSFORMS.kind)
+        name = own.content.get("file_path")
+        if type(name) is not str or not frame_of_image(name):
+            raise own.error("expected the path of a picture", "file_path")
+        found.append((name, CameraRecord(f"frames[{i}]", {**shared, **frame})))
+    return CameraRecords.of(path, found, _transform)
+
+
+def _transform(content: Any, path: str, inside: str) -> LoadedCamera:
+    values = JsonValues(content, path, inside, _TRANSFORMS.kind)
+    model = values.content.get("camera_model", "OPENCV")
+    if model not in _MODELS:
+        raise values.error(f"expected {' or '.join(_MODELS)}", "camera_model")
+    size = values.size_under(("w", "h"), ("width", "height"))
+    if size is None:
+        raise values.missing("the size of the pictures", "w", "h")
+    is_fisheye = model == _FISHEYE or values.content.get("is_fisheye") is True
+    pose = content.get(_POSE)
+    matrix = values.matrix(_POSE, 3 if type(pose) is list and len(pose) == 3 else 4, 4)
+    fx = _focal(values, size[0], "fl_x", "camera_angle_x")
+    if fx is None:
+        raise values.missing("a focal length or an angle of view", "camera_angle_x", "fl_x")
+    fy = _focal(values, size[1], "fl_y", "camera_angle_y") or fx
+    cx, cy = (
+        values.number(key) if key in values else n / 2
+        for key, n in zip(("cx", "cy"), size, strict=True)
+    )
+    k1, k2, p1, p2, k3, k4 = (values.number(key) if key in values else 0.0 for key in _TERMS)
+    if k4 and not is_fisheye:
+        raise values.error("expected 0 for a lens that is no fisheye", "k4")
+    own = {
+        "model": "fisheye" if is_fisheye else "pinhole",
+        "K": centred_k(fx, fy, cx, cy),
+        "R": (_HALF_TURN @ matrix[:3, :3].T).tolist(),
+        "position": matrix[:3, 3].tolist(),
+        "dist": [k1, k2, k3, k4] if is_fisheye else [k1, k2, p1, p2, k3],
+        "width": size[0],
+        "height": size[1],
+    }
+    loaded = camera_of_matrices(JsonValues(own, path, inside, KRT_KEYS.kind), _TRANSFORMS)
+    return with_notices(loaded, values.unused(*_USED))
+
+
+def _focal(values: JsonValues, length: int, key: str, angle_key: str) -> float | None:
+    """px, from a focal length or an angle of view along a side of the picture."""
+    if key in values:
+        return values.focal(key)
+    if angle_key not in values:
+        return None
+    angle = values.number(angle_key)
+    if not 0 < angle < math.pi:
+        raise values.error("expected an angle between 0 and pi", angle_key)
+    return length / 2 / math.tan(angle / 2)

@@ -1,192 +1,318 @@
-"""Table of camera formats including plug-ins; read a camera at the evaluated size."""
+"""The table of camera formats: how each is recognised and read."""
 
 from __future__ import annotations
 
+import json
 import os
-from collections.abc import Callable, Iterable
-from dataclasses import dataclass, replace
+from collections.abc import Callable
+from dataclasses import dataclass
 from functools import partial
-from typing import Any, TypeVar
+from pathlib import PurePath
+from typing import Any
 
-import numpy as np
-
-from procc_annotator.camera.base import (
-    Camera,
-    CameraOrProjections,
-    ElementProjections,
-    scaled_camera,
-)
-from procc_annotator.camera.models import FisheyeCamera, PinholeCamera
-from procc_annotator.errors import CameraError, ProccError, UsageError
+from procc_annotator.errors import CameraError, UsageError
+from procc_annotator.formats.cameras.arrays import array_content, is_array_file
 from procc_annotator.formats.cameras.homography import (
     CONVENTIONS,
     matrix_records,
     read_homography,
     read_matrix_file,
 )
-from procc_annotator.formats.cameras.json_detection import (
-    ARRAY_SUFFIXES,
-    JSON_FORMATS,
-    json_records,
-    read_json,
+from procc_annotator.formats.cameras.krt import (
+    is_krt,
+    is_nested,
+    is_projection,
+    is_stack,
+    krt_from,
+    nested_records,
+    projection_from,
+    stack_records,
 )
-from procc_annotator.formats.cameras.loaded_camera import CameraRecords, LoadedCamera
-from procc_annotator.formats.cameras.opencv import read_opencv
+from procc_annotator.formats.cameras.loaded_camera import (
+    CameraFormat,
+    CameraRecord,
+    CameraRecords,
+    LoadedCamera,
+)
+from procc_annotator.formats.cameras.opencv import is_storage, read_opencv
 from procc_annotator.formats.cameras.paired_files import PAIRED_FORMATS, raise_half_of_pair
+from procc_annotator.formats.cameras.plugins import load_plugin_formats
+from procc_annotator.formats.cameras.polylines import (
+    looks_like_points,
+    polylines_from,
+    polylines_records,
+)
+from procc_annotator.formats.cameras.published_sets import (
+    annotation_records,
+    deepsportradar_records,
+    is_annotation_set,
+    is_deepsportradar,
+    is_transforms,
+    read_ptz,
+    read_set_homography,
+    transforms_records,
+)
+from procc_annotator.formats.cameras.soccernet import (
+    broadtrack_records,
+    camera_from,
+    is_broadtrack,
+    is_soccernet,
+    is_tvcalib,
+    tvcalib_from,
+    tvcalib_records,
+)
+from procc_annotator.formats.strict_json import decode_fast, json_kind, printable, strip_bom
 from procc_annotator.translation import word
 
-GROUP = "procc_annotator.cameras"
-_PROBES = np.array([(0.0, 0.0, 0.0), (30.0, -20.0, 0.0), (-52.5, 3.66, -2.44)])
+__all__ = ["CAMERA_FORMATS", "CameraFormat", "LoadedCamera", "read_camera_file"]
 
-F = TypeVar("F")
-
-
-def discover(
-    kind: type[F], group: str = GROUP, what: str = "camera plug-in"
-) -> tuple[list[tuple[str, F]], list[str]]:
-    """Return what the entry points of a group give, with their names, and what is wrong with the
-    others.
-
-    Args:
-        kind: what each should give, by itself or as the result of a call: one or several.
-        group: of entry points.
-        what: to call one of them.
-    """
-    import importlib.metadata  # takes long; the window needs no plug-ins to start
-
-    found: list[tuple[str, F]] = []
-    problems: list[str] = []
-    for point in importlib.metadata.entry_points(group=group):
-        try:
-            found += [(point.name, given) for given in _given(point.load(), kind)]
-        # Whatever somebody else's module raises on import must not end this program.
-        except Exception as error:  # noqa: BLE001
-            why = str(error) or "no reason given"
-            problems.append(
-                f"the {what} {point.name!r} ({point.value}) cannot be used:"
-                f" {type(error).__name__}: {' '.join(why.split())[:300]}"
-            )
-    return found, problems
+_ANNOTATION_ADVICE = (
+    "annotations are no cameras; projected polylines are read with the camera format polylines"
+)
 
 
-def _given(loaded: object, kind: type[F]) -> list[F]:
-    if not isinstance(loaded, kind) and callable(loaded):
-        loaded = loaded()
-    several = [loaded] if isinstance(loaded, kind) else loaded
-    if not isinstance(several, Iterable) or isinstance(several, str | bytes):
-        raise TypeError(f"gives {type(loaded).__name__}, expected {kind.__name__}")
-    formats = list(several)
-    for given in formats:
-        if not isinstance(given, kind):
-            raise TypeError(f"gives {type(given).__name__}, expected {kind.__name__}")
-    return formats
+ARRAY_SUFFIXES = (".npz", ".mat")
+SOCCERNET_PREFIX = "camera_"  # of its files' names
+
+
+class PointsError(CameraError):
+    """A file of points of classes where cameras were expected."""
+
+
+# Decoded content, the file, the place in it -> the camera.
+FromContent = Callable[[object, str, str], LoadedCamera]
 
 
 @dataclass(frozen=True)
-class PluginReader:
-    """Turns whatever goes wrong in a plug-in's reader into a camera error of this program."""
-
-    plugin: str
-    format_name: str
-
-    def checked(self, loaded: object, path: str) -> LoadedCamera:
-        """Return what a reader gave, if it is a camera that projects."""
-        if not isinstance(loaded, LoadedCamera):
-            raise self.error(path, f"it gives {type(loaded).__name__}, expected a LoadedCamera")
-        camera = loaded.camera
-        if isinstance(camera, ElementProjections):
-            return loaded
-        if not isinstance(camera, Camera):
-            raise self.error(path, f"a {type(camera).__name__} has no method project")
-        given: object = self.run(path, lambda: camera.project(_PROBES.copy()))
-        px, valid = given if isinstance(given, tuple) and len(given) == 2 else (None, None)
-        right = (
-            isinstance(px, np.ndarray)
-            and isinstance(valid, np.ndarray)
-            and px.shape == (len(_PROBES), 2)
-            and px.dtype == np.float64
-            and valid.shape == (len(_PROBES),)
-            and valid.dtype == np.bool_
-        )
-        if not right:
-            raise self.error(path, "project gives something else than (N, 2) float64, (N,) bool")
-        return loaded
-
-    def run(self, path: str, work: Callable[[], Any]) -> Any:
-        """The result of somebody else's code."""
-        try:
-            return work()
-        except ProccError:
-            raise
-        # Any mistake in it is one more way a file cannot be read.
-        except Exception as error:
-            raise self.error(path, f"{type(error).__name__}: {error}") from error
-
-    def error(self, path: str, why: str) -> CameraError:
-        """That the plug-in cannot read a file."""
-        return CameraError(
-            path,
-            f"cannot be read by the plug-in {self.plugin!r} (camera format {self.format_name}):"
-            f" {why}",
-        )
-
-
-@dataclass(frozen=True)
-class GuardedRead:
-    """A plug-in's `CameraFormat.read` under guard."""
-
-    reader: PluginReader
-    read: Callable[..., LoadedCamera]
-
-    def __call__(self, data: bytes, *, path: str) -> LoadedCamera:
-        loaded = self.reader.run(path, lambda: self.read(data, path=path))
-        return self.reader.checked(loaded, path)
-
-
-@dataclass(frozen=True)
-class GuardedRecords:
-    """A plug-in's `CameraFormat.records` under guard."""
-
-    reader: PluginReader
-    records: Callable[..., CameraRecords | None]
-
-    def __call__(self, data: bytes, *, path: str) -> CameraRecords | None:
-        found = self.reader.run(path, lambda: self.records(data, path=path))
-        if found is None:
-            return None
-        if not isinstance(found, CameraRecords):
-            raise self.reader.error(path, f"it gives {type(found).__name__}, not CameraRecords")
-        own = found
-
-        def read(content: object, where: str, place: str) -> LoadedCamera:
-            loaded = self.reader.run(where, lambda: own.read_record(content, where, place))
-            return self.reader.checked(loaded, where)
-
-        return replace(own, read_record=read)
-
-
-@dataclass(frozen=True)
-class CameraFormat:
-    """One way cameras are kept in files.
+class JsonFormat:
+    """A camera format of JSON.
 
     Attributes:
-        name: what is typed after ``--camera-format``.
-        title: what people read.
-        suffixes: of the files that may hold it, lower case.
-        default_for: the suffixes ``auto`` gives to it.
-        read: ``read(data, path=...)``, the camera of a file that holds one.
-        records: ``records(data, path=...)``, the cameras of a file that holds several, or None for
-            a file that holds one; None for a format whose files never do.
-        always_many: whether its files always hold several.
+        name, title: for the table of formats.
+        one: reads a file that holds one camera; None for a format whose files hold many.
+        many: the cameras of a decoded file that holds several; None where it holds one.
+        recognises: whether decoded content is of this format, for content nobody named.
+        keys: by which content is recognised, for messages; empty for a format that is never
+            recognised by what is in it.
     """
 
     name: str
     title: str
-    suffixes: tuple[str, ...]
-    default_for: tuple[str, ...]
-    read: Callable[..., LoadedCamera]
-    records: Callable[..., CameraRecords | None] | None = None
-    always_many: bool = False
+    one: FromContent | None
+    many: Callable[[object, str], CameraRecords | None]
+    recognises: Callable[[object], bool]
+    keys: str = ""
+
+
+def _soccernet(content: object, path: str, inside: str = "") -> LoadedCamera:
+    return camera_from(content, path=path, inside=inside)
+
+
+def _is_soccernet(content: object) -> bool:
+    return type(content) is dict and is_soccernet(content)
+
+
+def _by_frame(
+    is_one: Callable[[object], bool], read: FromContent, content: object, path: str
+) -> CameraRecords | None:
+    """The cameras of ``{frame: camera}`` of a format of one camera."""
+    if type(content) is not dict or is_one(content) or not any(map(is_one, content.values())):
+        return None
+    found = [(name, CameraRecord(name, v)) for name, v in content.items()]
+    return CameraRecords.of(path, found, read)
+
+
+def _krt_records(content: object, path: str) -> CameraRecords | None:
+    if is_nested(content):
+        return nested_records(content, path)
+    if is_stack(content):
+        return stack_records(content, path)
+    return _by_frame(is_krt, krt_from, content, path)
+
+
+def _is_krt(content: object) -> bool:
+    return is_krt(content) or is_nested(content) or (is_stack(content) and not is_storage(content))
+
+
+SOCCERNET = JsonFormat(
+    "soccernet", "SoccerNet camera JSON", _soccernet,
+    partial(_by_frame, _is_soccernet, _soccernet), _is_soccernet, "pan_degrees, x_focal_length",
+)  # fmt: skip
+TVCALIB = JsonFormat(  # its lines of JSON are read as text: by `tvcalib_records`
+    "tvcalib", "TVCalib per_sample_output.json", None, lambda *_: None, is_tvcalib, "image_ids"
+)
+JSON_FORMATS = (
+    SOCCERNET,
+    TVCALIB,
+    JsonFormat(
+        "broadtrack", "BroadTrack JSON", None,
+        broadtrack_records, is_broadtrack, "cp of each picture",
+    ),
+    JsonFormat(
+        "deepsportradar", "DeepSportRadar K, R, T list", None,
+        deepsportradar_records, is_deepsportradar, "a list of K, R, T",
+    ),
+    JsonFormat("krt", "K, R, t and distortion", krt_from, _krt_records, _is_krt, "K, R"),
+    JsonFormat(
+        "polylines", "projected polylines, JSON", polylines_from,
+        polylines_records, lambda _: False,
+    ),
+    JsonFormat(
+        "projection", "3 x 4 projection matrix", projection_from,
+        partial(_by_frame, is_projection, projection_from), is_projection, "P of 3 x 4",
+    ),
+    JsonFormat(
+        "transforms", "transforms.json of radiance fields", None,
+        transforms_records, is_transforms, "frames of transform_matrix",
+    ),
+    JsonFormat(
+        "sccvsd", "World Cup 2014 homographies, MATLAB", None,
+        partial(annotation_records, read_set_homography),
+        partial(is_annotation_set, "homography"), "annotation of image_name, homography",
+    ),
+    JsonFormat(
+        "ptz-slam", "frames of one tripod, MATLAB", None, partial(annotation_records, read_ptz),
+        partial(is_annotation_set, "camera"), "annotation of image_name, camera",
+    ),
+)  # fmt: skip
+_SOCCERNET_KEYS = ("pan_degrees", "tilt_degrees", "position_meters", "x_focal_length")
+_HOMOGRAPHY_KEYS = ("H", "homography", "homography_matrix")
+_SHOWN_KEYS = 4
+_BY_NAME = {known.name: known for known in JSON_FORMATS}
+
+
+def read_json(data: bytes, *, path: str, name: str | None = None) -> LoadedCamera:
+    """The one camera of a JSON file.
+
+    Args:
+        data: the file's bytes. path: for messages.
+        name: one of `JSON_FORMATS`; None goes by the content.
+
+    Raises:
+        CameraError: damaged, no camera, or several.
+    """
+    if name == TVCALIB.name or (name is None and _is_lines(data)):
+        return only_record(tvcalib_records(data, path=path))
+    content = _decoded(data, path)
+    if name is None and is_storage(content):
+        return read_opencv(data, path=path)
+    known = _BY_NAME[name] if name else _detected(content, path)
+    if known is TVCALIB:
+        return tvcalib_from(content, path)
+    records = known.many(content, path)
+    if records is not None:
+        return only_record(records)
+    assert known.one is not None  # formats without it have records or raise
+    return known.one(content, path, "")
+
+
+def json_records(data: bytes, *, path: str, name: str | None = None) -> CameraRecords | None:
+    """The cameras of a JSON file that holds several, or None where it holds one.
+
+    Raises:
+        CameraError: damaged, or no camera.
+    """
+    if name == TVCALIB.name or (name is None and _is_lines(data)):
+        return tvcalib_records(data, path=path)
+    content = _decoded(data, path)
+    if name is None and is_storage(content):
+        return None
+    known = _BY_NAME[name] if name else _detected(content, path)
+    if known is TVCALIB:
+        return tvcalib_records(data, path=path)
+    return known.many(content, path)
+
+
+def detected_title(data: bytes, path: str) -> str:
+    """The title of the format a file of cameras is told to be by its content, as of `read_json`;
+    empty for any other file, damaged ones too."""
+    try:
+        if _is_lines(data):
+            return TVCALIB.title
+        content = _decoded(data, path)
+        return "OpenCV FileStorage" if is_storage(content) else _detected(content, path).title
+    except CameraError:
+        return ""
+
+
+def only_record(records: CameraRecords) -> LoadedCamera:
+    """The camera of a file of many that happens to hold one.
+
+    Raises:
+        CameraError: it holds several, or its camera is damaged.
+    """
+    if len(records.entries) != 1:
+        raise CameraError(
+            records.path,
+            f"holds the cameras of {len(records.entries)} frames, expected one",
+            advice="give the file itself as the source of cameras",
+        )
+    return records.read(next(iter(records.entries)))
+
+
+def _decoded(data: bytes, path: str) -> Any:
+    if is_array_file(data) or path.lower().endswith(ARRAY_SUFFIXES):
+        return array_content(data, path)
+    return decode_fast(data, path=path, error=CameraError)
+
+
+def _detected(content: object, path: str) -> JsonFormat:
+    if type(content) is dict and is_soccernet(content) and not is_tvcalib(content):
+        return SOCCERNET
+    values = list(content.values()) if type(content) is dict else []
+    if looks_like_points(content) or (
+        values and any(looks_like_points(v) for v in values) and not any(map(_is_camera, values))
+    ):
+        raise PointsError(path, "holds points of classes, not a camera", advice=_ANNOTATION_ADVICE)
+    if type(content) is list and any(map(is_tvcalib, content)):
+        return TVCALIB
+    for known in JSON_FORMATS[1:]:
+        if known.recognises(content):
+            return known
+    for known in JSON_FORMATS:
+        if known.one is not None and any(map(known.recognises, values)):
+            return known
+    named = PurePath(path).name.startswith(SOCCERNET_PREFIX)
+    if named or (type(content) is dict and any(key in content for key in _SOCCERNET_KEYS)):
+        return SOCCERNET  # which says what else is missing
+    raise _unknown(content, path)
+
+
+def _unknown(content: object, path: str) -> CameraError:
+    """Return what is wrong with content of no known format, and the keys of every format."""
+    if type(content) is dict and any(key in content for key in _HOMOGRAPHY_KEYS):
+        return CameraError(
+            path,
+            "holds a homography, and nothing tells which ground and which units it is of",
+            advice="save it as .npy, and choose a camera format: wc14, carwc or world",
+        )
+    found = json_kind(content)
+    if type(content) is dict and content:
+        keys = ", ".join(printable(str(key), 30) for key in list(content)[:_SHOWN_KEYS])
+        more = ", ..." if len(content) > _SHOWN_KEYS else ""
+        found = f"an object with {keys}{more}"
+    formats = "; ".join(f"{known.keys} ({known.name})" for known in JSON_FORMATS if known.keys)
+    return CameraError(
+        path,
+        f"holds no camera of a known format: found {found}, expected {formats}",
+        advice="is this a camera? if so, choose its camera format",
+    )
+
+
+def _is_camera(content: object) -> bool:
+    return any(known.recognises(content) for known in JSON_FORMATS)
+
+
+def _is_lines(data: bytes) -> bool:
+    """Return whether a file holds one TVCalib record a line, judged by its first."""
+    data = strip_bom(data)
+    first, _, rest = data.lstrip().partition(b"\n")
+    if not rest.strip() or not first.lstrip().startswith(b"{") or b'"image_ids"' not in first:
+        return False
+    try:
+        return is_tvcalib(json.loads(first))
+    except (ValueError, RecursionError):
+        return False
 
 
 _HOMOGRAPHY_SUFFIXES = (".homographymatrix", ".txt", ".npy")
@@ -301,48 +427,8 @@ _found: list[tuple[tuple[CameraFormat, ...], tuple[str, ...]]] = []
 
 def _plugins() -> tuple[tuple[CameraFormat, ...], tuple[str, ...]]:
     if not _found:
-        _found.append(_load_plugins())
+        _found.append(load_plugin_formats({"auto", *(known.name for known in FORMATS)}))
     return _found[0]
-
-
-def _load_plugins() -> tuple[tuple[CameraFormat, ...], tuple[str, ...]]:
-    formats: list[CameraFormat] = []
-    found, problems = discover(CameraFormat)
-    taken = {"auto", *(known.name for known in FORMATS)}
-    for plugin, fmt in found:
-        if fmt.name in taken:
-            problems.append(
-                f"the camera plug-in {plugin!r} gives a format {fmt.name!r}, which there is"
-                " already; it is not used"
-            )
-            continue
-        try:
-            formats.append(_guarded(fmt, plugin))
-        except (TypeError, AttributeError) as error:
-            problems.append(f"the camera plug-in {plugin!r} cannot be used: {error}")
-            continue
-        taken.add(fmt.name)
-    return tuple(formats), tuple(problems)
-
-
-def _guarded(fmt: CameraFormat, plugin: str) -> CameraFormat:
-    """A plug-in's format with its readers under guard."""
-    if not isinstance(fmt.name, str) or not callable(fmt.read):
-        raise TypeError("a CameraFormat needs a name and a function to read with")
-    reader, records = PluginReader(plugin, fmt.name), fmt.records
-    return replace(
-        fmt,
-        suffixes=tuple(s.lower() for s in fmt.suffixes),
-        default_for=tuple(s.lower() for s in fmt.default_for),
-        read=GuardedRead(reader, fmt.read),
-        records=None if records is None else GuardedRecords(reader, records),
-    )
-
-
-_FAR = 0.2  # of the picture's size
-_EXACT = 1e-6  # px
-
-__all__ = ["CAMERA_FORMATS", "LoadedCamera", "fit_to_size", "read_camera_file"]
 
 
 def read_camera_file(data: bytes, *, path: str, fmt: str = "auto") -> LoadedCamera:
@@ -358,64 +444,3 @@ def read_camera_file(data: bytes, *, path: str, fmt: str = "auto") -> LoadedCame
         UsageError: no such format.
     """
     return format_of(path, fmt).read(data, path=path)
-
-
-def fit_to_size(
-    loaded: LoadedCamera,
-    size: tuple[int, int],
-    camera_size: tuple[int, int] | None = None,
-    unsized: tuple[int, int] | None = None,
-) -> tuple[CameraOrProjections, str | None]:
-    """The camera in pixels of the evaluation size, and a remark when it had to be scaled.
-
-    Args:
-        loaded: as read.
-        size: (width, height) of the evaluation, px.
-        camera_size: what the user says the camera's pixels belong to, where its file does not say.
-        unsized: what they belong to where nothing says it; None for ``size``.
-    """
-    camera = loaded.camera
-    if isinstance(camera, ElementProjections):
-        # Shares of the picture, which belong to any size: nothing to remark.
-        return scaled_camera(camera, loaded.size or size, size), None
-    told = loaded.size_where(camera_size)
-    own = told or unsized or size
-    said = f"{own[0]}x{own[1]}"
-    if loaded.size not in (None, own):
-        said += f" (usual: {loaded.size[0]}x{loaded.size[1]})"
-    if own != size:
-        return scaled_camera(camera, own, size), f"scaled from {said} to {size[0]}x{size[1]}"
-    if told is None:
-        return camera, _doubt(camera, size)
-    return camera, None if loaded.size in (None, own) else f"taken for {said}"
-
-
-def _doubt(camera: CameraOrProjections, size: tuple[int, int]) -> str | None:
-    """A remark when a camera that names no picture size hardly belongs to this one.
-
-    It is still taken as it is, as the official evaluation does: guessing would fail silently.
-    """
-    if not isinstance(camera, PinholeCamera | FisheyeCamera):
-        return None
-    x, y = camera.principal_point_px
-    width, height = size
-    off_x, off_y = abs(x - width / 2), abs(y - height / 2)
-    if off_x > _FAR * width or off_y > _FAR * height:
-        place = f"far from the middle of {width}x{height}"
-    elif (own := _exact_middle_of(x, y)) is not None and max(off_x, off_y) > 1:
-        place = f"in the exact middle of {own[0]}x{own[1]}, not of {width}x{height}"
-    else:
-        return None
-    return (
-        f"principal point {place}: if the camera belongs to another picture size, name it"
-        " (camera size)"
-    )
-
-
-def _exact_middle_of(x: float, y: float) -> tuple[int, int] | None:
-    """The (width, height) px a principal point was put in the middle of, be that (width - 1) / 2 or
-    width / 2; None for one that was fitted."""
-    twice = round(2 * x), round(2 * y)
-    if min(twice) < 2 or any(abs(2 * v - t) > _EXACT for v, t in zip((x, y), twice, strict=True)):
-        return None
-    return twice[0] + twice[0] % 2, twice[1] + twice[1] % 2

@@ -64,17 +64,15 @@ def camera_from(
     values = JsonValues.of(content, path, inside, SOCCERNET_KIND, nested)
     pan, tilt, roll = degrees(values, _ANGLES)
     fx, fy = [values.focal(key) for key in _FOCALS]
-    position = values.vector("position_meters", 3)
-    principal_point = values.vector("principal_point", 2)
+    x, y, z = values.vector("position_meters", 3)
+    centre_x, centre_y = values.vector("principal_point", 2)
     distortions: list[Any] = [
         values.vector(key, length, "leave the key out for no distortion")
         if key in values
         else (0.0,) * length
         for key, length in _DISTORTIONS.items()
     ]
-    camera = PinholeCamera(
-        pan, tilt, roll, _three(position), (fx, fy), _two(principal_point), *distortions
-    )
+    camera = PinholeCamera(pan, tilt, roll, (x, y, z), (fx, fy), (centre_x, centre_y), *distortions)
     extra = {k: v for k, v in values.content.items() if k not in _KEYS}
     size = values.size() if extra else None
     notices = (*focal_warnings(fx, fy), *values.unused(*_KEYS, *_BESIDE))
@@ -147,16 +145,6 @@ def _degrees(angle_rad: float) -> float:
     return next((d for d in (*rounded, *neighbours) if math.radians(d) == angle_rad), degrees)
 
 
-def _three(values: tuple[float, ...]) -> tuple[float, float, float]:
-    x, y, z = values
-    return x, y, z
-
-
-def _two(values: tuple[float, ...]) -> tuple[float, float]:
-    x, y = values
-    return x, y
-
-
 TVCALIB_KIND = "a TVCalib record"
 _NAME_KEYS = ("image_ids", "image_id")
 _SHOWN_PROBLEMS = 3
@@ -204,19 +192,13 @@ def tvcalib_from(content: object, path: str, inside: str = "") -> LoadedCamera:
     if "homography" not in values:
         raise values.missing("a homography or the keys of a SoccerNet camera", "homography")
     size = values.size()
-    matrix = JsonValues({"homography": _unnested(values)}, path, inside).matrix("homography", 3, 3)
+    own = {"homography": values.bare(values.content["homography"])}
+    matrix = JsonValues(own, path, inside).matrix("homography", 3, 3)
     loaded = camera_from_homography(matrix, np.eye(3), size or _ASSUMED, path=path, place=inside)
     if size is None:
         unsized = "names no picture size: taken for pixels of the evaluation size"
         loaded = with_notices(replace(loaded, size=None), (unsized,))
     return with_notices(replace(loaded, size_is_usual=False), values.unused("homography"))
-
-
-def _unnested(values: JsonValues) -> Any:
-    value = values.content["homography"]
-    while type(value) is list and len(value) == 1:
-        value = value[0]
-    return value
 
 
 def _parts(data: bytes, path: str) -> list[tuple[str, Any]]:
@@ -243,14 +225,11 @@ def _decoded(line: bytes, path: str, number: int) -> object:
 
 
 def _picture(content: object, path: str, place: str) -> str:
-    values = JsonValues.of(content, path, place, TVCALIB_KIND)
-    name = values.content[values.need("the name of a picture", *_NAME_KEYS)]
-    while type(name) is list and len(name) == 1:
-        name = name[0]
+    values = JsonValues.of(content, path, place, TVCALIB_KIND, nested=True)
+    name = values.bare(values.content[values.need("the name of a picture", *_NAME_KEYS)])
     if type(name) is not str or not frame_of_image(name):
-        raise values.error(
-            f"expected the name of a picture, found {json_kind(name)}", _NAME_KEYS[0]
-        )
+        problem = f"expected the name of a picture, found {json_kind(name)}"
+        raise values.error(problem, _NAME_KEYS[0])
     return name
 
 
@@ -311,15 +290,8 @@ def broadtrack_from(content: object, path: str, inside: str = "") -> LoadedCamer
     pan, tilt, roll = degrees(values, _BROADTRACK_ANGLES)
     x, y, z = (values.number(key) for key in _POSITION)
     k1, k2, k3 = _radial(values, size[1] / focal)
-    camera = PinholeCamera(
-        pan,
-        tilt,
-        roll,
-        (x, y, z),
-        (focal, focal),
-        (size[0] / 2, size[1] / 2),
-        (k1, k2, k3, 0.0, 0.0, 0.0),
-    )
+    centre, radial = (size[0] / 2, size[1] / 2), (k1, k2, k3, 0.0, 0.0, 0.0)
+    camera = PinholeCamera(pan, tilt, roll, (x, y, z), (focal, focal), centre, radial)
     unused = values.unused(*_SIZE, _FIELD_OF_VIEW, *_BROADTRACK_ANGLES, *_POSITION, _RADIAL)
     return LoadedCamera(camera, "pinhole", size, notices=(*unused, *entry.unused("cp")))
 

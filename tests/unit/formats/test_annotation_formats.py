@@ -17,16 +17,13 @@ from procc_annotator.formats.annotations.exchange import (
     ExchangedFrame,
     ReadContext,
     WriteContext,
-    WrittenNumber,
-    json_text,
     normalised,
-    number_text,
-    parse_number,
     to_px,
 )
 from procc_annotator.formats.annotations.registry import FORMATS, find_annotations, format_named
 from procc_annotator.formats.annotations.soccernet import read_annotation, write_annotation
 from procc_annotator.formats.file_source import open_source
+from procc_annotator.formats.strict_json import WrittenNumber, json_text, number_text, parse_number
 
 SOCCER = load_field("soccer")
 SIZE = (1280, 720)

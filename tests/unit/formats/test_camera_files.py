@@ -18,7 +18,8 @@ from procc_annotator.camera.matrices import intrinsics_from_matrix
 from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.cli.options import CAMERA_FORMAT_NAMES
 from procc_annotator.errors import CameraError, UsageError
-from procc_annotator.formats.cameras.registry import CAMERA_FORMATS, fit_to_size, read_camera_file
+from procc_annotator.formats.cameras.loaded_camera import fit_to_size
+from procc_annotator.formats.cameras.registry import CAMERA_FORMATS, read_camera_file
 from procc_annotator.formats.cameras.soccernet import write_camera
 
 GOOD: dict[str, Any] = {
@@ -214,7 +215,7 @@ HUGE_NPY = npy(np.eye(3)).replace(b"(3, 3), }          ", b"(300000000, 90000)}"
         (b"", "1.homographyMatrix", "expected 9 numbers (3 x 3), found 0"),
         (b"1 2 3 " * 5, "1.txt", "expected 9 numbers (3 x 3), found 15"),
         (b"1 2 3 2 4 6 1 1 1", "1.txt", "cannot be inverted"),
-        ("1 0 0 0 1 0 0 0 1".encode("utf-16"), "1.txt", "neither UTF-8 text nor a .npy file"),
+        ("1 0 0 0 1 0 0 0 1".encode("utf-16"), "1.txt", "is not UTF-8 text"),
         ("1 0 0 0 1 0 0 0 1".encode("utf-16-le"), "1.txt", "it looks like UTF-16"),
         (b"", "1.npy", "expected 9 numbers"),
         (HUGE_NPY, "1.npy", "is not a readable .npy file"),
@@ -222,7 +223,7 @@ HUGE_NPY = npy(np.eye(3)).replace(b"(3, 3), }          ", b"(300000000, 90000)}"
         (npy(np.eye(3, dtype=bool)), "1.npy", "expected an array of real numbers"),
         (npy(np.float64(3)), "1.npy", "expected a 3 x 3 matrix, found a single value"),
         (b"0 0 0\n0 0 0\n0 0 0", "1.homographyMatrix", "cannot be inverted"),
-        (b"\xff\xfe\x00\x01", "1.homographyMatrix", "neither UTF-8 text nor a .npy file"),
+        (b"\xff\xfe\x00\x01", "1.homographyMatrix", "is not UTF-8 text"),
         (npy(np.eye(4)), "1.npy", "expected a 3 x 3 matrix, found 4 x 4"),
         (npy(np.eye(3))[:-8], "1.npy", "is not a readable .npy file"),
         (npy(np.eye(3))[:20], "1.npy", "is not a readable .npy file"),

@@ -17,9 +17,9 @@ from procc_annotator.camera.models import FisheyeCamera, PinholeCamera
 from procc_annotator.errors import CameraError
 from procc_annotator.formats.cameras.collection import CameraCollection
 from procc_annotator.formats.cameras.krt import write_krt
-from procc_annotator.formats.cameras.loaded_camera import LoadedCamera
+from procc_annotator.formats.cameras.loaded_camera import LoadedCamera, fit_to_size
 from procc_annotator.formats.cameras.opencv import write_opencv
-from procc_annotator.formats.cameras.registry import fit_to_size, read_camera_file
+from procc_annotator.formats.cameras.registry import read_camera_file
 from procc_annotator.formats.cameras.soccernet import write_camera
 
 POINTS = np.random.default_rng(4).uniform((-50, -34, -2.5), (50, 30, 0), (200, 3))

@@ -14,8 +14,8 @@ from procc_annotator.camera.base import Camera, ElementProjections
 from procc_annotator.camera.models import FisheyeCamera, HomographyCamera, PinholeCamera
 from procc_annotator.errors import CameraError, SaveError, UsageError
 from procc_annotator.formats.cameras.collection import CameraCollection
-from procc_annotator.formats.cameras.loaded_camera import LoadedCamera
-from procc_annotator.formats.cameras.registry import fit_to_size, read_camera_file
+from procc_annotator.formats.cameras.loaded_camera import LoadedCamera, fit_to_size
+from procc_annotator.formats.cameras.registry import read_camera_file
 from procc_annotator.formats.cameras.soccernet import write_camera
 from procc_annotator.formats.cameras.writers import (
     CAMERA_TARGETS,

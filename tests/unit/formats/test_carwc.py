@@ -9,7 +9,8 @@ import pytest
 
 from procc_annotator.field.load import load_field
 from procc_annotator.formats.annotations.soccernet import read_annotation
-from procc_annotator.formats.cameras.registry import fit_to_size, read_camera_file
+from procc_annotator.formats.cameras.loaded_camera import fit_to_size
+from procc_annotator.formats.cameras.registry import read_camera_file
 from procc_annotator.formats.file_listing import list_annotations, list_cameras
 from procc_annotator.formats.file_source import open_source
 from procc_annotator.metrics.measurement import measure

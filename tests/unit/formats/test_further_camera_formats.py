@@ -20,10 +20,9 @@ from procc_annotator.errors import CameraError
 from procc_annotator.field.load import load_field
 from procc_annotator.formats.cameras.collection import CameraCollection
 from procc_annotator.formats.cameras.homography import CONVENTIONS
-from procc_annotator.formats.cameras.json_detection import json_records
 from procc_annotator.formats.cameras.krt import BY_ORDER, KRT_KEYS, krt_content
 from procc_annotator.formats.cameras.loaded_camera import LoadedCamera
-from procc_annotator.formats.cameras.registry import read_camera_file
+from procc_annotator.formats.cameras.registry import json_records, read_camera_file
 from procc_annotator.formats.cameras.soccernet import write_camera
 
 PLAIN = PinholeCamera(0.3, 1.3, 0.02, (4.0, 60.0, -15.0), (1500.0, 1490.0), (640.0, 355.0))

@@ -13,7 +13,8 @@ from procc_annotator.camera.base import ElementProjections
 from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.field.load import load_field
 from procc_annotator.formats.annotations.soccernet import read_annotation
-from procc_annotator.formats.cameras.registry import fit_to_size, read_camera_file
+from procc_annotator.formats.cameras.loaded_camera import fit_to_size
+from procc_annotator.formats.cameras.registry import read_camera_file
 from procc_annotator.metrics.measurement import measure, nearest_points
 from procc_annotator.metrics.projection import project_field
 from procc_annotator.metrics.score import score

@@ -1,17 +1,18 @@
-"""CVAT for video 1.1: one XML file with a track per element.
+"""CVAT 1.1 XML: shapes of each picture, or a track per element of a video.
 
-Facts: https://docs.cvat.ai/docs/other/xml_format (``track`` with ``label``; its shapes have
-``frame``, ``keyframe`` and ``outside``). A shape holds until the next one of its track; between key
-frames CVAT interpolates, and exports what it interpolated with ``keyframe="0"``.
+Facts: https://docs.cvat.ai/docs/other/xml_format. ``image`` has ``id``, ``name``, ``width``,
+``height`` and its shapes, each with a ``label``; ``track`` has ``label``, its shapes ``frame``,
+``keyframe`` and ``outside``. A shape of a track holds until its next one; between key frames CVAT
+interpolates, and exports what it interpolated with ``keyframe="0"``.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import count
 from pathlib import PurePosixPath
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from procc_annotator.annotation import Polyline
 from procc_annotator.errors import AnnotationError
@@ -22,6 +23,7 @@ from procc_annotator.formats.annotations.cvat_xml import (
     is_xml_spellable,
     kind_of_shape,
     labels_of_task,
+    parse,
     points_text,
     server_label,
     whole_number,
@@ -31,12 +33,12 @@ from procc_annotator.formats.annotations.exchange import (
     ReadContext,
     Size,
     WriteContext,
-    json_text,
     size_from_file,
 )
 from procc_annotator.formats.annotations.shape_joining import ShapeCollector, labels_for
+from procc_annotator.formats.file_source import FileSource
 from procc_annotator.formats.frame_names import picture_name
-from procc_annotator.formats.strict_json import printable
+from procc_annotator.formats.strict_json import json_text, printable
 
 if TYPE_CHECKING:
     from xml.etree.ElementTree import Element
@@ -46,6 +48,116 @@ if TYPE_CHECKING:
 FILE_NAME = "annotations.xml"
 _TITLE = "CVAT"
 _OF_VIDEO = re.compile(r"(.+)_(\d{6,8})")  # as frames of a video are called
+
+
+def sniff(data: bytes) -> bool:
+    """Return whether a file's bytes look like it."""
+    return b"<annotations" in data[:4096]
+
+
+def read_many(
+    source: FileSource, files: Sequence[str], reading: ReadContext
+) -> Iterator[ExchangedFrame]:
+    """Every picture that has shapes, and every frame of tracks."""
+    for name in files:
+        with reading.going_on():
+            path = source.display(name)
+            reading.begin(name, () if reading.in_tree else reading.pictures)
+            root = parse(source.read(name), path)
+            yield from read_tracks(root, path, reading)
+            images = root.findall("image")
+            reading.begin(name, (image.get("name") for image in images))
+            reading.total = (reading.total or 0) + len(images)
+            for i, image in enumerate(images):
+                with reading.going_on():
+                    frame = _read_image(image, i, path, reading)
+                    if frame is not None:
+                        yield frame
+
+
+def _read_image(
+    image: Element, index: int, path: str, reading: ReadContext
+) -> ExchangedFrame | None:
+    place = f"image {index + 1}"
+    picture = image.get("name")
+    frame = reading.frame_of_picture(picture, path, f"{place}.name")
+    place = f"{place} ({printable(frame)})"
+    if not len(image):
+        # A task lists all its pictures: those without shapes were not annotated.
+        return None
+    size = reading.size_in_file(
+        whole_number(image.get("width")),
+        whole_number(image.get("height")),
+        path,
+        f"{place}.width, height",
+    )
+    pieces = ShapeCollector(path, place, reading, size, frame)
+    taken = False
+    for i, shape in enumerate(image):
+        where = f"{place}, shape {i + 1}"
+        taken |= add_shape(pieces, shape, shape.get("label"), where)
+    if not taken:
+        return None
+    return ExchangedFrame(frame, pieces.annotation(), size, picture_name(str(picture)))
+
+
+def write_images(frames: Iterable[ExchangedFrame], writing: WriteContext) -> None:
+    """``annotations.xml`` for the server, and ``labels.json`` for the labels of a new task."""
+    images: list[str] = []
+    kinds: dict[str, str] = {}
+    for frame in frames:
+        size = writing.named_size(frame)
+        if size is None:
+            continue
+        polylines = _spellable(frame, writing)
+        images.append(_image(frame, polylines, size, len(images), kinds, writing))
+        writing.count(polylines)
+    labels = labels_of_task(kinds, writing)
+    task = ["<mode>annotation</mode>", "<overlap>0</overlap>"]
+    _put_document(images, labels, writing, task)
+
+
+def _put_document(
+    entries: list[str], labels: list[dict[str, Any]], writing: WriteContext, task: list[str]
+) -> None:
+    writing.put_only_file(FILE_NAME, document(labels, entries, writing, task))
+    if writing.frames and writing.file_name is None:
+        writing.put(LABELS_NAME, f"{json_text(labels, 1)}\n".encode())
+
+
+def _spellable(frame: ExchangedFrame, writing: WriteContext) -> tuple[Polyline, ...]:
+    """The polylines of a frame that the files can hold; what is lost is noted."""
+    writing.lose_point_keys(frame, _TITLE)
+    writing.lose_extra(frame, _TITLE)
+    polylines = tuple(
+        p for p in writing.without_empty(frame, _TITLE) if is_xml_spellable(p, frame, writing)
+    )
+    if not polylines:
+        writing.remarks.add(
+            f"{_TITLE} cannot tell annotated frames without any element from others", frame.name
+        )
+    return polylines
+
+
+def _image(
+    frame: ExchangedFrame,
+    polylines: tuple[Polyline, ...],
+    size: Size,
+    index: int,
+    kinds: dict[str, str],
+    writing: WriteContext,
+) -> str:
+    from xml.sax.saxutils import quoteattr
+
+    name = quoteattr(writing.picture_of_frame(frame))
+    lines = [f'  <image id="{index}" name={name} width="{size[0]}" height="{size[1]}">']
+    for polyline, label in zip(polylines, labels_for(polylines, writing.field), strict=True):
+        label, kind = server_label(polyline, label, writing, kinds), kind_of_shape(polyline)
+        lines.append(
+            f'    <{kind} label={quoteattr(label)} source="manual" occluded="0"'
+            f' points="{points_text(polyline, size)}" z_order="0">\n    </{kind}>'
+        )
+    return "\n".join([*lines, "  </image>"])
 
 
 def read_tracks(root: Element, path: str, reading: ReadContext) -> Iterator[ExchangedFrame]:
@@ -100,20 +212,13 @@ def _frame(
 ) -> ExchangedFrame:
     picture = _picture(number, root, path, reading)
     frame = reading.frame_of_picture(picture, path, f"frame {number}")
-    size = size or reading.size_of(frame)
-    if size is None:
-        raise AnnotationError(
-            path,
-            "does not tell the size of the pictures",
-            place="meta.original_size",
-            advice="put the pictures beside it, or give the size",
-        )
-    pieces = ShapeCollector(path, f"frame {number}", reading, size)
+    size = size or reading.size_in_file(None, None, path, "meta.original_size")
+    pieces = ShapeCollector(path, f"frame {number}", reading, size, frame)
     for shape, label, place in shapes:
         if shape.get("keyframe", "1") != "1":
-            reading.remarks.add("points that CVAT interpolated are taken as they are", frame)
-        add_shape(pieces, shape, label, size, path, place, frame, reading)
-    return ExchangedFrame(frame, pieces.annotation(frame), size, picture)
+            pieces.remark("points that CVAT interpolated are taken as they are")
+        add_shape(pieces, shape, label, place)
+    return ExchangedFrame(frame, pieces.annotation(), size, picture)
 
 
 def _picture(number: int, root: Element, path: str, reading: ReadContext) -> str:
@@ -133,7 +238,7 @@ def _picture(number: int, root: Element, path: str, reading: ReadContext) -> str
     return reading.pictures[number]
 
 
-def write_many(frames: Iterable[ExchangedFrame], writing: WriteContext) -> None:
+def write_tracks(frames: Iterable[ExchangedFrame], writing: WriteContext) -> None:
     """``annotations.xml`` for the server, and ``labels.json`` for the labels of a new task."""
     kept = [frame for frame in frames if writing.named_size(frame) is not None]
     video, numbers = _numbered(kept, writing)
@@ -147,15 +252,7 @@ def write_many(frames: Iterable[ExchangedFrame], writing: WriteContext) -> None:
                 f"{printable(frame.name)}: not written: a video has pictures of one size"
             )
             continue
-        polylines = tuple(
-            p for p in writing.without_empty(frame, _TITLE) if is_xml_spellable(p, frame, writing)
-        )
-        writing.lose_point_keys(frame, _TITLE)
-        writing.lose_extra(frame, _TITLE)
-        if not polylines:
-            writing.remarks.add(
-                f"{_TITLE} cannot tell annotated frames without any element from others", frame.name
-            )
+        polylines = _spellable(frame, writing)
         for polyline, label in zip(polylines, labels_for(polylines, writing.field), strict=True):
             track = polyline.class_name, kind_of_shape(polyline)
             labels[track] = server_label(polyline, label, writing, kinds)
@@ -188,9 +285,7 @@ def _put(
         f"<original_size><width>{size[0]}</width><height>{size[1]}</height></original_size>",
         *([f"<source>{escape(video)}</source>"] if video else []),
     ]
-    writing.put_only_file(FILE_NAME, document(labels, entries, writing, task))
-    if writing.frames and writing.file_name is None:
-        writing.put(LABELS_NAME, f"{json_text(labels, 1)}\n".encode())
+    _put_document(entries, labels, writing, task)
 
 
 def _numbered(frames: list[ExchangedFrame], writing: WriteContext) -> tuple[str | None, list[int]]:
