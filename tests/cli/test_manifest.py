@@ -66,8 +66,8 @@ def test_it_is_repeated_elsewhere_and_by_its_old_name(
     (elsewhere / "runs").mkdir()
     assert cli("repeat", shutil.copy(manifest, elsewhere / "runs")).exit_code == 0
     old = tmp_path / "old.json"
-    done = cli("evaluate", elsewhere, elsewhere / "cameras" / "bad", "--manifest", old)
-    assert "--manifest is deprecated, use --manifest" in done.stderr
+    done = cli("evaluate", elsewhere, elsewhere / "cameras" / "bad", "--recipe", old)
+    assert "--recipe is deprecated, use --manifest" in done.stderr
     assert json.loads(old.read_text())["format"] == "procc-annotator manifest 1"
 
 
