@@ -3,20 +3,25 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from itertools import repeat
 
 from procc_annotator.annotation import FrameAnnotation, Point, pixel_like
 from procc_annotator.calibration.model_selection import (
-    fit_model_steps,
+    fit_model,
     fit_result_from,
-    select_model_steps,
+    searched_model,
+    select_model,
 )
-from procc_annotator.calibration.optimization.batch_solver import run_batched
 from procc_annotator.calibration.optimization.camera_parameters import MODELS
 from procc_annotator.calibration.optimization.camera_placement import insufficient_reason
 from procc_annotator.calibration.optimization.observations import ImageFrame, build_observations
-from procc_annotator.calibration.optimization.robust_fit import MIN_ELEMENTS
-from procc_annotator.calibration.optimization.solver import SolveSteps, run_steps
+from procc_annotator.calibration.optimization.robust_fit import (
+    MIN_ELEMENTS,
+    CameraSolution,
+    FitScene,
+    search_cameras,
+)
 from procc_annotator.calibration.result import FitResult
 from procc_annotator.camera.base import Camera
 from procc_annotator.errors import UsageError
@@ -64,12 +69,13 @@ def fit_camera(
     Raises:
         UsageError: no such model, or a size without pixels.
     """
-    return run_steps(_fit_steps(annotation, field, size, model, start))
+    scene = _scene((annotation, field, size), model)
+    return scene if isinstance(scene, FitResult) else _fit(scene, model, start)
 
 
 def fit_cameras(given: Sequence[FitRequest], *, model: str = "R") -> list[FitResult]:
     """Fit a camera to each of several frames, without starts: the same as `fit_camera`, in less
-    time, since what is worked out for one frame is for the others at once.
+    time, since the searches of all frames are solved together.
 
     Args:
         given: of each frame the annotation, the elements and the size of the picture.
@@ -78,32 +84,42 @@ def fit_cameras(given: Sequence[FitRequest], *, model: str = "R") -> list[FitRes
     Raises:
         UsageError: no such model, or a size without pixels.
     """
-    return run_batched([_fit_steps(*frame, model, None) for frame in given])
+    scenes = [_scene(request, model) for request in given]
+    fitted = [scene for scene in scenes if not isinstance(scene, FitResult)]
+    searched: Iterator[CameraSolution | None] = repeat(None)
+    if (first := searched_model(model)) is not None:
+        searched = iter(search_cameras(fitted, first))
+    return [
+        scene if isinstance(scene, FitResult) else _fit(scene, model, None, next(searched))
+        for scene in scenes
+    ]
 
 
-def _fit_steps(
-    annotation: FrameAnnotation,
-    field: Field,
-    size: tuple[int, int],
-    model: str,
-    start: Camera | None,
-) -> SolveSteps[FitResult]:
+def _scene(request: FitRequest, model: str) -> FitScene | FitResult:
+    """What is fitted to a frame, or a result that says why no camera can be fitted to them."""
+    annotation, field, size = request
     require_known_model(model)
     if min(size) < 2:
         raise UsageError(f"the picture's size {size[0]}x{size[1]} is too small")
     strange = pixel_like(annotation)
     if strange is not None:
         return FitResult(model, size, None, pixel_coordinates_error(strange))
-    if model == AUTO:
-        return (yield from select_model_steps(annotation, field, size=size, start=start))
-    frame = ImageFrame(size)
     planar = model == "H"
+    frame = ImageFrame(size)
     seen = build_observations(annotation, field, frame, ground_only=planar)
     problem = insufficient_reason(seen, needed=MIN_ELEMENTS, planar=planar)
     if seen is None or problem is not None:
         return FitResult(model, size, None, problem)
-    found, warm = yield from fit_model_steps(seen, field, frame, model, start)
-    return fit_result_from(found, field, frame, model, warm)
+    return FitScene(seen, field, frame)
+
+
+def _fit(
+    scene: FitScene, model: str, start: Camera | None, searched: CameraSolution | None = None
+) -> FitResult:
+    if model == AUTO:
+        return select_model(scene, start, searched)
+    found, warm = fit_model(scene, model, start, searched)
+    return fit_result_from(found, scene.field, scene.frame, model, warm)
 
 
 def pixel_coordinates_error(point: Point) -> str:

@@ -7,7 +7,6 @@ from dataclasses import replace
 
 import numpy as np
 
-from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.calibration.optimization.camera_parameters import (
     KAPPA,
     LOG_FOCAL,
@@ -27,7 +26,6 @@ from procc_annotator.calibration.optimization.camera_parameters import (
 from procc_annotator.calibration.optimization.camera_placement import (
     camera_placement_prior,
     implausible_reason,
-    insufficient_reason,
 )
 from procc_annotator.calibration.optimization.covariance import (
     estimate_element_offsets,
@@ -51,49 +49,54 @@ from procc_annotator.calibration.optimization.observations import (
     FloatArray,
     ImageFrame,
     Observations,
-    build_observations,
 )
 from procc_annotator.calibration.optimization.residuals import homographies_from_corrections
 from procc_annotator.calibration.optimization.robust_fit import (
-    MIN_ELEMENTS,
     OUTLIER_PX,
     CameraSolution,
+    FitScene,
     fit_models,
     inlier_elements_near,
     refine_camera,
     refine_homography,
-    search_camera_steps,
+    search_cameras,
     search_homography,
 )
-from procc_annotator.calibration.optimization.solver import SolveSteps
 from procc_annotator.calibration.result import ElementResidual, FitResult, PoseStandardDeviations
 from procc_annotator.camera.base import Camera
 from procc_annotator.camera.models import FisheyeCamera, HomographyCamera, PinholeCamera
-from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.translation import translatable, translatable_joined
+
+# The model to search for before these are fitted; others are searched for themselves.
+_SEARCHED_FOR = {"auto": "R", "R2": "R+", "F": "R+"}
 
 # Farther off than this on the median element, a camera explains nothing.
 _HOPELESS_ERROR_PX = 2 * OUTLIER_PX
 
 
-def fit_model_steps(
-    seen: Observations, field: Field, frame: ImageFrame, model: str, start: Camera | None
-) -> SolveSteps[tuple[CameraSolution, bool]]:
-    """Fit a model, from a start if there is one that serves; step by step.
+def searched_model(model: str) -> str | None:
+    """The pinhole model to search for first when there is no start; None for H."""
+    return None if model == "H" else _SEARCHED_FOR.get(model, model)
+
+
+def fit_model(
+    scene: FitScene, model: str, start: Camera | None, searched: CameraSolution | None = None
+) -> tuple[CameraSolution, bool]:
+    """Fit a model, from a start if there is one that serves.
 
     Args:
-        seen: the annotated points; for H those on the ground.
-        field: the elements, metres.
-        frame: the picture.
+        scene: what is fitted; for H the points on the ground.
         model: H, P, R, R+, R2 or F.
         start: a camera that is nearly right, px of the picture.
+        searched: the result of `search_cameras`, if already known; see `searched_model`.
 
     Returns:
         The fit, plausible or not, and whether it came from the start.
     """
     if model in WIDE_ANGLE_MODELS:
-        return (yield from _fit_wide_angle(seen, field, frame, model, start))
+        return _fit_wide_angle(scene, model, start, searched)
+    seen, field, frame = scene
     found, warm = _fit_from_start(seen, field, frame, model, start), True
     if isinstance(start, PinholeCamera) and found is not None and not _still_has_negative_k1(found):
         found = _fit_from_start(seen, field, frame, model, replace(start, radial=(0.0,) * 6))
@@ -102,15 +105,16 @@ def fit_model_steps(
         if model == "H":
             found = search_homography(seen, field, frame)
         else:
-            found = yield from search_camera_steps(seen, field, frame, model)
+            found = searched or search_cameras([scene], model)[0]
     if model in ("R", "R+"):
         found = try_negative_k1(found, field, frame)
     return try_cropped(found, field, frame) if model == "R+" else found, warm
 
 
 def _fit_wide_angle(
-    seen: Observations, field: Field, frame: ImageFrame, model: str, start: Camera | None
-) -> SolveSteps[tuple[CameraSolution, bool]]:
+    scene: FitScene, model: str, start: Camera | None, searched: CameraSolution | None
+) -> tuple[CameraSolution, bool]:
+    seen, field, frame = scene
     if isinstance(start, FisheyeCamera if model == "F" else PinholeCamera):
         assert isinstance(start, FisheyeCamera | PinholeCamera)  # one of both
         vector = wide_angle_vector_from_camera(start, frame)
@@ -118,7 +122,7 @@ def _fit_wide_angle(
             found = refine_wide_angle(seen, field, frame, vector)
             if not found.has_stale_start and _is_plausible(found, field):
                 return found, True
-    near, _ = yield from fit_model_steps(seen, field, frame, "R+", None)
+    near, _ = fit_model(scene, "R+", None, searched)
     return fit_wide_angle(seen, field, frame, model, near), False
 
 
@@ -248,43 +252,29 @@ _CROPPED_REASON = translatable(
 )
 
 
-def select_model_steps(
-    annotation: FrameAnnotation,
-    field: Field,
-    *,
-    size: tuple[int, int],
-    start: Camera | None = None,
-) -> SolveSteps[FitResult]:
+def select_model(
+    scene: FitScene, start: Camera | None, searched: CameraSolution | None = None
+) -> FitResult:
     """Fit the simplest of the models P, R and R+ that the points support; R2 or F where lines are
-    bent as none of these explains; step by step.
+    bent as none of these explains.
 
     The models are fitted to the same elements and compared by their evidence, the probability of
     the points given a model (Laplace's approximation: MacKay, Bayesian Interpolation, 1992). What
     a parameter costs follows from its prior and from how sharply the points determine it.
 
     Args:
-        annotation: normalised points, as for `fit_camera`.
-        field: the elements, metres.
-        size: (width, height) px of the picture that the camera is for.
-        start: a camera that is nearly right, px of ``size``.
+        scene: what is fitted.
+        start: a camera that is nearly right, px of the picture.
+        searched: see `fit_model`.
 
     Returns:
         The fit, as `fit_camera` gives it for the model that was chosen, with `chosen_because`.
-
-    Raises:
-        UsageError: a size without pixels.
     """
-    if min(size) < 2:
-        raise UsageError(f"the picture's size {size[0]}x{size[1]} is too small")
-    frame = ImageFrame(size)
-    seen = build_observations(annotation, field, frame)
-    problem = insufficient_reason(seen, needed=MIN_ELEMENTS, planar=False)
-    if seen is None or problem is not None:
-        return FitResult("auto", size, None, problem)
+    seen, field, frame = scene
     strong = _refit_wide_angle(seen, field, frame, start)
     if strong is not None:
         return _wide_angle_result(*strong, field, frame, warm=True)
-    fits, warm = yield from _candidate_fits(seen, field, frame, start)
+    fits, warm = _candidate_fits(scene, start, searched)
     found = try_wide_angle(fits["R+"], seen, field, frame)
     if found is not None:
         return _wide_angle_result(*found, fits["R+"], field, frame, warm=False)
@@ -346,9 +336,10 @@ def _wide_angle_result(
 
 
 def _candidate_fits(
-    seen: Observations, field: Field, frame: ImageFrame, start: Camera | None
-) -> SolveSteps[tuple[dict[str, CameraSolution], bool]]:
+    scene: FitScene, start: Camera | None, searched: CameraSolution | None
+) -> tuple[dict[str, CameraSolution], bool]:
     """Fits of the models that come into question, the simplest first; whether from the start."""
+    seen, field, frame = scene
     fits = _candidate_fits_from_start(seen, field, frame, start)
     if fits is not None and is_cropped(fits["R+"]) and _is_acceptable_start_fit(fits["R+"], field):
         return {"R+": fits["R+"]}, True
@@ -358,7 +349,7 @@ def _candidate_fits(
     if fits is None or not warm:
         # What changes who is mistaken may still be nearly right; what is stale is not.
         known = None if fits is not None and fits["R"].has_stale_start else start
-        first, warm = yield from fit_model_steps(seen, field, frame, "R", known)
+        first, warm = fit_model(scene, "R", known, searched)
     else:
         first = try_negative_k1(fits["R"], field, frame)
     if fits is None or first is not fits["R"]:

@@ -44,9 +44,10 @@ from procc_annotator.calibration.optimization.residuals import (
 )
 from procc_annotator.calibration.optimization.robust_fit import (
     CameraSolution,
+    FitScene,
     final_fit,
     outlier_elements,
-    search_camera,
+    search_cameras,
 )
 from procc_annotator.calibration.optimization.solver import (
     FINAL_LOSS,
@@ -256,7 +257,7 @@ def fit_wide_angle(
     if fisheye is not None:
         fisheyes.append(fisheye.vector)
     for focal in _WIDE_ANGLE_FOCALS_PX if fisheye is None else ():
-        found = search_camera(_undistort_as_fisheye(seen, focal), field, frame, "P")
+        found = search_cameras([FitScene(_undistort_as_fisheye(seen, focal), field, frame)], "P")[0]
         own = _fisheye_vector_from(found.vector)
         own[KAPPA] = own[SECOND_KAPPA] = 0.0
         assumed = own.copy()

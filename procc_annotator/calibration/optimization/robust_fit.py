@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache, partial
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,7 +23,6 @@ from procc_annotator.calibration.optimization.camera_placement import (
     implausible_reason,
 )
 from procc_annotator.calibration.optimization.initialization import (
-    InitialCameras,
     camera_side,
     initial_cameras,
     prior_near,
@@ -54,9 +54,8 @@ from procc_annotator.calibration.optimization.solver import (
     Problem,
     Solution,
     SolveRequest,
-    SolveSteps,
-    run_steps,
     solve,
+    solve_all,
     solve_request,
 )
 from procc_annotator.field.model import Field
@@ -130,6 +129,29 @@ def outlier_elements(seen: Observations, distances: FloatArray) -> NDArray[np.bo
     return np.asarray(left_out)
 
 
+# Points, (1, n) parameters that are nearly right, (E,) elements to leave out, residuals of (B, n)
+# parameters and points, prior on the free parameters.
+FinalStart = tuple[
+    Observations, FloatArray, NDArray[np.bool_], Callable[..., Residuals], GaussianPrior
+]
+
+
+def final_fits(starts: Sequence[FinalStart]) -> list[CameraSolution]:
+    """The best pinhole camera of each frame for the elements that are believed, solved together."""
+    requests = [
+        final_request(*start, bounded=lower_bounded_parameter(start[1]))
+        for start in starts
+        if start[0].spreads is None
+    ]
+    solutions = iter(solve_all(requests))
+    return [
+        CameraSolution((final := next(solutions)).vectors[0], final, start[4], start[0], start[2])
+        if start[0].spreads is None
+        else final_fit(*start)
+        for start in starts
+    ]
+
+
 def final_fit(
     seen: Observations,
     vectors: FloatArray,
@@ -138,20 +160,7 @@ def final_fit(
     prior: GaussianPrior,
     basis: FloatArray | None = None,
 ) -> CameraSolution:
-    """The best camera for the elements that are believed, from one (1, n) that is nearly right; see
-    `final_fit_steps`."""
-    return run_steps(final_fit_steps(seen, vectors, left_out, residuals, prior, basis))
-
-
-def final_fit_steps(
-    seen: Observations,
-    vectors: FloatArray,
-    left_out: NDArray[np.bool_],
-    residuals: Callable[..., Residuals],
-    prior: GaussianPrior,
-    basis: FloatArray | None = None,
-) -> SolveSteps[CameraSolution]:
-    """The best camera for the elements that are believed, step by step.
+    """The best camera for the elements that are believed.
 
     Args:
         seen: N points.
@@ -165,7 +174,8 @@ def final_fit_steps(
     """
     bounded = None if basis is not None else lower_bounded_parameter(vectors)
     for _ in range(_WHITENING_ROUNDS):
-        final = yield final_request(seen, vectors, left_out, residuals, prior, bounded=bounded)
+        request = final_request(seen, vectors, left_out, residuals, prior, bounded=bounded)
+        final = solve_request(request)
         found = CameraSolution(final.vectors[0], final, prior, seen, left_out, basis)
         if seen.spreads is None:
             break
@@ -255,30 +265,29 @@ _HOPELESS_RATIO = 3.0  # times the cost of a search that has ended
 _CORRECTION_SD = 0.1
 
 
-def search_camera(
-    seen: Observations, field: Field, frame: ImageFrame, model: str
-) -> CameraSolution:
-    """Fit a pinhole model without a start."""
-    return run_steps(search_camera_steps(seen, field, frame, model))
+class FitScene(NamedTuple):
+    """Annotated points of a frame, the field's elements, and the picture."""
+
+    seen: Observations
+    field: Field
+    frame: ImageFrame
+
+    @property
+    def around(self) -> CameraPlacementPrior:
+        """Where cameras stand around the field."""
+        return camera_placement_prior(self.field)
 
 
-def search_camera_steps(
-    seen: Observations, field: Field, frame: ImageFrame, model: str
-) -> SolveSteps[CameraSolution]:
-    """`search`, step by step."""
-    scene = _SearchContext(seen, frame, camera_placement_prior(field))
-    vectors = yield from _best_starts(scene, initial_cameras(seen, field))
-    if not scene.around.has_main_side:
-        # Much may be the same from the other end; with all points what is not decides.
-        vectors = np.concatenate([vectors, rotated_180(vectors)])
-    return (yield from _fit_best_start(scene, vectors, model))
+def search_cameras(scenes: Sequence[FitScene], model: str) -> list[CameraSolution]:
+    """Fit a pinhole model to each of several frames without starts, all solved together."""
+    return _fit_best_starts(scenes, _best_starts(scenes), model)
 
 
 def refine_camera(
     seen: Observations, field: Field, frame: ImageFrame, model: str, start: FloatArray
 ) -> CameraSolution:
     """Fit a pinhole model from parameters (11,) that are nearly right; stale if they are not."""
-    scene = _SearchContext(seen, frame, camera_placement_prior(field))
+    scene = FitScene(seen, field, frame)
     vectors = start[None].copy()
     vectors[:, FREE_PARAMETERS[model] :] = 0.0
     vector, left_out = inlier_elements_near(seen, field, frame, vectors[0], model)
@@ -291,7 +300,7 @@ def refine_camera(
     same_side = camera_side(found.vector, scene.around) == camera_side(vector, scene.around)
     if found.has_stale_start or (same_side and found.is_consistent):
         return found
-    return run_steps(_fit_best_start(scene, vectors, model))
+    return _fit_best_starts([scene], [vectors], model)[0]
 
 
 def inlier_elements_near(
@@ -345,41 +354,47 @@ def refine_homography(seen: Observations, basis: FloatArray) -> CameraSolution:
 
 def search_homography(seen: Observations, field: Field, frame: ImageFrame) -> CameraSolution:
     """Fit a homography without a start: from the pinhole camera that explains the ground best."""
-    found = search_camera(seen, field, frame, "P")
+    found = search_cameras([FitScene(seen, field, frame)], "P")[0]
     return refine_homography(seen, homography_from_pinhole(found.vector))
 
 
-@dataclass(frozen=True, eq=False)
-class _SearchContext:
-    """Inputs of a search."""
-
-    seen: Observations
-    frame: ImageFrame
-    around: CameraPlacementPrior
-
-
-def _best_starts(scene: _SearchContext, starts: InitialCameras) -> SolveSteps[FloatArray]:
-    """(B, 11) the best of the starts after a few steps with few points."""
+def _best_starts(scenes: Sequence[FitScene]) -> list[FloatArray]:
+    """(B, 11) for each frame: the best of its initial cameras after a few steps with few points."""
     _retain_freed_memory()
-    few = scene.seen.thinned(_SEARCH_POINTS)
+    starts = [initial_cameras(scene.seen, scene.field) for scene in scenes]
+    few = [scene.seen.thinned(_SEARCH_POINTS) for scene in scenes]
     free = FREE_PARAMETERS["P"]
-    residuals = partial(
-        pinhole_residuals,
-        seen=few,
-        half_diagonal=scene.frame.half_diagonal,
-        free=free,
-        thorough=False,
-    )
-    sides = starts.sides
-    going: FloatArray | Solution = starts.vectors
+    sides = [one.sides for one in starts]
+    going = [one.vectors for one in starts]
     for iterations, keep in _SEARCH_ROUNDS:
-        prior = search_prior(sides, scene.around, free)
-        problem = Problem(residuals, few.weights, SEARCH_LOSS, prior)
-        found = yield SolveRequest(problem, going, iterations)
-        costs = found.costs + side_costs(sides, scene.around)
-        best = _best_distinct(found.vectors, costs, keep, scene.around)
-        going, sides = found.chosen(best), sides[best]
-    return found.vectors[best]
+        requests = [
+            SolveRequest(
+                Problem(
+                    partial(
+                        pinhole_residuals,
+                        seen=few[row],
+                        half_diagonal=scene.frame.half_diagonal,
+                        free=free,
+                        thorough=False,
+                    ),
+                    few[row].weights,
+                    SEARCH_LOSS,
+                    search_prior(sides[row], scene.around, free),
+                ),
+                going[row],
+                iterations,
+            )
+            for row, scene in enumerate(scenes)
+        ]
+        for row, (scene, found) in enumerate(zip(scenes, solve_all(requests), strict=True)):
+            costs = found.costs + side_costs(sides[row], scene.around)
+            best = _best_distinct(found.vectors, costs, keep, scene.around)
+            going[row], sides[row] = found.vectors[best], sides[row][best]
+    # Much may be the same from the other end; with all points what is not decides.
+    return [
+        vectors if scene.around.has_main_side else np.concatenate([vectors, rotated_180(vectors)])
+        for scene, vectors in zip(scenes, going, strict=True)
+    ]
 
 
 @lru_cache(maxsize=1)
@@ -393,36 +408,49 @@ def _retain_freed_memory() -> None:
     np.empty(_RETAINED_BYTES, dtype=np.uint8)
 
 
-def _fit_best_start(
-    scene: _SearchContext, vectors: FloatArray, model: str
-) -> SolveSteps[CameraSolution]:
-    """From (B, 11) parameters that may lead to the camera to the fit."""
-    # The first is the best of the search.
-    seen, around = whitened(scene.seen, linear_map(vectors[0])), scene.around
+def _fit_best_starts(
+    scenes: Sequence[FitScene], starts: Sequence[FloatArray], model: str
+) -> list[CameraSolution]:
+    """The fit of each frame, from (B, 11) parameters that may lead to its camera."""
     # Aspect ratio and principal point only once it is known which elements to believe.
     free = min(FREE_PARAMETERS[model], FREE_PARAMETERS["R"])
-    residuals = partial(pinhole_residuals, half_diagonal=scene.frame.half_diagonal)
-    # A search may have led round a corner: what is expected of a camera goes by where it is now.
-    sides = _camera_sides(vectors, around)
-    problem = Problem(
-        partial(residuals, seen=seen, free=free, thorough=False),
-        seen.weights,
-        ROBUST_LOSS,
-        wide_prior(sides, around, free),
-        bounded=KAPPA,
-    )
-    robust = yield SolveRequest(problem, vectors, 20, 1e-3, _HOPELESS_RATIO)
-    best = _best_plausible_row(robust, sides, around)
+    requests = []
+    for scene, vectors in zip(scenes, starts, strict=True):
+        # The first is the best of the search.
+        seen = whitened(scene.seen, linear_map(vectors[0]))
+        residuals = partial(
+            pinhole_residuals,
+            half_diagonal=scene.frame.half_diagonal,
+            seen=seen,
+            free=free,
+            thorough=False,
+        )
+        # A search may have led round a corner: what is expected of a camera goes by where it is.
+        prior = wide_prior(_camera_sides(vectors, scene.around), scene.around, free)
+        problem = Problem(residuals, seen.weights, ROBUST_LOSS, prior, bounded=KAPPA)
+        requests.append(SolveRequest(problem, vectors, 20, 1e-3, _HOPELESS_RATIO))
+    finals = [
+        _final_start(scene, vectors, robust, model)
+        for scene, vectors, robust in zip(scenes, starts, solve_all(requests), strict=True)
+    ]
+    return final_fits(finals)
+
+
+def _final_start(scene: FitScene, vectors: FloatArray, robust: Solution, model: str) -> FinalStart:
+    """The best of the robust searches from (B, 11) starts, and the elements it leaves out."""
+    seen, around = whitened(scene.seen, linear_map(vectors[0])), scene.around
+    free = min(FREE_PARAMETERS[model], FREE_PARAMETERS["R"])
+    best = _best_plausible_row(robust, _camera_sides(vectors, around), around)
     chosen = robust.vectors[[best]]
     prior = prior_near(chosen[0], around, FREE_PARAMETERS[model])
     distances = robust.distances[best]
+    residuals = partial(pinhole_residuals, half_diagonal=scene.frame.half_diagonal)
     if seen.curve_pairs > seen.line_pairs or seen.spreads is not None:
         # Those of curves were not thorough, and spots were softened by another camera.
         seen = whitened(seen, linear_map(chosen[0]))
         distances = residuals(chosen, seen, free=free).distances[0]
-    left_out = outlier_elements(seen, distances)
     residuals = partial(residuals, free=FREE_PARAMETERS[model])
-    return (yield from final_fit_steps(seen, chosen, left_out, residuals, prior))
+    return seen, chosen, outlier_elements(seen, distances), residuals, prior
 
 
 def _camera_sides(vectors: FloatArray, around: CameraPlacementPrior) -> IntArray:

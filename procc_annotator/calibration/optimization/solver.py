@@ -1,19 +1,26 @@
-"""Batched Levenberg-Marquardt with robust losses (IRLS) and Gaussian priors."""
+"""Batched Levenberg-Marquardt with robust losses (IRLS) and Gaussian priors, for the starts of one
+frame or of several frames at once."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Generator
-from dataclasses import dataclass, replace
-from typing import Literal, TypeVar
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
+from functools import partial
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.calibration.optimization.camera_parameters import MIN_KAPPA
-from procc_annotator.calibration.optimization.observations import FloatArray, IntArray
-from procc_annotator.calibration.optimization.residuals import Residuals
+from procc_annotator.calibration.optimization.closest_points import (
+    BatchedObservations,
+    BatchSizes,
+    is_batchable,
+    point_columns,
+)
+from procc_annotator.calibration.optimization.observations import FloatArray, IntArray, Observations
+from procc_annotator.calibration.optimization.residuals import Residuals, pinhole_residuals
 
-T = TypeVar("T")
 LossKind = Literal["cauchy", "geman_mcclure", "huber", "squared"]
 
 _INITIAL_DAMPING = 1e-3
@@ -101,7 +108,7 @@ class Solution:
         """(B, N) solver px of the points."""
         return np.asarray(np.hypot(self.values[:, 0], self.values[:, 1]))
 
-    def chosen(self, rows: IntArray) -> Solution:
+    def chosen(self, rows: IntArray | NDArray[np.bool_]) -> Solution:
         """Some of the searches, in the order asked for."""
         return Solution(
             self.vectors[rows],
@@ -169,7 +176,12 @@ class Problem:
             (B,) cost, (B, n, n) weighted J^T J, (B, n) gradient: of the points alone.
         """
         cost, weight = self.loss.cost_and_weight(found.distances)
-        return normal_equations(found.values, found.derivatives, cost, weight, self.weights)
+        weight = weight * self.weights
+        count, free = found.derivatives.shape[:2]
+        weighted = (found.derivatives * weight[:, None, None]).reshape(count, free, -1)
+        gradient = (weighted @ found.values.reshape(count, -1, 1))[:, :, 0]
+        rows = found.derivatives.reshape(count, free, -1)
+        return cost @ self.weights, weighted @ rows.transpose(0, 2, 1), gradient
 
     def hopeful(
         self, costs: FloatArray, running: NDArray[np.bool_], hopeless: float
@@ -184,56 +196,28 @@ class Problem:
         return np.where(starts[:, self.bounded] < 0, self.least, 0.0)
 
 
-def normal_equations(
-    values: FloatArray,
-    derivatives: FloatArray,
-    cost: FloatArray,
-    weight: FloatArray,
-    weights: FloatArray,
-) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """See `Problem.summed`.
-
-    Args:
-        values, derivatives: (B, 2, N) and (B, n, 2, N) as of `Residuals`.
-        cost, weight: (B, N) of each distance, from its loss.
-        weights: (N,) of the points.
-    """
-    count, free = derivatives.shape[:2]
-    weight = weight * weights
-    weighted = (derivatives * weight[:, None, None]).reshape(count, free, -1)
-    gradient = (weighted @ values.reshape(count, -1, 1))[:, :, 0]
-    rows = derivatives.reshape(count, free, -1)
-    return cost @ weights, weighted @ rows.transpose(0, 2, 1), gradient
-
-
 @dataclass(frozen=True, eq=False)
 class SolveRequest:
     """A minimisation request: objective, start and limit.
 
     Attributes:
         problem: what to minimise.
-        starts: (B, m) parameters, of which those after the first n stay as they are; or where
-            searches are that went by the same residuals, weights, loss and prior.
+        starts: (B, m) parameters, of which those after the first n stay as they are.
         iterations: at most so many.
         tolerance: a search ends when a step lowers its cost by less than this share of it.
         hopeless: once a search has ended, others end that cost so many times as much.
     """
 
     problem: Problem
-    starts: FloatArray | Solution
+    starts: FloatArray
     iterations: int
     tolerance: float = 1e-4
     hopeless: float = np.inf
 
 
-# What works something out and needs descents on the way: yields what it asks for, is sent what came
-# of it. So that many can be taken side by side.
-SolveSteps = Generator[SolveRequest, Solution, T]
-
-
 def solve(
     problem: Problem,
-    starts: FloatArray | Solution,
+    starts: FloatArray,
     *,
     iterations: int,
     tolerance: float = 1e-4,
@@ -243,22 +227,9 @@ def solve(
     return solve_request(SolveRequest(problem, starts, iterations, tolerance, hopeless))
 
 
-def run_steps(steps: SolveSteps[T]) -> T:
-    """Return what steps come to that ask for one descent after another."""
-    try:
-        asked = next(steps)
-        while True:
-            asked = steps.send(solve_request(asked))
-    except StopIteration as end:
-        found: T = end.value
-        return found
-
-
 def solve_request(asked: SolveRequest) -> Solution:
     """Minimise from every start."""
-    starts = asked.starts
-    at = starts if isinstance(starts, Solution) else Solution.at(asked.problem, starts)
-    under_way = SolverState.begun(asked.problem, at)
+    under_way = SolverState.begun(asked.problem, asked.starts)
     made = 0
     for made in range(1, asked.iterations + 1):  # noqa: B007
         under_way.step(asked.problem, asked.tolerance, asked.hopeless)
@@ -284,15 +255,17 @@ class SolverState:
     running: NDArray[np.bool_]
 
     @classmethod
-    def begun(cls, problem: Problem, at: Solution) -> SolverState:
+    def begun(cls, problem: Problem, starts: FloatArray) -> SolverState:
         """At the beginning."""
-        count = len(at.vectors)
+        count = len(starts)
         damping, running = np.full(count, _INITIAL_DAMPING), np.ones(count, dtype=bool)
-        return cls(at, problem.floor(at.vectors), damping, running)
+        return cls(Solution.at(problem, starts), problem.floor(starts), damping, running)
 
-    def chosen(self, rows: NDArray[np.bool_], at: Solution) -> SolverState:
-        """Some of them (B,), of which ``at`` is known."""
-        return SolverState(at, self.floor[rows], self.damping[rows], self.running[rows])
+    def chosen(self, rows: NDArray[np.bool_]) -> SolverState:
+        """Some of them (B,)."""
+        return SolverState(
+            self.at.chosen(rows), self.floor[rows], self.damping[rows], self.running[rows]
+        )
 
     def step(self, problem: Problem, tolerance: float, hopeless: float) -> None:
         """One step of all searches; of those that ended none is taken."""
@@ -345,3 +318,163 @@ def _held_or_bounded(problem: Problem, at: Solution, floor: FloatArray) -> NDArr
     )
     pinned[:, index] |= (at.vectors[:, index] <= floor) & (at.gradient[:, index] > 0)
     return pinned if pinned.any() else None
+
+
+# Arrays of more cameras than this are large enough for one frame alone.
+_MAX_BATCH_STARTS = 32
+# A stack is made anew where so many of its frames have ended.
+_COMPACTION_SHARE = 0.25
+
+
+def solve_all(requests: Sequence[SolveRequest]) -> list[Solution]:
+    """Minimise each request; requests of one kind step together, which halves the time of many.
+
+    Small arrays cost mostly the calls: with R on World Cup 2014 a fit takes 24 ms of CPU in batches
+    of 16 frames, 45 ms frame by frame.
+    """
+    if len(requests) == 1:
+        return [solve_request(requests[0])]
+    kinds: dict[object, list[int]] = {}
+    for row, request in enumerate(requests):
+        kinds.setdefault(_batch_key(request) or row, []).append(row)
+    found: dict[int, Solution] = {}
+    for rows in kinds.values():
+        if len(rows) == 1:
+            found[rows[0]] = solve_request(requests[rows[0]])
+        else:
+            found.update(zip(rows, _solve_batch([requests[row] for row in rows]), strict=True))
+    return [found[row] for row in range(len(requests))]
+
+
+def _batch_key(asked: SolveRequest) -> tuple[object, ...] | None:
+    """Equal for descents that can be made at once; None for what is to be made alone."""
+    problem = asked.problem
+    look = problem.residuals
+    alone = problem.held is not None or len(asked.starts) > _MAX_BATCH_STARTS
+    if alone or not isinstance(look, partial) or look.func is not pinhole_residuals:
+        return None
+    options = {name: value for name, value in look.keywords.items() if name != "seen"}
+    if look.args or not is_batchable(look.keywords["seen"]):
+        return None
+    return (
+        tuple(sorted(options.items())),
+        (problem.loss, problem.bounded, problem.least, problem.free),
+        (asked.iterations, asked.tolerance, asked.hopeless),
+    )
+
+
+def _solve_batch(requests: Sequence[SolveRequest]) -> list[Solution]:
+    """Minimise requests of one kind from all of their starts."""
+    problems = [one.problem for one in requests]
+    counts = np.array([len(one.starts) for one in requests])
+    sizes = BatchSizes.of([_observations_of(problem) for problem in problems])
+    batch = list(range(len(requests)))  # the frames in it
+    problem = _BatchProblem.of(problems, counts, sizes)
+    state = SolverState.begun(problem, np.concatenate([one.starts for one in requests]))
+    found: dict[int, Solution] = {}
+    limit, tolerance, hopeless = (
+        requests[0].iterations,
+        requests[0].tolerance,
+        requests[0].hopeless,
+    )
+    for made in range(1, limit + 1):
+        state.step(problem, tolerance, hopeless)
+        going = problem.any_of_frame(state.running)
+        for row, one in enumerate(batch):
+            if one not in found and (made == limit or not going[row]):
+                found[one] = replace(problem.solution_of(state.at, row), steps=made)
+        if not going.any():
+            break
+        if going.mean() <= 1 - _COMPACTION_SHARE:
+            state = state.chosen(going[problem.frame_of_row])
+            batch = [one for one, still in zip(batch, going, strict=True) if still]
+            problem = _BatchProblem.of([problems[one] for one in batch], counts[batch], sizes)
+    return [found[one] for one in range(len(requests))]
+
+
+def _observations_of(problem: Problem) -> Observations:
+    residuals: Any = problem.residuals  # a partial, see `_batch_key`
+    seen: Observations = residuals.keywords["seen"]
+    return seen
+
+
+@dataclass(frozen=True, eq=False)
+class _BatchProblem(Problem):
+    """The problems of several frames, as one.
+
+    Attributes:
+        frames: (F,) those of the frames.
+        rows: (F,) the cameras of each.
+        columns: (F,) its points among those of the stack.
+        frame_of_row: (B,) of which frame each camera is.
+    """
+
+    frames: tuple[Problem, ...] = ()
+    rows: tuple[slice, ...] = ()
+    columns: tuple[IntArray, ...] = ()
+    frame_of_row: IntArray = field(default_factory=lambda: np.empty(0, dtype=np.intp))
+
+    @classmethod
+    def of(cls, problems: Sequence[Problem], counts: IntArray, sizes: BatchSizes) -> _BatchProblem:
+        """As one, with so many cameras (F,) of each."""
+        residuals: Any = problems[0].residuals
+        seen = [_observations_of(problem) for problem in problems]
+        stack = BatchedObservations.of(seen, counts, sizes)
+        until = np.cumsum(counts).tolist()
+        pairs = list(zip(problems, counts.tolist(), strict=True))
+        size = problems[0].free
+        return cls(
+            partial(residuals, seen=stack),
+            np.empty(0),
+            problems[0].loss,
+            GaussianPrior(
+                np.concatenate([np.broadcast_to(p.prior.mean, (n, size)) for p, n in pairs]),
+                np.concatenate([np.broadcast_to(p.prior.inverse_sd, (n, size)) for p, n in pairs]),
+            ),
+            problems[0].bounded,
+            None,
+            problems[0].least,
+            tuple(problems),
+            tuple(slice(end - n, end) for end, n in zip(until, counts.tolist(), strict=True)),
+            tuple(point_columns(one, stack.line_pairs) for one in seen),
+            stack.frame_of_row,
+        )
+
+    def summed(self, found: Residuals) -> tuple[FloatArray, FloatArray, FloatArray]:
+        parts = [
+            problem.summed(
+                Residuals(
+                    found.values[rows].take(columns, axis=2),
+                    found.derivatives[rows].take(columns, axis=3),
+                    found.distances[rows].take(columns, axis=1),
+                    found.whole,
+                    found.along,
+                )
+            )
+            for problem, rows, columns in zip(self.frames, self.rows, self.columns, strict=True)
+        ]
+        costs, normals, gradients = zip(*parts, strict=True)
+        return np.concatenate(costs), np.concatenate(normals), np.concatenate(gradients)
+
+    def hopeful(
+        self, costs: FloatArray, running: NDArray[np.bool_], hopeless: float
+    ) -> NDArray[np.bool_]:
+        ended = np.where(running, np.inf, costs)
+        least = np.array([ended[rows].min() for rows in self.rows])[self.frame_of_row]
+        return np.asarray((costs <= hopeless * least) | np.isinf(least))
+
+    def any_of_frame(self, of_rows: NDArray[np.bool_]) -> NDArray[np.bool_]:
+        """(F,) whether what is said of cameras (B,) holds of any of a frame's."""
+        return np.array([of_rows[rows].any() for rows in self.rows])
+
+    def solution_of(self, at: Solution, frame: int) -> Solution:
+        """The searches of one frame among those of all."""
+        rows, columns = self.rows[frame], self.columns[frame]
+        return Solution(
+            at.vectors[rows],
+            at.costs[rows],
+            at.values[rows].take(columns, axis=2),
+            at.whole[rows].take(columns, axis=1),
+            at.normal[rows],
+            at.gradient[rows],
+        )

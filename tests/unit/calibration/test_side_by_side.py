@@ -9,10 +9,9 @@ import pytest
 
 from procc_annotator.annotation import FrameAnnotation, Polyline
 from procc_annotator.calibration.fitting import FitRequest, fit_camera, fit_cameras
-from procc_annotator.calibration.optimization import residuals, robust_fit
-from procc_annotator.calibration.optimization.batch_solver import run_batched
+from procc_annotator.calibration.optimization import residuals
 from procc_annotator.calibration.optimization.observations import ImageFrame, build_observations
-from procc_annotator.calibration.optimization.solver import run_steps
+from procc_annotator.calibration.optimization.robust_fit import FitScene, search_cameras
 
 SIZE, LARGER = (960, 540), (1920, 1080)
 
@@ -75,24 +74,23 @@ def test_no_frames_get_no_cameras() -> None:
     assert fit_cameras([]) == []
 
 
-def test_residuals_of_several_frames_are_worked_out_at_once(frames, monkeypatch) -> None:
-    """As often as the slowest frame asks for them, not as often as all of them do."""
-    looks: Counter[str] = Counter()
+def test_residuals_of_several_frames_are_computed_at_once(frames, monkeypatch) -> None:
+    """As often as the slowest frame needs them, not as often as all of them do."""
+    calls: Counter[str] = Counter()
     computed = residuals.find_closest_points
 
     def counted(*args, **options):
-        looks[way] += 1
+        calls[way] += 1
         return computed(*args, **options)
 
     monkeypatch.setattr(residuals, "find_closest_points", counted)
     frame = ImageFrame(SIZE)
-    seen = [build_observations(annotation, field, frame) for annotation, field, size in frames[:8]]
-    steps = [(one, frames[0][1], frame, "R") for one in seen]
+    seen = [(build_observations(one, field, frame), field) for one, field, _ in frames[:8]]
+    scenes = [FitScene(*one, frame) for one in seen]
     way = "alone"
-    alone = [run_steps(robust_fit.search_camera_steps(*one)) for one in steps]
+    alone = [search_cameras([one], "R")[0] for one in scenes]
     way = "together"
-    together = run_batched([robust_fit.search_camera_steps(*one) for one in steps])
-    for one, other in zip(alone, together, strict=True):
+    for one, other in zip(alone, search_cameras(scenes, "R"), strict=True):
         assert one.solution.steps == other.solution.steps
         np.testing.assert_allclose(one.vector, other.vector, rtol=1e-6, atol=1e-9)
-    assert looks["together"] < 0.7 * looks["alone"]
+    assert calls["together"] < 0.7 * calls["alone"]

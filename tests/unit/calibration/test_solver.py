@@ -16,7 +16,7 @@ from procc_annotator.calibration.optimization.camera_placement import camera_pla
 from procc_annotator.calibration.optimization.initialization import wide_prior
 from procc_annotator.calibration.optimization.observations import ImageFrame, build_observations
 from procc_annotator.calibration.optimization.residuals import pinhole_residuals
-from procc_annotator.calibration.optimization.robust_fit import search_camera
+from procc_annotator.calibration.optimization.robust_fit import FitScene, search_cameras
 from procc_annotator.calibration.optimization.solver import (
     GaussianPrior,
     Problem,
@@ -120,5 +120,7 @@ def test_the_radial_coefficient_of_a_search_never_falls_below_zero(views, field)
     rng = np.random.default_rng(3)
     for _ in range(4):
         view = views.random(rng, k1=-0.05, at_least=6)
-        found = search_camera(build_observations(view.annotation, field, FRAME), field, FRAME, "R")
+        found = search_cameras(
+            [FitScene(build_observations(view.annotation, field, FRAME), field, FRAME)], "R"
+        )[0]
         assert found.vector[KAPPA] >= 0
