@@ -74,7 +74,7 @@ def test_the_legend_gives_the_shares(shown: MainWindow) -> None:
     expected = map_ground_uncertainty(document.live_fit.result, document.field)
     assert legend.isVisible()
     assert legend.lines == tuple(
-        f"{m:g} m: {100 * expected.share_good_to(m):.0f} % of the field in sight"
+        f"{m:g} m: {100 * expected.share_within_m(m):.0f} % of the field in sight"
         for m in (0.1, 0.5, 1.0)
     )
     assert f"fitted camera ({document.live_fit.result.model})" in legend.title
