@@ -19,7 +19,7 @@ from procc_annotator.errors import UsageError
 
 FloatArray = NDArray[np.float64]
 
-# Nobody clicks so far from the picture, in its widths and heights.
+# No one clicks so far from the picture, in its widths and heights.
 _FARTHEST = 2.0
 
 
@@ -45,7 +45,7 @@ class FrameAnnotation:
 
     ``extra`` holds top-level entries of the file that are not lists of points; they are written
     back. ``unconfirmed`` holds elements that the program put here (copied from another frame) and
-    nobody has touched or confirmed yet: they are shown, but never counted, scored or written. A
+    no one has touched or confirmed yet: they are shown, but never counted, scored or written. A
     class stands in one of the two lists only.
     """
 
@@ -131,7 +131,7 @@ class FrameAnnotation:
     def with_polyline(self, polyline: Polyline) -> FrameAnnotation:
         """This annotation with a class's polyline replaced in place, or appended when it is new.
 
-        An unconfirmed polyline of the class goes: somebody has now decided where the element is.
+        An unconfirmed polyline of the class goes: a person has now decided where the element is.
         """
         name = polyline.class_name
         kept = tuple(polyline if p.class_name == name else p for p in self.polylines)
@@ -209,7 +209,7 @@ def _other_classes(polylines: tuple[Polyline, ...], class_name: str) -> tuple[Po
 
 
 def pixel_like(annotation: FrameAnnotation) -> Point | None:
-    """A point that tells that coordinates are pixels, where most of them are far beyond any picture
+    """A point that says that coordinates are pixels, where most of them are far beyond any picture
     (some outside of it are in order): the first such point. None for normalised coordinates."""
     points = [point for polyline in annotation.polylines for point in polyline.points]
     beyond = [p for p in points if max(abs(p.u), abs(p.v)) > _FARTHEST]

@@ -65,7 +65,7 @@ def install_handlers(report: Report) -> None:
 
 
 def log_line(text: str) -> None:
-    """Log a line that nobody needs to see now."""
+    """Log a line that no one needs to see now."""
     logging.getLogger(_NAME).warning(text)
 
 

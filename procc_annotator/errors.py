@@ -1,6 +1,6 @@
 """The error tree.
 
-ProccError                     anything the user is told in one line
+ProccError                     anything the user is reported in one line
 +-- InputError                 a file that cannot be used: path, place in it, what was expected
 |   +-- FieldError             a field description (resources/field/*.toml)
 |   +-- AnnotationError        an annotation file
@@ -93,7 +93,7 @@ def printable(text: str, keep: str = "") -> str:
     """Text with every character escaped that would break its line or command a terminal.
 
     Args:
-        text: of anybody.
+        text: of anyone.
         keep: such characters that may stay.
     """
     if text.isprintable():

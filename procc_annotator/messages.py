@@ -9,7 +9,7 @@ import sys
 from collections.abc import Mapping, Sequence
 
 _SHOWN_NAMES = 5
-# So many remarks that differ in their numbers only are told one by one.
+# So many remarks that differ in their numbers only are reported one by one.
 _MAX_SIMILAR = 5
 _SHOWN_SIMILAR = 3
 _NUMBER = re.compile(r"\d+")

@@ -41,7 +41,7 @@ def fit_camera(
     """Fit a camera to annotated elements; no picture and no start is needed.
 
     **Give the size of the picture**, or any size of its shape, unless it is 16:9. Annotations are
-    normalised and do not tell their picture's shape: fitted as 960x540, those of a 4:3 picture give
+    normalised and do not give their picture's shape: fitted as 960x540, those of a 4:3 picture give
     a camera that is wrong, and nothing notices.
 
     A fit that cannot be is no error: ``camera`` is then None and ``failure`` says why.
@@ -126,7 +126,7 @@ def track(
         field: the elements, metres; or a field's name, see `load_field`; the usual one if None.
         anchors: cameras that are known, by number of the frame (0 is the first), px of the
             pictures. The track passes through them.
-        on_frame: told of each frame as soon as it was followed; what is returned at the end is
+        on_frame: called for each frame as soon as it was followed; what is returned at the end is
             surer. What it raises ends the work.
 
     Returns:

@@ -78,7 +78,7 @@ def camera_from_krt(
         distortion: OpenCV's k1 k2 p1 p2 [k3 [k4 k5 k6 [s1 s2 s3 s4]]], in a row or a column;
             k1 k2 k3 k4 of a fisheye; None for none.
         fisheye: whether the lens is OpenCV's fisheye.
-        size: (width, height) px of the picture; tells how far a skew would move its pixels.
+        size: (width, height) px of the picture; says how far a skew would move its pixels.
 
     Returns:
         The camera, in px of the picture that K belongs to.
@@ -111,7 +111,7 @@ def camera_from_projection(
     Args:
         matrix: (3, 4), metres in the world (x, y, z, 1; world frame of `Field`, z down) to px. It
             may have a skew; its sign does not matter.
-        size: (width, height) px of the picture; tells how far a skew moves its pixels.
+        size: (width, height) px of the picture; says how far a skew moves its pixels.
 
     Returns:
         The camera, in px of the picture that the matrix is for: a pinhole with angles, position and
@@ -140,7 +140,7 @@ def camera_from_homography(
 
     Args:
         matrix: (3, 3), metres on the ground (x, y, 1; world frame of `Field`) to px.
-        size: (width, height) px of the picture. A homography does not tell in front from behind:
+        size: (width, height) px of the picture. A homography does not say in front from behind:
             the lower edge of the picture is taken to show ground in front of the camera.
         to_ground: whether the matrix is the other way, px to metres.
 
@@ -168,7 +168,7 @@ def camera_from_function(
         function: takes (N, 3) metres, world frame of `Field` (z down), and returns (N, 2) px; NaN
             for points that have no projection: behind the camera, or where the lens model folds.
             Or it returns those and (N,) bool, which points have one. Pixels of points behind the
-            camera are lines where there are none: ``cv2.projectPoints``, say, does not tell them.
+            camera are lines where there are none: ``cv2.projectPoints``, say, does not give them.
         ground_only: whether it knows the plane z = 0 only, as a homography does.
 
     Returns:
@@ -215,9 +215,10 @@ def save_camera(
             (.yml), ``krt`` (.json), or a homography as ``wc14`` (.homographyMatrix), ``carwc``
             (.npy) or ``world`` (.txt).
         size: (width, height) px of the picture. A plain camera belongs to it; fits, and cameras
-            whose file told theirs, are scaled to it. Homographies need one.
+            whose file reported theirs, are scaled to it. Homographies need one.
         fitted_to: the annotation that the camera was fitted to, where ``camera`` does not know it
-            (a fit does). The file, or one beside it that ends in .fit, then says so, and the camera
+            (a fit does). The file, or one next to it that ends in .fit, then says so, and the
+            camera
             is marked and not ranked wherever it is judged by these clicks.
         overwrite: whether a file that is there may be replaced.
 

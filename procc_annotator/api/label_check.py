@@ -31,7 +31,7 @@ def check_labels(
         size: (width, height) px of the picture, or any size of its shape; that of ``picture`` if it
             is given.
         picture: a picture's file, or its pixels, (H, W, 3) or (H, W, 4) uint8, BGR: what it shows
-            of paint is looked at, too.
+            of paint is examined, too.
         model: of the camera that is fitted, see `fit_camera`.
 
     Returns:

@@ -55,7 +55,7 @@ class Dataset:
         pictures: frame name -> its picture's file, of the frames that have one, in natural order;
             where they lie in folders of folders, frames are called by their paths (``game/00037``).
         sizes: frame name -> (width, height) px of its picture, of the annotated frames whose
-            annotation or picture tells it; `size_of` also knows frames without annotation.
+            annotation or picture gives it; `size_of` also knows frames without annotation.
     """
 
     path: Path
@@ -65,9 +65,9 @@ class Dataset:
     sizes: Mapping[str, Size] = attribute(default_factory=dict)
 
     def size_of(self, frame: str) -> Size | None:
-        """(width, height) px of a frame's picture as it is shown; None where nobody knows it.
+        """(width, height) px of a frame's picture as it is shown; None if unknown.
 
-        The header of the picture is read; where there is none, the annotations may tell.
+        The header of the picture is read; if absent, the annotations may say.
 
         Args:
             frame: its name.
@@ -98,10 +98,11 @@ def load_dataset(
 
     Args:
         path: its folder, of pictures, annotations or both; an archive or file of annotations; a
-            video, whose frames' annotations lie beside it.
+            video, whose frames' annotations lie next to it.
         field: its elements, metres; or a field's name, see `load_field`; if None the one that the
             dataset says it shows, and the usual one (SoccerNet's classes) where it does not say.
-        on_damaged: told of each annotation that cannot be used, which is then left out; None: the
+        on_damaged: called for each annotation that cannot be used, which is then left out; None:
+            the
             first one is raised.
         labels: a file ``labels.toml`` that says which classes the names of another program stand
             for; None: the dataset's own, if it has one.
@@ -147,7 +148,7 @@ def load_annotations(
             program reads; or a dataset's folder with its annotations in ``annotations/``.
         field: knows the official spellings of the classes; or its name, see `load_field`; the
             usual one if None.
-        on_damaged: told of each frame or file that cannot be used, which is then left out; None:
+        on_damaged: called for each frame or file that cannot be used, which is then left out; None:
             the first one is raised.
         labels: as of `load_dataset`.
 
@@ -181,7 +182,7 @@ def load_annotation(
     Returns:
         The polylines by class, in the order of the file. Points are normalised: (0, 0) is the
         centre of the picture's first pixel, (1, 1) that of its last one (pixel = u * (width - 1)).
-        Whatever the numbers are, they are kept; a `UserWarning` tells if they look like pixels.
+        Whatever the numbers are, they are kept; a `UserWarning` says if they look like pixels.
 
     Raises:
         InputError: the file cannot be read; the message names it, the place and what was expected.
@@ -220,7 +221,8 @@ def load_cameras(
         path: a folder or zip archive of camera files, or a file of many cameras, of any format the
             program reads.
         format: what the files are, as ``--camera-format`` names it; ``auto`` to look into them.
-        on_damaged: told of each camera that cannot be used, which is then left out; None: the first
+        on_damaged: called for each camera that cannot be used, which is then left out; None: the
+            first
             one is raised.
 
     Returns:
@@ -293,7 +295,7 @@ def _frames(
 
     Args:
         place: what the annotations are read from.
-        dataset: whose they are: pictures around it tell sizes that files leave out, and a
+        dataset: whose they are: pictures around it say sizes that files leave out, and a
             ``labels.toml`` in it what names of another program stand for.
     """
     if labels is None:

@@ -57,9 +57,9 @@ class SetScore:
     """Result of `evaluate_set`.
 
     Attributes:
-        described: protocol, size and options in words, to stand beside every number; and whether
+        described: protocol, size and options in words, to stand next to every number; and whether
             cameras were fitted to the annotations they are judged by.
-        summaries: threshold (px) -> the figures of the set, as ``evaluate`` tells them.
+        summaries: threshold (px) -> the figures of the set, as ``evaluate`` gives them.
         frames: frame name -> threshold (px) -> its score; nothing for a frame without a camera.
     """
 
@@ -135,12 +135,12 @@ class SetScore:
     ) -> dict[float, dict[str, Interval | None]]:
         """Between which values the figures of the set lie, chance considered.
 
-        Frames that are alike (of one match, one shot) tell less than as many of several: whole
+        Frames that are alike (of one match, one shot) say less than as many of several: whole
         clusters are drawn.
 
         Args:
             cluster: frame name -> what it belongs to; ``"shot"`` for shots as the frames' names
-                tell them, ``"none"`` for every frame for itself; None for shots if there are any.
+                give them, ``"none"`` for every frame for itself; None for shots if there are any.
             method: ``t`` (jackknife of clusters), ``percentile`` or ``bca``.
             draws: how many sets are drawn. seed: the same one draws the same sets.
             level: the share of sets in which the truth lies within, 0 to 1.

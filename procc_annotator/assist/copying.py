@@ -39,7 +39,7 @@ _ONWARDS = 12  # places at which a line is looked for that goes on to the edge; 
 
 @dataclass(frozen=True)
 class Copied:
-    """Elements carried to another picture.
+    """Elements copied to another picture.
 
     Attributes:
         polylines: normalised to the new picture.
@@ -75,7 +75,8 @@ def copy_moved(
     """Carry polylines from one picture to another of the same camera.
 
     Each point is moved by the camera's motion and put on its line's centre where its element shows
-    paint as at its other points; one that does not goes with the others, and is told. What leaves
+    paint as at its other points; one that does not goes with the others, and is reported. What
+    leaves
     the picture is cut off at its edge; a straight element that ended at the edge before is
     continued to the edge, since the camera has turned to see more of it. Without a trustworthy
     motion (a cut) the polylines come back as they are.

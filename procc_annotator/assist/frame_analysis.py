@@ -83,8 +83,8 @@ def analyse_frame(
         size: (width, height) px of the picture.
         model: see `fit_camera`.
         start: the camera before the last edit.
-        not_visible: classes somebody said are not to be seen here.
-        go_on: called between the steps; raises whatever it likes when nobody wants the rest.
+        not_visible: classes a person said are not to be seen here.
+        go_on: called between the steps; raises whatever it likes when no one wants the rest.
     """
     go_on()
     fit = fit_camera(annotation, field, model=model, size=size, start=start)
@@ -127,10 +127,10 @@ def ghosts_without_clicks(
         annotation: of the frame.
         field: its elements.
         fit: the camera, found in the picture or by following the shot.
-        not_visible: classes somebody said are not to be seen here.
+        not_visible: classes a person said are not to be seen here.
         fitted: what follows from the clicks alone. It is returned once the clicks give a camera,
             unless they agree with the camera that was found, and that one knows more elements.
-        go_on: called between the steps; raises whatever it likes when nobody wants the rest.
+        go_on: called between the steps; raises whatever it likes when no one wants the rest.
     """
     go_on()
     by_clicks = fitted if fitted is not None and fitted.fit.camera is not None else None
@@ -164,7 +164,7 @@ def contradicts(
 def apply_remedy(
     annotation: FrameAnnotation, finding: Finding, remedy: Remedy, field: Field | None = None
 ) -> FrameAnnotation:
-    """The annotation with a finding mended; its points stay where they are.
+    """The annotation with a finding fixed; its points stay where they are.
 
     Args:
         annotation: what the finding is about.

@@ -169,7 +169,7 @@ def _detected_line(
     """(n, 2) px: the other element's line, as long as it was found, and where of its course it was,
     as a share.
 
-    Right beside the line that ends there, it could not be told from it.
+    Right next to the line that ends there, it could not be distinguished from it.
     """
     limits = np.array([picture.shape[1], picture.shape[0]]) - 1.0
     count = min(round(len(course) / _EVERY_PX), _MOST_PLACES) + 1
@@ -364,7 +364,7 @@ def _corners(
 
 
 def _before(line: VisibleLine, corner: Corner) -> tuple[FloatArray, FloatArray, BoolArray]:
-    """Return where a line was seen last, and what lies between it and its last end: (n, 2) px of
+    """Return where a line was seen last, and what is between it and its last end: (n, 2) px of
     both, and (n,) whether they are of the second."""
     course = continued(line.course_px, _HIDDEN_PX)
     past = max(2, int(np.hypot(*(course - corner.place_px).T).argmin()))

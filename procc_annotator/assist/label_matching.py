@@ -40,7 +40,7 @@ Points = tuple[Point, ...]
 
 @dataclass(frozen=True)
 class LabelledFrame:
-    """A frame with shapes that nobody here knows the classes of.
+    """A frame with shapes that no one here knows the classes of.
 
     Attributes:
         name: of the frame.
@@ -138,7 +138,7 @@ class LabelPlaces:
 
     Attributes:
         on: class -> how many shapes lie on it, and on nothing nearer.
-        shapes: that were looked at.
+        shapes: that were examined.
         orders: each order -> how many frames have their shapes on these classes in it.
         frames: that have a camera.
     """
@@ -166,7 +166,7 @@ def find_places(
 
     Args:
         frames: of the set.
-        camera_of: the camera of a frame at a size, px; None where there is none.
+        camera_of: the camera of a frame at a size, px; None if absent.
         field: the elements, metres.
     """
     places: dict[str, LabelPlaces] = {}
@@ -193,7 +193,7 @@ def cameras_of(cameras: FrameCameras, told: Callable[[str], object] | None = Non
 
     Args:
         cameras: by the names of frames.
-        told: of each one that cannot be used, why; None: nobody is.
+        told: of each one that cannot be used, why; None: no one is.
     """
 
     def camera(frame: LabelledFrame, size: tuple[int, int]) -> CameraOrProjections | None:
@@ -275,7 +275,7 @@ class LineOrders:
     """The orders of labels that lines share.
 
     Attributes:
-        rules: label -> its classes in their order; empty where nothing tells it.
+        rules: label -> its classes in their order; empty where nothing gives it.
         fitting: frames whose points are on their lines with these orders.
         frames: that were tried.
     """
@@ -327,7 +327,7 @@ def _first_rotated(
     rules: Mapping[str, OrderedClasses], alone: Mapping[str, str], field: Field
 ) -> Mapping[str, OrderedClasses]:
     """Of orders that are as good on the turned field those whose classes come first in it: a set
-    that is looked at again, or in parts, gets the same ones."""
+    that is examined again, or in parts, gets the same ones."""
 
     def place(some: Mapping[str, OrderedClasses]) -> list[list[int]]:
         return [[field.index[n] for n in some[label].classes] for label in sorted(some)]

@@ -52,7 +52,7 @@ class LabelProposal:
         count: the label, and how often it occurs.
         rule: what is proposed; None where nothing is.
         surety: ``sure`` by two ways that agree, or by the very words; ``likely`` by one; ``open``
-            where somebody has to say.
+            where a person has to say.
         why: in words.
         like: classes that it may be, where it is open.
     """
@@ -100,7 +100,7 @@ def propose_labels(
 
 
 def _each_once(proposals: list[LabelProposal]) -> list[LabelProposal]:
-    """Two labels of one class: nobody knows which of them is it, or whether both are parts."""
+    """Two labels of one class: no one knows which of them is it, or whether both are parts."""
     takers: dict[str, list[str]] = {}
     for one in proposals:
         if isinstance(one.rule, str):

@@ -39,7 +39,7 @@ class ExpectedLines:
     Args:
         field: its elements.
         width_px: of the picture.
-        camera: in px of the picture; None where nobody knows it, or it must not be told.
+        camera: in px of the picture; None if unknown, or it must not be reported.
     """
 
     def __init__(self, field: Field, width_px: int, camera: Camera | None = None) -> None:
@@ -61,7 +61,7 @@ class ExpectedLines:
     def at(self, class_name: str, place: Place) -> tuple[LineTarget, Place | None]:
         """Return what to look for of a class near a place in the picture, and in which direction.
 
-        The direction is a unit vector, None where no camera tells it.
+        The direction is a unit vector, None where no camera gives it.
         """
         element = self._field.element(class_name)
         course = self._course(class_name)
@@ -131,12 +131,12 @@ def line_evidence(
     """Return what the picture shows along each element; safe from any thread.
 
     Args:
-        annotation: of the frame; unconfirmed elements are looked at too.
+        annotation: of the frame; unconfirmed elements are examined too.
         picture: (H, W, 4) BGRA.
         field: says what elements look like; spots and classes it does not place are left out.
-        known: of the same picture and field, from before: what did not change is not looked at
+        known: of the same picture and field, from before: what did not change is not examined
             again.
-        go_on: called between elements; raises whatever it likes when nobody wants the rest.
+        go_on: called between elements; raises whatever it likes when no one wants the rest.
     """
     paint, found = ExpectedLines(field, picture.shape[1]), {}
     for polyline in (*annotation.polylines, *annotation.unconfirmed):

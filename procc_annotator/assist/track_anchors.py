@@ -43,7 +43,7 @@ class CameraCorrection:
         fit: the camera, px of the picture.
         annotation: of the frame by then: clicks that come later say more.
         looked: whether its lines were looked for in the picture.
-        coverage: share of the visible model on paint, 0 to 1; 0 where nobody looked, or in vain.
+        coverage: share of the visible model on paint, 0 to 1; 0 where no one looked, or in vain.
         residual_px: median distance of that paint, px of the picture; None without any.
         why_not: why the camera is not on paint; empty where it is.
     """
@@ -87,7 +87,7 @@ def align_to_lines(
         correction: as it was dragged.
         picture: (H, W, 4) BGRA.
         field: the elements.
-        go_on: called between the steps; raises whatever it likes when nobody wants the rest.
+        go_on: called between the steps; raises whatever it likes when no one wants the rest.
     """
     go_on()
     camera = correction.fit.camera

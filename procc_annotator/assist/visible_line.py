@@ -85,7 +85,7 @@ _END_SHARE = 1.7  # as the larger of the contrast shares, where only one side sh
 
 @dataclass(frozen=True, eq=False)
 class _StripColours:
-    """Colours of a strip, place by place: (n, 3) BGR of the line and of the ground beside it."""
+    """Colours of a strip, place by place: (n, 3) BGR of the line and of the ground next to it."""
 
     centre: FloatArray
     left: FloatArray
@@ -262,13 +262,13 @@ _TANGENT_PX = 40
 
 @dataclass(frozen=True, eq=False)
 class VisibleLine:
-    """A line's own course beside a predicted one.
+    """A line's own course next to a predicted one.
 
     Attributes:
         course_px: (n, 2) px, a place about every pixel.
         directions: (n, 2) unit vectors.
         runs: first and one past the last place of each stretch that can be seen.
-        expected: first and last place of the predicted course; what lies beyond is straight on.
+        expected: first and last place of the predicted course; what is beyond is straight on.
     """
 
     course_px: FloatArray

@@ -35,7 +35,7 @@ MAX_ANNOTATORS = 26  # as many as there are letters
 
 
 class FrameOfAnnotators(NamedTuple):
-    """A frame that at least two annotated, with the file of each; None where there is none."""
+    """A frame that at least two annotated, with the file of each; None if absent."""
 
     name: str
     files: tuple[str | None, ...]
@@ -119,7 +119,7 @@ class ConsensusRun(SetRun[FrameOfAnnotators, ConsensusResult, None]):
         pairs_only: whether to compare pairs alone, by the frames' names in each source.
 
     Attributes:
-        alone: for each annotator the frames that nobody else has: not compared.
+        alone: for each annotator the frames that no one else has: not compared.
 
     Raises:
         UsageError: nothing to compare, a threshold that is none, or a size that is no picture.
@@ -185,7 +185,7 @@ class AgreementRun(ConsensusRun):
         a, b: folder or archive of annotation files of each annotator.
         field, size, thresholds: as of `ConsensusRun`.
         among: names of frames of b, where others are not to be compared.
-        own: names of frames of a, where nothing is to be told of others.
+        own: names of frames of a, where nothing is to be reported of others.
 
     Attributes:
         only_a, only_b: names of the frames only one annotated: reported, not compared.

@@ -25,7 +25,7 @@ class AgreementIntervals:
 
     Attributes:
         jac: tau -> of the mean JaC. median, p95: of the distances, px.
-        effective: as many clusters of equal size tell as much.
+        effective: as many clusters of equal size say as much.
     """
 
     jac: Mapping[float, Interval | None]
@@ -60,7 +60,8 @@ class AgreementInference:
             return None
         reached = critical_value(self.known.effective, interval.level)
         deviation = (interval.high - interval.low) / 2 / reached
-        # What is to be known to so much is not to be told from anything: chance of one in two.
+        # What is to be known to so much is not to be distinguished from anything: chance of one
+        # in two.
         return required_frames(
             half, deviation, self.frames, self.known.effective, level=interval.level, power=0.5
         )

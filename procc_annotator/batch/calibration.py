@@ -197,7 +197,7 @@ def scored(
         fit: its camera, or why there is none.
         sums: of the set; their setup, but for its size, and thresholds count.
         place: the position it shares with other frames, if any.
-        size: that of its picture too, if it is to be told.
+        size: that of its picture too, if it is to be reported.
     """
     used = size or FrameSize(fit.size)
     if fit.camera is None:
@@ -341,7 +341,7 @@ def save_fit(
     """Write a fit as the camera of its frame; a fit of the frame that was saved before is replaced.
 
     A pinhole becomes ``camera_{frame}.json`` in SoccerNet form with a further key ``fit``, a
-    homography ``{frame}.npy`` with a ``{frame}.fit`` beside it.
+    homography ``{frame}.npy`` with a ``{frame}.fit`` next to it.
 
     Args:
         folder: of all saved fits; made if needed.

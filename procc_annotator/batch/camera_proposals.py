@@ -44,7 +44,7 @@ _LEAST_SD_M = 0.05  # a table that says less than it can know
 
 
 def read_positions(path: Path, field: Field, fmt: str = "auto") -> tuple[KnownPosition, ...]:
-    """The positions that a file tells.
+    """The positions that a file says.
 
     Args:
         path: folder, archive or file of cameras; or a ``.csv`` with columns ``x_m``, ``y_m``,
@@ -156,7 +156,7 @@ class WithPlugin:
             hints = list(chosen_proposer(self.name).propose(picture, field))
         except ProccError:
             raise
-        # Whatever somebody else's code raises is told as its fault.
+        # Whatever another person's code raises is reported as its fault.
         except Exception as error:
             said = " ".join(str(error).split())[:300] or "no reason given"
             raise self._error(f"{type(error).__name__}: {said}") from error
@@ -301,7 +301,7 @@ class ProposalRun(SetRun[Frame, Proposed, None]):
 
 @dataclass(frozen=True)
 class SecondPass:
-    """Frames that are looked at once more where the sure ones say that cameras stand.
+    """Frames that are examined once more where the sure ones say that cameras stand.
 
     Attributes:
         positions: on which frames agree.

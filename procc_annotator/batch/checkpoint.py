@@ -165,7 +165,7 @@ _KEY_LENGTH = 64
 
 
 def checkpoint_path(out: Path, command: str) -> Path:
-    """Return where it lies: in the folder that is written, or beside the archive; hidden, so that
+    """Return where it lies: in the folder that is written, or next to the archive; hidden, so that
     no listing of cameras or annotations minds it."""
     if out.suffix.lower() == ".zip":
         return sibling_path(out, ".", f".{command}.unfinished")
@@ -317,7 +317,7 @@ def hex_digest(*parts: object) -> str:
 
 def field_settings(field: Field) -> str:
     """A field as a term of a run: its words and a digest of all that fits and proposals look at,
-    which is more than tells fields apart."""
+    which is more than gives fields apart."""
     looked_at = (
         field.cameras,
         [(e.name, e.appearance, e.line_width, e.inside) for e in field.elements],

@@ -361,7 +361,7 @@ def closer_source(
 
 
 def _possible(key: str, interval: Interval | None) -> Interval | None:
-    """No distance lies below 0, and no share above 1."""
+    """No distance is below 0, and no share above 1."""
     if interval is None:
         return None
     high = min(1.0, interval.high) if key in SHARES else interval.high

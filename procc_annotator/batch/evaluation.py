@@ -1,6 +1,6 @@
 """Evaluate the cameras of a method on a set.
 
-One bad file never stops the set. Frames come in natural order whoever does the work, and memory
+One bad file never stops the set. Frames come in natural order anyone who does the work, and memory
 does not grow with the set beyond its file names.
 """
 

@@ -229,7 +229,7 @@ class SourceSums:
 
     @property
     def marked_name(self) -> str:
-        """Its name as tables tell it beside others."""
+        """Its name as tables give it next to others."""
         return name_with_mark(self.name, self.fitted)
 
     def ratios(self, key: str) -> RatioMetrics:
@@ -292,7 +292,7 @@ def mean_band(
 
     Args:
         audits: by frame. frames: all names, in their order.
-        order: the dataset's table of frames; without it names tell which ones are of one shot.
+        order: the dataset's table of frames; without it names give which ones are of one shot.
     """
     names = [name for name in frames if name in audits]
     return _band([audits[name].jac.astype(np.float64) for name in names], names, 0.0, order)

@@ -214,7 +214,7 @@ class Tags:
     Attributes:
         path: of the file.
         columns: names of the tags.
-        rows: (set, frame) -> one value a column, empty where there is none; the set is None where
+        rows: (set, frame) -> one value a column, empty if absent; the set is None where
             the file names no sets.
     """
 
@@ -340,7 +340,7 @@ def clusters_of(
         by: a tag, `SHOT`, `NONE`; None for shots if there are any to be found.
         values: of the tag, by frame. A frame without one is a cluster of its own. A tag called
             `SHOT` counts rather than table and names.
-        order: the dataset's table of frames; without it names tell the shots.
+        order: the dataset's table of frames; without it names give the shots.
 
     Raises:
         UsageError: a tag that no frame has, or shots where none can be found.

@@ -120,7 +120,7 @@ class Inference:
 
     @cached_property
     def cautions(self) -> tuple[str, ...]:
-        """Return what so few clusters cannot tell, a sentence each; figures as in
+        """Return what so few clusters cannot say, a sentence each; figures as in
         docs/chance.md."""
         count, alike = self.clusters.count, self.clusters.thing
         said = [self.clusters.caution] if self.clusters.caution else []
@@ -199,7 +199,7 @@ class Inference:
         return [at for at in self.compared if not self.sources[at].fitted]
 
     def ranks(self, key: str, tau: float) -> list[int | None]:
-        """The place of each source; those that the data cannot tell apart share it."""
+        """The place of each source; those that the data cannot distinguish share it."""
         found: list[int | None] = [None] * len(self.sources)
         places = significant_ranks(len(self.methods), self._among_methods(key, tau), BETTER[key])
         for at, place in zip(self.methods, places, strict=True):
@@ -212,7 +212,8 @@ class Inference:
         return None if best is None else self.methods[best]
 
     def can_be_bold(self, a: int, b: int, key: str) -> bool:
-        """Return whether a difference of two sources may be told as one between methods: none of
+        """Return whether a difference of two sources may be reported as one between methods:
+        none of
         them was fitted to the clicks, and their errors are of the same points."""
         if not {a, b} <= set(self.methods):
             return False
@@ -310,7 +311,7 @@ class Inference:
 
 
 def _possible(key: str, interval: Interval | None) -> Interval | None:
-    """No share lies below 0 or above 1, and no error below 0."""
+    """No share is below 0 or above 1, and no error below 0."""
     if interval is None:
         return None
     highest = 1.0 if BETTER[key] > 0 else interval.high

@@ -38,7 +38,7 @@ from procc_annotator.formats.file_source import FileSource
 from procc_annotator.metrics.sets import SetAccumulator, SetSummary
 from procc_annotator.metrics.setup import EvaluationSetup
 
-# About how often the frames are looked at while dimensions are searched, for the progress shown.
+# About how often the frames are examined while dimensions are searched, for the progress shown.
 _ESTIMATE_PASSES = 5
 
 
@@ -75,7 +75,7 @@ def estimate_dimensions(
         progress: takes what is done and the total; may raise to stop.
 
     Raises:
-        UsageError: no frame has a camera to tell dimensions from, or no such dimension.
+        UsageError: no frame has a camera to say dimensions from, or no such dimension.
     """
     annotations: dict[str, FrameAnnotation] = {}
     alone: dict[str, FitResult] = {}
@@ -97,18 +97,18 @@ def estimate_dimensions(
 
 
 class ProgressSteps:
-    """Progress of a search whose end nobody knows: it never passes the total."""
+    """Progress of a search whose end no one knows: it never passes the total."""
 
     def __init__(self, progress: Callable[[int, int], None], done: int, total: int) -> None:
         self._progress, self._done, self._total = progress, done, total
 
     def step(self) -> None:
-        """One frame more was looked at."""
+        """One frame more was examined."""
         self._done = min(self._done + 1, self._total - 1)
         self._progress(self._done, self._total)
 
 
-# About how often each frame is looked at, for the progress shown.
+# About how often each frame is examined, for the progress shown.
 _PASSES = 8
 Progress = Callable[[int, int], None]
 
@@ -236,7 +236,7 @@ class SharedCameraPosition:
 
 
 class JointRun:
-    """The frames of a set, fitted together and scored; a `CalibrationRun` to whoever reports it.
+    """The frames of a set, fitted together and scored; a `CalibrationRun` to anyone who reports it.
 
     Attributes:
         setup, thresholds: what the frames are scored with.
@@ -331,7 +331,7 @@ class FieldSize:
 
     Attributes:
         group: its name; empty if all frames are one.
-        stadium: the dimensions; None if they could not be told.
+        stadium: the dimensions; None if they could not be reported.
         failure: why not.
         before, after: figures of the frames' own cameras on the field as given, and with the
             dimensions that are determined, by threshold.

@@ -39,7 +39,7 @@ class FrameToCheck:
     Attributes:
         name: of the frame.
         annotation: normalised points.
-        size: (width, height) px of its picture, which distances are told in.
+        size: (width, height) px of its picture, which distances are reported in.
         fitted: whether a camera may be fitted to it.
     """
 
@@ -123,7 +123,7 @@ class CheckFiles(AnnotationTask):
 def with_set_findings(
     checked: Iterable[Checked], field: Field, read: Callable[[str], FrameAnnotation]
 ) -> dict[str, FrameCheck]:
-    """The checks that get a finding once all frames are looked at together: which side of the field
+    """The checks that get a finding once all frames are examined together: which side of the field
     their cameras stand on.
 
     Args:
@@ -144,8 +144,8 @@ class CheckRun(SetRun[FrameFile, Checked, SizesUsed]):
 
     Attributes:
         sizes: what the frames so far were fitted at.
-        looks: whether pictures are looked at for paint, where there are some.
-        seen: frames so far whose picture was looked at.
+        looks: whether pictures are examined for paint, where there are some.
+        seen: frames so far whose picture was examined.
     """
 
     task: CheckFiles
@@ -169,7 +169,7 @@ class CheckRun(SetRun[FrameFile, Checked, SizesUsed]):
         self.seen += sum(not isinstance(found, str) and found.with_paint for _, found in results)
 
     def together(self, checked: Iterable[Checked]) -> list[Checked]:
-        """All frames, with what they tell together.
+        """All frames, with what they say together.
 
         Args:
             checked: what iterating gives.

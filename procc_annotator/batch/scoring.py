@@ -160,7 +160,7 @@ class FrameResult:
     """Result for one annotated frame.
 
     ``counted`` is False for an unreadable annotation: it is listed but belongs to no figure of the
-    set, for nobody knows what a camera should have agreed with. A frame whose camera is missing or
+    set, for no one knows what a camera should have agreed with. A frame whose camera is missing or
     unreadable is counted (it lowers the completeness) and has no scores. ``groups`` are its values
     of what the set is grouped by, None where it has none; ``model`` is empty without a camera;
     ``fitted`` says that the camera was fitted to this annotation or another version of it;
@@ -247,7 +247,7 @@ class FrameInput:
 
     Attributes:
         annotation: None if it could not be read.
-        camera: px of the evaluation size; None if there is none or it could not be read.
+        camera: px of the evaluation size; None if absent or it could not be read.
         place: where the camera was read.
         model, notices, fitted, held_out: of the camera.
         error: what could not be read, and why.

@@ -1,6 +1,6 @@
 """Base of a pass over the frames of a set in chunks; reopenable sources for workers.
 
-A task is sent to whoever does the work; results come in the order of the frames.
+A task is sent to anyone who does the work; results come in the order of the frames.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ class SetRun(Generic[F, R, S]):
     """One pass over a set; iterate it once. What a frame fails with is among its results.
 
     Attributes:
-        frames: what a worker is told of each frame.
+        frames: what a worker is called for each frame.
         task: what it does with a chunk of them: their results in order, and what they sum up to.
         executor: who does the work; this process unless another one is put here.
         chunk: frames a worker takes at once. It belongs to the task, not to the machine: sums of
@@ -112,7 +112,7 @@ class SetRun(Generic[F, R, S]):
                 yield self.task(chunk)
 
     def _digest(self, chunk: Sequence[F]) -> str:
-        """Return what tells this chunk's work from any other: its frames, and what their files
+        """Return what says this chunk's work from any other: its frames, and what their files
         hold."""
         raise NotImplementedError
 
@@ -138,7 +138,7 @@ class ReopenableHandle(Generic[T]):
 
     Args:
         opening: opens it; survives the trip to a worker.
-        here: what is open in this process; whoever opened it closes it.
+        here: what is open in this process; anyone who opened it closes it.
     """
 
     def __init__(self, opening: Callable[[], T], here: T | None = None) -> None:
@@ -198,11 +198,11 @@ class AnnotationTask:
     def input_digest(
         self, chunk: Sequence[FrameFile], pictures: Callable[[str], Path | None]
     ) -> str:
-        """Return what tells the work on a chunk from any other, for `SetRun`.
+        """Return what gives the work on a chunk from any other, for `SetRun`.
 
         Args:
             chunk: frames and their files.
-            pictures: where a frame's picture is, which may tell its size.
+            pictures: where a frame's picture is, which may give its size.
         """
         parts: list[object] = []
         for name, file in chunk:

@@ -84,12 +84,12 @@ def values_of_frames(
 
     Args:
         by: a tag, one of `DERIVED`, or `MODEL`. A tag that is called as one of `DERIVED` counts:
-            whoever gives it means it.
+            anyone who gives it means it.
         sources: over the same frames; poses are the median of theirs, so that zoom and side depend
             on which sources these are.
-        field: its size tells the sides.
+        field: its size gives the sides.
         tags: of the tag, by frame; empty where `by` is none.
-        order: the dataset's table of frames; without it names tell the shots.
+        order: the dataset's table of frames; without it names give the shots.
 
     Raises:
         UsageError: nothing is known of any frame.
@@ -169,7 +169,7 @@ def _models(frames: Iterable[FrameSums]) -> str | None:
 
 
 def _side(poses: Sequence[Pose], field: Field) -> str | None:
-    """Return where beside the field a camera stands; the median of several."""
+    """Return where next to the field a camera stands; the median of several."""
     x, y = (_median(p.position_world[axis] for p in poses) for axis in (0, 1))
     if x is None or y is None:
         return None

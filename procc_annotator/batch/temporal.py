@@ -93,8 +93,8 @@ def frame_jitter(
         cameras: of one source; a damaged one counts as none.
         frames: names of all frames.
         size: (width, height) px of the figures.
-        hidden: frames of which nothing may be told.
-        order: the dataset's table of frames; without it names tell the shots.
+        hidden: frames of which nothing may be reported.
+        order: the dataset's table of frames; without it names give the shots.
     """
     found = np.full(len(frames), np.nan)
     at = {name: place for place, name in enumerate(frames)}
@@ -111,7 +111,7 @@ def frame_jitter(
 
 
 def moves_on(steps_px: FloatArray, size: tuple[int, int]) -> bool:
-    """Return whether frames show what those before them showed; where few are known, nobody says
+    """Return whether frames show what those before them showed; where few are known, no one says
     no."""
     known = steps_px[np.isfinite(steps_px)]
     return len(known) < _FEWEST_STEPS or bool(np.median(known) < TOO_FAR * size[0])
@@ -223,7 +223,7 @@ class MeasureShots(AnnotationTask):
         threshold: px, of JaC.
         camera_size: picture size the cameras refer to, where their files do not say.
         files: frame -> its annotation file.
-        pictures: frame -> its picture; none: pictures are not looked at.
+        pictures: frame -> its picture; none: pictures are not examined.
     """
 
     cameras: ReopenableHandle[CameraCollection]

@@ -41,7 +41,7 @@ class UsablePictures:
         Args:
             read: number -> (H, W, 4) BGRA; may raise `ImageError`.
             numbers: all there are.
-            name: what a picture is called where its size is told.
+            name: what a picture is called where its size is reported.
         """
         self.damaged: dict[int, str] = {}
         self._read, self._numbers, self._name = read, numbers, name
@@ -167,7 +167,7 @@ class TrackedShot:
 
 
 def ignore_progress(_: TrackedFrame) -> None:
-    """Nobody asks."""
+    """No one asks."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -177,7 +177,7 @@ class TrackShots:
     Attributes:
         field: the elements, metres.
         follow: follows one.
-        on_frame: told of frames as they are followed, in this process only.
+        on_frame: reported of frames as they are followed, in this process only.
     """
 
     field: Field
@@ -248,7 +248,8 @@ class TrackRun(SetRun[ShotToTrack, TrackedShot, None]):
         return sum(len(shot.frames) for shot in self.frames)
 
     def tell(self, on_frame: OnFrame) -> bool:
-        """Have frames told as they are followed; whether they are, which other processes cannot."""
+        """Have frames reported as they are followed; whether they are, which other processes
+        cannot."""
         here = isinstance(self.executor, InProcess)
         if here:
             self.task = replace(self.task, on_frame=on_frame)

@@ -47,7 +47,7 @@ def next_worst(order: Sequence[int], last: int, here: int) -> int | None:
 
     Args:
         order: positions of frames, the worst first.
-        last: the place in it that was visited last, -1 at the beginning of a walk; where somebody
+        last: the place in it that was visited last, -1 at the beginning of a walk; where a person
             went meanwhile does not matter.
         here: the position of the frame on screen, which is no place to go to.
 

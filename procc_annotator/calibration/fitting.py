@@ -46,7 +46,7 @@ def fit_camera(
 
     Robust: an element that no camera explains together with the others is left out and named.
     Where the points leave something open, weak priors decide that hold for cameras around a sports
-    field; the standard deviations tell how much was left open.
+    field; the standard deviations say how much was left open.
 
     Args:
         annotation: normalised points; unconfirmed elements take no part, nor do classes that the

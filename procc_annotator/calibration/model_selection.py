@@ -295,7 +295,7 @@ def _refit_wide_angle(
     seen: Observations, field: Field, frame: ImageFrame, start: Camera | None
 ) -> tuple[CameraSolution, str, CameraSolution] | None:
     """The strong lens that was there before, its model, and the R+ nearest to it that explains
-    clearly less; None where there is none, or it is not supported any more."""
+    clearly less; None if absent, or it is not supported any more."""
     if isinstance(start, FisheyeCamera):
         model = "F"
     elif isinstance(start, PinholeCamera) and start.radial[1]:

@@ -98,15 +98,15 @@ class FitResult:
         error_px: standard deviation of a point across its element, px of the picture.
         parameters: names of the n free parameters.
         covariance: (n, n) of those, in the units of `fit.models`: what the noise of the clicks
-            leaves open, and what elements that lie beside the model as a whole do to it.
+            leaves open, and what elements that lie next to the model as a whole do to it.
         warm: whether the camera was found from the start that was given.
         vector: (11,) the solver's parameters of a pinhole, (13,) of a strong lens, or (8,)
             corrections of `basis`.
         basis: (3, 3) the homography that was corrected; None for a pinhole.
         chosen_because: why this model, in a sentence; None if it was asked for.
         other_end: whether the points may as well be seen from the other end of the field, half a
-            turn about its centre; standard deviations tell nothing of that.
-        offset_px: standard deviation of what an element lies beside the model by, all its points
+            turn about its centre; standard deviations say nothing of that.
+        offset_px: standard deviation of what an element lies next to the model by, all its points
             together, px of the picture; see `calibration.optimization.covariance`.
         of_clicks: (n, n) the part of the covariance that the noise of the clicks makes alone.
         fitted_on: `annotation_digest` of what it was fitted to, where that is kept.
@@ -200,7 +200,7 @@ def ill_conditioned_reason(fit: FitResult) -> str:
     """Return what the points leave open beyond the limits, in words: ``pan ± 1.4°, position ± 12
     m``.
 
-    Empty where they determine the camera, and for fits that tell no pose: homographies, and those
+    Empty where they determine the camera, and for fits that say no pose: homographies, and those
     that failed.
     """
     known, camera = fit.deviations, fit.camera
@@ -241,14 +241,14 @@ def _pan_roll_deviations(fit: FitResult) -> tuple[float, float]:
     return together, abs(math.sin(vector[TILT])) * known.pan_rad
 
 
-# What a given camera may show an element beside its paint by, px at 960 px width: such cameras
+# What a given camera may show an element next to its paint by, px at 960 px width: such cameras
 # come from paint or from points, not from a guess.
 _ASSUMED_SD_PX = 1.5
 
 
 @dataclass(frozen=True, eq=False)
 class ExternalCameraFit(FitResult):
-    """A fit nobody made: every element may lie beside the camera as a whole, by the same."""
+    """A fit no one made: every element may lie next to the camera as a whole, by the same."""
 
     def projected_covariance(self, points_world: FloatArray) -> FloatArray:
         """(N, 2, 2) px squared: none but that of `offset_px`."""

@@ -24,7 +24,7 @@ _MAX_NOISE, _MAX_QUANTILE = 2.0, 3.0
 
 
 def noise_factor(squares: float, spare: int) -> float:
-    """Return how many times as far off as expected clicks are, drawn towards 1 where little tells.
+    """Return how many times as far off as expected clicks are, drawn towards 1 where little says.
 
     Args:
         squares: sum of the squares of residuals, in standard deviations of a click.
@@ -142,7 +142,7 @@ def triangulate(
 
     Returns:
         The position with its covariance, or why there is none: fewer than two views with a camera
-        that can tell, lines of sight that are nearly parallel, meet behind a camera or do not meet.
+        that can say, lines of sight that are nearly parallel, meet behind a camera or do not meet.
     """
     lines: list[ViewingRay] = []
     usable: list[ClickedView] = []
@@ -250,7 +250,7 @@ class _RobustTriangulation:
         """(n, 2, 2) px^2 of clicks so many times as far off as the views say.
 
         Clicks that are better than usual make no camera better; of those that are worse than the
-        views say nobody knows whether the clicks or the cameras are.
+        views say no one knows whether the clicks or the cameras are.
         """
         if noise >= 1:
             return noise**2 * covariances
@@ -418,7 +418,7 @@ def compare_with_survey(
         views: one click each; cameras that know only the ground say nothing.
         position: metres.
         covariance: (3, 3) m^2 of the position, if it is known.
-        estimate_noise: as of `triangulate`; the place that the clicks themselves tell says how far
+        estimate_noise: as of `triangulate`; the place that the clicks themselves say says how far
             they are off.
     """
     able = [view for view in views if not projects_only_ground(view.camera)]

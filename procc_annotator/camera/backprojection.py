@@ -32,7 +32,7 @@ _BATCH_BINS = 16  # pixels compared with all of the grid; more take a hundred me
 _CONVERGED_M = 1e-9
 _REACHED_PX = 1e-5
 # Where to start, and how far the ground counts: dense about the field, then coarser. Farther out
-# the ground is next to the horizon, where folds of a lens model can no longer be told apart.
+# the ground is next to the horizon, where folds of a lens model can no longer be distinguished.
 MAX_GROUND_DISTANCE_M = 300.0
 _GRID_HALF_AXIS_M = np.concatenate(
     (

@@ -65,7 +65,7 @@ class ElementProjections:
 
     def is_clipped(self, size: tuple[int, int]) -> bool:
         """Return whether pieces end at the border of a picture of (width, height) px and none goes
-        on beyond it: somebody cut them to the picture.
+        on beyond it: a person cut them to the picture.
 
         What a camera shows ends there by chance only. Programs cut at the centres of the last
         pixels, or, as the official evaluation does, at width and height.

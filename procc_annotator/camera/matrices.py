@@ -17,7 +17,7 @@ from procc_annotator.camera.models import (
 )
 
 # |R R^T - 1| up to which a matrix counts as a rotation that was rounded on its way through a file;
-# the nearest rotation is taken, as OpenCV does. Above the smaller figure the user is told.
+# the nearest rotation is taken, as OpenCV does. Above the smaller figure the user is reported.
 ROTATION_TOLERANCE = 1e-3
 _ROTATION_WARNING_TOLERANCE = 1e-5
 DISTORTION_LENGTHS = (0, 4, 5, 8, 12, 14)
@@ -96,7 +96,7 @@ def intrinsics_from_matrix(k: FloatArray, size: tuple[int, int] | None = None) -
 def decompose_projection(projection: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
     """K, R and t of a projection matrix, which is K [R | t] times any number but 0.
 
-    The sign of the matrix tells nothing: R is a rotation and the focal lengths are positive.
+    The sign of the matrix says nothing: R is a rotation and the focal lengths are positive.
 
     Args:
         projection: (3, 4), homogeneous world -> homogeneous px.
@@ -269,14 +269,14 @@ def pinhole_from_homography(
     """The camera whose ground plane a homography shows.
 
     The two axes of the ground are at right angles and equally long in the world; both conditions
-    tell the focal length, here weighed together.
+    give the focal length, here weighed together.
 
     Args:
         camera: in px of ``size``.
         size: (width, height) px, whose middle is the principal point.
 
     Returns:
-        None where the two axes tell no focal length.
+        None where the two axes say no focal length.
     """
     cx, cy = (size[0] - 1) / 2, (size[1] - 1) / 2
     centred = np.array([[1.0, 0.0, -cx], [0.0, 1.0, -cy], [0.0, 0.0, 1.0]])

@@ -68,7 +68,7 @@ class PinholeCamera:
     def fold_radius(self) -> float:
         """Distance from the axis, at depth 1, where radial distortion stops leading outwards.
 
-        What lies farther out would appear among what lies nearer. Infinite if it never stops.
+        What is farther out would appear among what is nearer. Infinite if it never stops.
         """
         k1, k2, k3, k4, k5, k6 = self.radial
         if not any((k2, k3, k4, k5, k6)):

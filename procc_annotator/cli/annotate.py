@@ -131,7 +131,7 @@ def _with_camera(
 
 
 def _not_annotated(frames: Sequence[Frame], given: FrameAnnotations) -> list[Frame]:
-    """The frames that have no annotation in OUT, be it in a file of another format."""
+    """The frames that have no annotation in OUT, whether in a file of another format."""
     input_files.report_remarks(given.notices)
     bare = [frame for frame in frames if not os.path.lexists(frame.annotation_path)]
     return [frame for frame in bare if given.bytes_of(frame) is None]

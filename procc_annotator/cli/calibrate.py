@@ -266,7 +266,7 @@ def _fit_jointly(
 
 def _check_out(out: Path, source: FileSource, *, overwrite: bool, positions: bool) -> None:
     """Fail before the work: nothing may be written over what is read or among it, or over cameras
-    nobody asked to replace.
+    no one asked to replace.
 
     Args:
         positions: a table of positions is to be written too.

@@ -262,7 +262,7 @@ def frames_of(dataset: Path | None, field: Field) -> tuple[tuple[str, ...] | Non
     """Names of a dataset's frames, and the pictures of those that have one; a note on stderr if its
     classes are not the field's.
 
-    The frames are those of the pictures; where there is none, those of the annotations; None
+    The frames are those of the pictures; if absent, those of the annotations; None
     without a dataset.
 
     Raises:
@@ -312,7 +312,7 @@ def _fitted_on(sources: Sequence[CameraSet], dataset: Path | None, field: Field)
 
 def _report_field_around(sources: Sequence[CameraSet], field: Field) -> None:
     """A note on stderr where the cameras lie in a dataset whose classes are not the field's: no
-    dataset was named that would have told its field."""
+    dataset was named that would have reported its field."""
     around = [p for source in sources for p in source.path.resolve().parents[:_LEVELS_AROUND]]
     for folder in dict.fromkeys(around):
         for place in (folder / ANNOTATIONS_FOLDER, folder):

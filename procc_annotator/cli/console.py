@@ -152,7 +152,7 @@ def stdout_console() -> Console:
 
 
 def with_progress(items: Iterable[T], total: int, what: str) -> Iterator[T]:
-    """The items, with a bar on stderr while they come, if anybody watches."""
+    """The items, with a bar on stderr while they come, if anyone watches."""
     if not sys.stderr.isatty():
         yield from items
         return
@@ -168,7 +168,7 @@ def with_progress(items: Iterable[T], total: int, what: str) -> Iterator[T]:
 
 @contextmanager
 def progress_bar(what: str) -> Iterator[Callable[[int, int], None]]:
-    """A function that takes what is done and the total, and shows both if anybody watches."""
+    """A function that takes what is done and the total, and shows both if anyone watches."""
     if not sys.stderr.isatty():
         yield lambda done, total: None
         return

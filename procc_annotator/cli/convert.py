@@ -248,7 +248,7 @@ def _convert_cameras(given: ConvertOptions) -> int:
 def _cameras(
     given: ConvertOptions,
 ) -> Iterator[tuple[CameraCollection, Callable[[int, int], None]]]:
-    """The cameras to convert, at least one, and a bar while somebody watches."""
+    """The cameras to convert, at least one, and a bar while a person watches."""
     source, out = given.source, given.out
     if not source.exists():
         raise UsageError(f"{source}: does not exist")

@@ -180,7 +180,7 @@ def evaluate(context: typer.Context, given: EvaluateOptions) -> None:
 
 
 def _request_of(context: typer.Context, given: EvaluateOptions) -> _EvaluateRequest:
-    """Return what is to be done; all that was given is looked at before anything is."""
+    """Return what is to be done; all that was given is examined before anything is."""
     written_to = outputs.figure_files(given.output)
     manifest = ManifestOfRun.of(context, given.manifest)
     plan = _plan(given)

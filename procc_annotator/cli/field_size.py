@@ -168,7 +168,7 @@ def _save(
 
 
 def _save_of_set(dataset: Path, field: Field, size: FieldSize) -> str:
-    """Keep the dimensions that are determined, beside those that were kept before.
+    """Keep the dimensions that are determined, next to those that were kept before.
 
     Returns:
         What was kept where.
@@ -203,7 +203,7 @@ def _kept_stadiums(dataset: Path, field: Field) -> Stadiums:
 def _save_stadiums(
     dataset: Path, field: Field, sizes: list[FieldSize], groups: Mapping[str, str | None]
 ) -> str:
-    """Keep the dimensions of each stadium, beside those of others that were kept before.
+    """Keep the dimensions of each stadium, next to those of others that were kept before.
 
     Returns:
         What was written where.

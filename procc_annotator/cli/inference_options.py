@@ -67,7 +67,7 @@ def _member(content: Any, *keys: str) -> Any:
     return content
 
 
-# What holds where nobody says otherwise: method, sets drawn, seed.
+# What holds where no one says otherwise: method, sets drawn, seed.
 USUAL = USUAL_METHOD, USUAL_DRAWS, USUAL_SEED = "t", 10_000, 1
 _LEAST_NOISE, _MOST_NOISE = 0.01, 100.0  # px
 
@@ -256,7 +256,7 @@ def orders_by_set(annotations: Mapping[str, Path], shots: Path | None) -> dict[s
 
 
 def noise_file(text: str | None) -> Path | None:
-    """The file that tells the noise of clicks, where the option names one."""
+    """The file that gives the noise of clicks, where the option names one."""
     if text is None or _is_number(text):
         return None
     return Path(text)

@@ -80,7 +80,7 @@ def parse_named(text: str, form: str) -> tuple[str, Path]:
 
 
 def require_distinct(names: Iterable[str], what: str) -> None:
-    """Check that no name occurs twice: the results could not be told apart.
+    """Check that no name occurs twice: the results could not be distinguished.
 
     Raises:
         UsageError: one does.

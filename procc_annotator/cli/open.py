@@ -47,7 +47,8 @@ def require_qt_libraries(folder: Path | None = None) -> None:
     """Refuse to open the window where system libraries are missing, with the line that installs
     them: Qt would end the process with a list of its plugins.
 
-    Nothing is done on other systems, nor where it cannot be told. What is loaded here Qt would load
+    Nothing is done on other systems, nor where it cannot be reported. What is loaded here Qt
+    would load
     a moment later.
 
     Args:

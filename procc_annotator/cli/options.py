@@ -428,7 +428,7 @@ def is_resuming(left: Path, table: Path, out: Path, *, resume: bool, overwrite: 
         out: of the command.
 
     Raises:
-        UsageError: both was asked for; or neither, and somebody's work would be lost.
+        UsageError: both was asked for; or neither, and a person's work would be lost.
         typer.Exit: a run was finished here, nothing is to be gone on with.
     """
     if resume and overwrite:

@@ -45,7 +45,7 @@ def figure_files(paths: Iterable[Path] | None) -> list[Path]:
 
 
 def check_output_folder(path: Path) -> None:
-    """Make the folder of an output file where there is none; fail before the work, not after it.
+    """Make the folder of an output file if absent; fail before the work, not after it.
 
     Raises:
         UsageError: the output is a folder.
@@ -129,7 +129,7 @@ def holds_cameras(
 
 
 def check_replaces_nothing(out: Path, names: Iterable[str], *, overwrite: bool) -> None:
-    """Fail before the work where files are there that nobody asked to replace.
+    """Fail before the work where files are there that no one asked to replace.
 
     Args:
         out: a folder, or an archive if it ends in ``.zip``.

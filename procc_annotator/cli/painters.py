@@ -30,7 +30,7 @@ from procc_annotator.report.overlay_scene import (
 def missing_qt() -> str:
     """Why Qt cannot paint here; empty where it can.
 
-    Its platform plugin is looked at as well: Qt ends the whole program where that cannot be loaded.
+    Its platform plugin is examined as well: Qt ends the whole program where that cannot be loaded.
     """
     try:
         from PySide6 import QtSvg, QtWidgets  # noqa: F401

@@ -211,7 +211,7 @@ class _FramesToPropose:
 def _frames_to_propose(
     frames: tuple[Frame, ...], field: Field, annotated: FrameAnnotations | None
 ) -> _FramesToPropose:
-    """The frames to look at: those that nobody put a point in, or all."""
+    """The frames to look at: those that no one put a point in, or all."""
     if annotated is None:
         return _FramesToPropose(list(frames))
     input_files.report_remarks(annotated.notices)

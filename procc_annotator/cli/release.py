@@ -240,7 +240,7 @@ def _date(text: str | None) -> str:
 class _ReleaseBuilder:
     """Facts about a dataset for its release; its files are added as they come.
 
-    Nothing is told of frames that are not released.
+    Nothing is reported of frames that are not released.
     """
 
     def __init__(
@@ -256,7 +256,7 @@ class _ReleaseBuilder:
         self.fingerprint = field_fingerprint(known)
 
     def findings(self, files: dict[str, bytes]) -> Mapping[str, int]:
-        """By severity, without those that somebody ignored."""
+        """By severity, without those that a person ignored."""
         sizes = fit_sizes(self._source, self._source.path, self._dataset, None)
         run = CheckRun(self._source, self._known, sizes, "R", looks=True)
         run.frames = [frame for frame in run.frames if frame.name in self._released]

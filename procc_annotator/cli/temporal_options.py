@@ -102,7 +102,7 @@ class TemporalRequest:
         pictures: Path | None,
         written_to: Sequence[Path] | None,
     ) -> TemporalRequest | None:
-        """Read the options; None where nobody asks.
+        """Read the options; None where no one asks.
 
         Raises:
             UsageError: a file that cannot be written, or options of something not asked for.
@@ -215,6 +215,6 @@ def _measured(
 
 
 def errors(found: Sequence[TemporalMetrics], known: Collection[str]) -> list[str]:
-    """Return what could not be read on the way and is not told yet."""
+    """Return what could not be read on the way and is not reported yet."""
     lines = dict.fromkeys(error for one in found for error in one.errors)
     return [line for line in lines if line not in known]

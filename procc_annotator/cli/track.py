@@ -199,7 +199,7 @@ def _shots_to_retry(
 
 
 def _number_of(text: str, pictures: PictureSource) -> int:
-    """The number of a frame that is told by its name, or by its number."""
+    """The number of a frame that is given by its name, or by its number."""
     for number, frame in enumerate(pictures.frames):
         if frame.name == text:
             return number

@@ -342,7 +342,7 @@ def triangulate(
     if found.located:
         print_landmarks(found.located, cameras or f"fitted, model {model}")
     report_not_clicked(named, found.located)
-    # Somebody may have surveyed a landmark meanwhile.
+    # A person may have surveyed a landmark meanwhile.
     known = add_surveyed(read_dataset_landmarks(dataset)[0], surveyed or (), shown)
     known = with_positions(known, found.located)
     write_landmarks(target, known)

@@ -46,7 +46,7 @@ def open_annotations(
     """Open annotations of any format.
 
     Those of this program are the very files; others look like such files, read at once and never
-    written: whoever goes over a set need not know what it was kept in.
+    written: anyone who goes over a set need not know what it was kept in.
 
     Args:
         path: a folder, an archive or a file, see `annotations_of`.
@@ -199,7 +199,7 @@ class ReadSource:
 
 def _written(frame: ExchangedFrame) -> bytes:
     annotation = frame.annotation
-    # The size of the picture comes along as annotation files tell it, beside their classes.
+    # The size of the picture comes along as annotation files give it, next to their classes.
     if frame.size is not None and annotation.polylines and size_in_annotation(annotation) is None:
         width, height = frame.size
         told = (*annotation.extra, ("image_width", width), ("image_height", height))
@@ -235,13 +235,14 @@ class FrameAnnotations:
 
         Args:
             place: the dataset: a folder, a picture, or a video.
-            given: a folder, archive or file of annotations, where somebody named one.
+            given: a folder, archive or file of annotations, where a person named one.
             field: knows the official names.
             names: which classes the labels of the files stand for; None: as the ``labels.toml`` of
-                the dataset says, or of what was named, and where there is none they are classes.
+                the dataset says, or of what was named, and if absent they are classes.
 
         Raises:
-            UsageError: what was named is of another sport, or holds no annotation that can be told.
+            UsageError: what was named is of another sport, or holds no annotation that can be
+                reported.
             InputError: none of the annotations can be read, or the map cannot be used.
         """
         names = names or own_label_map(place, field)
@@ -271,7 +272,7 @@ class FrameAnnotations:
         return None if file is None else self._source.read(file)
 
     def has(self, frame: Frame) -> bool:
-        """Return whether a frame has an annotation, be it empty; not whether it can be read."""
+        """Return whether a frame has an annotation, whether empty; not whether it can be read."""
         if self._source is None:
             return frame.annotation_path.exists()
         return frame.name in self._files

@@ -56,7 +56,7 @@ class FrameCameras(Protocol):
         """The frames that have a camera."""
 
     def camera(self, frame_name: str, size: tuple[int, int]) -> CameraForFrame | None:
-        """A frame's camera for an evaluation size, or None when there is none.
+        """A frame's camera for an evaluation size, or None if absent.
 
         Raises:
             CameraError: it cannot be read.

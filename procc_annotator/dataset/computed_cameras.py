@@ -29,7 +29,7 @@ class FittedCameras:
     """Fits by frame name; never changed, so that any thread may read it.
 
     Attributes:
-        fits: of the frames that were looked at.
+        fits: of the frames that were examined.
     """
 
     fits: Mapping[str, FittedFrame] = field(default_factory=dict)
@@ -50,7 +50,7 @@ class FittedCameras:
         return {n: fitted for n, fitted in self.fits.items() if fitted.fit.camera is not None}
 
     def camera(self, frame_name: str, size: tuple[int, int]) -> CameraForFrame | None:
-        """A frame's camera in px of an evaluation size, or None when there is none."""
+        """A frame's camera in px of an evaluation size, or None if absent."""
         fitted = self.frames.get(frame_name)
         found = fitted.fit.camera if fitted is not None else None
         if fitted is None or found is None:
@@ -91,7 +91,7 @@ def most_residual_px(width: int) -> float:
 
 
 def review_reason(frame: TrackedFrame) -> str:
-    """Why somebody should look at a frame before its camera is used; empty where nobody need."""
+    """Why a person should look at a frame before its camera is used; empty where no one need."""
     if frame.fit is None or frame.fit.camera is None:
         return frame.reason or translatable("no camera was found")
     if frame.state == "anchor":
@@ -139,7 +139,7 @@ class TrackedCameras:
         }
 
     def camera(self, frame_name: str, size: tuple[int, int]) -> CameraForFrame | None:
-        """A frame's camera in px of an evaluation size, or None when there is none."""
+        """A frame's camera in px of an evaluation size, or None if absent."""
         frame = self.frames.get(frame_name)
         if frame is None or frame.fit is None or frame.fit.camera is None:
             return None

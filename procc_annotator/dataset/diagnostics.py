@@ -23,17 +23,17 @@ from procc_annotator.formats.file_source import FileSource, open_source
 from procc_annotator.image.headers import PICTURE_SUFFIXES, VIDEO_SUFFIXES
 from procc_annotator.messages import pluralize
 
-# Suffixes that annotations, lists and notes have as well tell nothing of cameras.
+# Suffixes that annotations, lists and notes have as well say nothing of cameras.
 _NOT_CAMERAS_ALONE = frozenset({".json", ".xml", ".txt", ".yml", ".yaml"})
 _ANNOTATIONS = frozenset({".json", ".xml"})
 _PACKED = "Frames-v3.zip"  # as SoccerNet-v3 is downloaded, one a game
-# So many files are read to tell what a set holds.
+# So many files are read to give what a set holds.
 _LOOKED_INTO = 3
 
 
 def found_instead_of_annotations(source: FileSource) -> str:
     """Return what a source without annotations holds, to go on after "nothing to do: .."; empty
-    where that tells nothing."""
+    where that says nothing."""
     try:
         names = source.tree()
     except InputError:  # too large or too deep for a set: nothing is to be said of it
@@ -85,7 +85,8 @@ def refuse_cameras(source: FileSource, names: Sequence[str]) -> None:
 
 
 def refuse_other_content(source: FileSource) -> None:
-    """Refuse a source without annotations of any format, where it can be told what it is instead.
+    """Refuse a source without annotations of any format, where it can be reported what it is
+    instead.
 
     Raises:
         UsageError: it holds something else.
@@ -103,7 +104,7 @@ def refuse_other_content(source: FileSource) -> None:
 
 def found_instead_of_cameras(place: Path) -> str:
     """Return what a place without cameras holds, to go on after "nothing to do: .."; empty where
-    that tells nothing. The program's own annotations are told by the reader of cameras."""
+    that says nothing. The program's own annotations are given by the reader of cameras."""
     try:
         with open_source(place) as source:
             told = [known for known in detect_formats(source) if known.name != PLAIN]
@@ -168,7 +169,7 @@ def _suffix(name: str) -> str:
     return Path(name).suffix.lower()
 
 
-# So many annotated frames tell which field a set shows.
+# So many annotated frames give which field a set shows.
 MOST_FRAMES = 20
 _SHOWN = 3
 _NEARLY_ALL = 0.8
@@ -240,7 +241,7 @@ class Mismatch:
 
 def distinctive_classes(classes: Iterable[str]) -> frozenset[str]:
     """Classes that say which field a set shows, without spaces around them: those of lines that
-    nobody could name stand for elements of any sport."""
+    no one could name stand for elements of any sport."""
     names = (name.strip() for name in classes)
     return frozenset(n for n in names if n.partition(" (")[0] not in WITHOUT_GEOMETRY)
 
@@ -252,7 +253,7 @@ def rank_fields(classes: Collection[str], more: Sequence[Field] = ()) -> tuple[F
 
     Args:
         classes: names as in files; spaces around them do not count.
-        more: fields beside those the package ships.
+        more: fields next to those the package ships.
     """
     wanted = distinctive_classes(classes)
     found = []
@@ -272,7 +273,7 @@ def mismatch_of(
     Args:
         classes: names as in files.
         field: the one the set is said to show.
-        more: fields beside those the package ships.
+        more: fields next to those the package ships.
     """
     wanted = distinctive_classes(classes)
     unknown = wanted - _stripped(field)
@@ -287,7 +288,7 @@ def mismatch_of(
 def classes_in(
     read: Iterable[Callable[[], FrameAnnotation]], most: int = MOST_FRAMES
 ) -> frozenset[str]:
-    """The classes with points in some frames; frames that cannot be read tell nothing.
+    """The classes with points in some frames; frames that cannot be read say nothing.
 
     Args:
         read: reads the annotation of a frame, raising `InputError`.

@@ -299,14 +299,14 @@ class History:
         self._steps = [(label, change(annotation)) for label, annotation in self._steps]
 
     def undo(self) -> str | None:
-        """Go back one step; its label, or None when there is none."""
+        """Go back one step; its label, or None if absent."""
         label = self.undo_label
         if label is not None:
             self._position -= 1
         return label
 
     def redo(self) -> str | None:
-        """Go forward one step; its label, or None when there is none."""
+        """Go forward one step; its label, or None if absent."""
         label = self.redo_label
         if label is not None:
             self._position += 1

@@ -30,7 +30,7 @@ from procc_annotator.field.model import Field
 
 STATUSES = tuple(str(status) for status in Status)
 
-# Shown by the window beside the search box: what can be written, and what it finds.
+# Shown by the window next to the search box: what can be written, and what it finds.
 QUERY_HELP = (
     ("frame_01", "the name contains it; * stands for anything"),
     ("state:rejected,done", f"status, any of {', '.join(STATUSES)}"),
@@ -79,7 +79,7 @@ class FrameFacts:
     has_camera: bool | None = True
 
 
-# None: it cannot be told, so the frame matches neither the condition nor its opposite.
+# None: it cannot be reported, so the frame matches neither the condition nor its opposite.
 _Test = Callable[[FrameFacts], bool | None]
 _NO_VERDICT = "none"
 _NO_FINDING, _UNCHECKED = "none", "unchecked"
@@ -109,7 +109,7 @@ class FrameQuery:
 
     Attributes:
         text: as it was written.
-        incomplete: what is missing while somebody types; empty when all conditions are finished.
+        incomplete: what is missing while a person types; empty when all conditions are finished.
     """
 
     text: str
@@ -144,7 +144,7 @@ def parse_query(text: str, field: Field) -> FrameQuery:
     """Read a filter; classes are those of the field.
 
     Raises:
-        UsageError: a condition that typing on cannot mend: which character, what to write instead.
+        UsageError: a condition that typing on cannot fix: which character, what to write instead.
     """
     conditions = []
     incomplete = ""
@@ -207,7 +207,7 @@ _FLAGS: Mapping[str, tuple[_Test, int]] = {
 
 
 def _if_read(facts: FrameFacts) -> bool | None:
-    """No, if the file was read; otherwise it cannot be told."""
+    """No, if the file was read; otherwise it cannot be reported."""
     return None if facts.annotated is None and not facts.unreadable else False
 
 

@@ -131,7 +131,7 @@ class Frame:
     """One picture of the dataset and the file its annotation belongs in.
 
     ``annotation_stem`` is what that file is called below its folder where that is not the frame's
-    name: its letters are composed otherwise, or it lies beside the picture in a tree.
+    name: its letters are composed otherwise, or it lies next to the picture in a tree.
     ``annotation_suffix`` is as the file there has it.
     """
 
@@ -150,7 +150,7 @@ class Frame:
 
     @property
     def picture(self) -> str:
-        """The name of the picture as files tell it: with its path, if the frame is called so."""
+        """The name of the picture as files give it: with its path, if the frame is called so."""
         folder, slash, _ = self.name.rpartition("/")
         return folder + slash + self.image_file
 
@@ -224,7 +224,7 @@ class _Listing:
         called = self._found.called(below)
         in_tree = self._found.in_tree
         folder = self._apart or _folder_of(self._root, below, names, in_tree=in_tree)
-        # Beside its picture an annotation file has no path in its name.
+        # Next to its picture an annotation file has no path in its name.
         prefix = called if self._apart is not None else ""
         image_folder = self._root / below if below else self._root
         stems, suffixes = self._files_apart if prefix else _files_in(folder, names)
@@ -269,7 +269,7 @@ def _files_in(folder: Path, names: Iterable[str]) -> tuple[ByFrame[str], dict[st
 
 def _unusual_suffixes(names: Sequence[str]) -> dict[str, str]:
     """Stems of the JSON files whose suffix has capital letters, with it; not where there is the
-    usual one beside it."""
+    usual one next to it."""
     found = {name[:-5]: name[-5:] for name in names if not name.endswith(".json")}
     for name in names if found else ():
         if name.endswith(".json"):
@@ -291,8 +291,8 @@ def _folder_of(root: Path, below: str, names: Iterable[str], *, in_tree: bool) -
 
 
 def _folder_in_tree(root: Path, below: str, names: Iterable[str]) -> Path:
-    """The same in a tree: beside the pictures; beside the folder that only keeps pictures, where
-    annotations of them are there and none is beside them."""
+    """The same in a tree: next to the pictures; next to the folder that only keeps pictures, where
+    annotations of them are there and none is next to them."""
     beside = annotation_folder(root / below)
     inner = next((name for name in PICTURE_FOLDERS if f"/{below}".endswith(f"/{name}/")), "")
     if not inner or json_stems(beside):
@@ -312,9 +312,9 @@ def _stems_in(folder: Path) -> ByFrame[str]:
 
 
 def _taken_by_others(root: Path, found: PictureTree) -> bool:
-    """Return whether a file of another program has the name that an annotation beside its picture
+    """Return whether a file of another program has the name that an annotation next to its picture
     would have, as labelme's have: those that are made here go to ``annotations/``. The first such
-    file tells."""
+    file says."""
     for below, names in found.folders:
         folder = root / below
         stems = _stems_in(folder) if annotation_folder(folder) == folder else ByFrame[str]()
@@ -330,7 +330,7 @@ def _taken_by_others(root: Path, found: PictureTree) -> bool:
 
 
 def _not_used(root: Path, only_folder: str, frames: Sequence[Frame]) -> Iterator[str]:
-    """That there are annotations beside the pictures while others are taken."""
+    """That there are annotations next to the pictures while others are taken."""
     folder = frames[0].annotation_folder if frames else root
     beside = root / only_folder if only_folder else root
     if folder == beside:

@@ -123,7 +123,7 @@ def _below(
 
 
 def video_frames_folder_name(name: str) -> str:
-    """Return what the folder is called that keeps annotations and pictures of a video, beside
+    """Return what the folder is called that keeps annotations and pictures of a video, next to
     it."""
     return f"{os.path.splitext(name)[0]}_frames"
 
@@ -204,7 +204,7 @@ def camera_name_remark(pictures: Iterable[str]) -> str:
 
 
 def camera_name_remark_in(place: Path) -> str:
-    """`camera_name_remark` of the pictures that belong to a folder of annotations, beside them
+    """`camera_name_remark` of the pictures that belong to a folder of annotations, next to them
     or in the
     folder above.
 
@@ -217,13 +217,13 @@ def camera_name_remark_in(place: Path) -> str:
 
 def annotation_folder(root: Path) -> Path:
     """Return where annotations of a folder's pictures are: in its ``annotations/`` if that holds
-    any JSON, or beside them."""
+    any JSON, or next to them."""
     inner = root / ANNOTATIONS_FOLDER
     return inner if json_stems(inner) else root
 
 
 def frames_folder(video: Path) -> Path:
-    """Return where annotations and kept pictures of a video belong: ``match_frames`` beside it."""
+    """Return where annotations and kept pictures of a video belong: ``match_frames`` next to it."""
     return video.with_name(video_frames_folder_name(video.name))
 
 
@@ -257,7 +257,7 @@ def _has_own_files(folder: Path) -> bool:
 
 def annotations_of(dataset: Path) -> Path:
     """Return where the annotations of a dataset are: in its ``annotations/`` if that holds any, or
-    in it; for a video, or a folder of one, in ``match_frames/`` beside ``match.mp4``.
+    in it; for a video, or a folder of one, in ``match_frames/`` next to ``match.mp4``.
 
     Args:
         dataset: a folder of pictures and annotations, a folder or archive of annotations alone, an
@@ -285,7 +285,7 @@ def annotations_of(dataset: Path) -> Path:
 
 def annotations_or_path(place: Path) -> Path:
     """`annotations_of` a folder or an annotated video; anything else is itself: what it holds is
-    told where it is read.
+    reported where it is read.
 
     Raises:
         UsageError: a folder of several videos with their annotations.
@@ -350,7 +350,7 @@ def annotated_videos(folder: Path) -> list[Path]:
 
 def has_pictures_below(dataset: Path) -> bool:
     """Return whether the pictures of a dataset, if it has any, are those of the folders below it:
-    neither pictures nor annotations lie at its top. Beside annotations such folders are other
+    neither pictures nor annotations lie at its top. Next to annotations such folders are other
     things, of overlays for example.
 
     Raises:
@@ -371,7 +371,7 @@ def _annotated_at_top(folder: Path) -> bool:
 
 
 def _may_be_json_object(source: FileSource, file: str) -> bool:
-    """Return whether JSON is an object, or damaged so that nobody knows."""
+    """Return whether JSON is an object, or damaged so that no one knows."""
     try:
         return type(msgspec.json.decode(strip_bom(source.read(file)))) is dict
     except (InputError, msgspec.DecodeError, UnicodeDecodeError, RecursionError):
@@ -422,8 +422,8 @@ class ForeignAnnotations:
 
 
 def find_foreign_annotations(folder: Path) -> ForeignAnnotations | None:
-    """Return what lies in a dataset's folder of another program; None where there is nothing of the
-    kind, where it is of several formats, or beside annotations of this program, for then somebody
+    """Return what is in a dataset's folder of another program; None where there is nothing of the
+    kind, where it is of several formats, or next to annotations of this program, for then a person
     has taken it in already."""
     try:
         place = annotations_of(folder)
@@ -437,7 +437,7 @@ def find_foreign_annotations(folder: Path) -> ForeignAnnotations | None:
 
 
 def copy_sample(sample: Path) -> Path:
-    """The user's copy of the sample; made if there is none, else as they left it.
+    """The user's copy of the sample; made if absent, else as they left it.
 
     Args:
         sample: the folder that comes with the program.

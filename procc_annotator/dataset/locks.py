@@ -1,8 +1,8 @@
 """Frame locks between windows and machines on one dataset folder.
 
 The file says who; that it is in use, its time of change says, which each beat renews. A lock only
-tells and never keeps anybody from saving, so no failure of the disk is raised here. Ages are
-measured by the clock of the file server: against the time of a file made this moment beside it.
+says and never keeps anyone from saving, so no failure of the disk is raised here. Ages are
+measured by the clock of the file server: against the time of a file made this moment next to it.
 """
 
 from __future__ import annotations
@@ -26,7 +26,8 @@ _LARGEST = 4096  # bytes of a lock file that are looked at
 
 @lru_cache(maxsize=16)  # asked for with every click
 def _file_of(frame: str) -> str:
-    """Readable, but told apart by the hash: names may hold anything and be as long as allowed."""
+    """Readable, but distinguished by the hash: names may hold anything and be as long as
+    allowed."""
     readable = re.sub(r"[^A-Za-z0-9_-]+", "_", frame)[:60]
     mark = hashlib.sha256(frame.encode("utf-8", "surrogatepass")).hexdigest()[:16]
     return f"{readable}-{mark}.lock"
@@ -34,7 +35,7 @@ def _file_of(frame: str) -> str:
 
 @dataclass(frozen=True, slots=True)
 class LockHolder:
-    """Somebody else who is editing a frame.
+    """Another person who is editing a frame.
 
     Attributes:
         author, host: as they named themselves; empty when the lock cannot be read.
@@ -113,7 +114,7 @@ class FrameLocks:
         beat.
 
         Returns:
-            None when it is ours now, or when the folder cannot be written (saving will tell) or is
+            None when it is ours now, or when the folder cannot be written (saving will say) or is
             a link out of the dataset; else who has it.
         """
         if frame in self._held or self._leads_out():
@@ -133,7 +134,7 @@ class FrameLocks:
         return None
 
     def holder(self, frame: str) -> LockHolder | None:
-        """Return who else is editing a frame; costs one look for a file when nobody is."""
+        """Return who else is editing a frame; costs one look for a file when no one is."""
         if frame in self._held:
             return None
         try:
@@ -145,7 +146,7 @@ class FrameLocks:
         """Say that the locks of this window are still in use; call it every ten seconds or so.
 
         Returns:
-            The frames whose lock was lost: taken by somebody who saw no beat for long (a laptop
+            The frames whose lock was lost: taken by a person who saw no beat for long (a laptop
             asleep), or removed. A dataset out of reach loses nothing.
         """
         lost = set()
@@ -173,7 +174,7 @@ class FrameLocks:
         return os.path.exists(os.path.join(self._folder, _file_of(frame)))
 
     def release(self, frame: str) -> None:
-        """Give a frame back; a lock that somebody else has taken meanwhile stays."""
+        """Give a frame back; a lock that another person has taken meanwhile stays."""
         if self._held.pop(frame, None) is None:
             return
         path = self._path(frame)
@@ -228,7 +229,7 @@ class FrameLocks:
         return note is not None and note.session == self._me.session
 
     def _has_ended(self, note: _LockContent) -> bool:
-        """Return whether the process is known to be gone: only its own machine can tell, not
+        """Return whether the process is known to be gone: only its own machine can say, not
         Windows."""
         if os.name != "posix" or (note.host, note.machine) != (self._me.host, self._me.machine):
             return False
@@ -241,7 +242,7 @@ class FrameLocks:
         return False
 
     def _age(self, path: Path) -> float:
-        """Seconds since a file was written, by the clock of the server; 0 when nobody can say.
+        """Seconds since a file was written, by the clock of the server; 0 when no one can say.
 
         A time in the future counts like one in the past: the server's clock was set.
         """
@@ -260,7 +261,8 @@ class FrameLocks:
 
 
 def _machine() -> str:
-    """Tell containers of one host name apart, and a machine before and after a restart (Linux)."""
+    """Report containers of one host name apart, and a machine before and after a restart
+    (Linux)."""
     with suppress(OSError):
         boot = Path("/proc/sys/kernel/random/boot_id").read_text(encoding="ascii").strip()
         return f"{boot} {os.readlink('/proc/self/ns/pid')}"

@@ -35,7 +35,7 @@ T = TypeVar("T")
 
 
 class PicturesByName(Generic[T]):
-    """Names of the frames that have a picture, to find those that files tell otherwise: they leave
+    """Names of the frames that have a picture, to find those that files say otherwise: they leave
     out the folder that only keeps pictures (``game/img1/000001`` is game/000001 to game state), or
     all folders."""
 
@@ -93,7 +93,7 @@ class PictureSizes:
                 self._paths.setdefault(frame, tree / picture)
 
     def size(self, frame: str) -> Size | None:
-        """(width, height) px of a frame's picture as it is shown; None if nobody knows."""
+        """(width, height) px of a frame's picture as it is shown; None if no one knows."""
         path = self._paths.get(self.called(frame))
         try:
             return picture_size(path) if path is not None else self._otherwise
@@ -151,7 +151,7 @@ def picture_folders(dataset: Path, annotations: Path) -> list[Path]:
 
 
 def picture_tree(dataset: Path) -> Path | None:
-    """The folder below which the pictures of a dataset may lie; None where nobody named any.
+    """The folder below which the pictures of a dataset may lie; None where no one named any.
 
     Args:
         dataset: as the user named it.
@@ -198,7 +198,7 @@ class FrameSize(NamedTuple):
 
     Attributes:
         fitted: what the frame's camera is for.
-        picture: the size of its picture; None if nobody knows.
+        picture: the size of its picture; None if no one knows.
     """
 
     fitted: Size
@@ -251,11 +251,11 @@ class FitSizes:
         return self._pictures.path(name)
 
     def of_frame(self, name: str, annotation: FrameAnnotation) -> FrameSize:
-        """The size to fit a frame at; its picture tells, or else its annotation file.
+        """The size to fit a frame at; its picture says, or else its annotation file.
 
         Args:
             name: of the frame.
-            annotation: whose further entries may tell the picture's size.
+            annotation: whose further entries may give the picture's size.
         """
         told = size_in_annotation(annotation)
         if told is not None and not is_valid_size(*told):
@@ -274,7 +274,7 @@ def pictures_of_another_shape(
 
     Args:
         annotations: what they are read from; pictures are looked for around it.
-        frames: names; of many some are looked at.
+        frames: names; of many some are examined.
         sizes: (width, height) px that are compared at.
     """
     folders = picture_folders(annotations, annotations)
@@ -290,7 +290,7 @@ def pictures_of_another_shape(
 
 
 def _size_of_video(annotations: Path) -> Size | None:
-    """(width, height) px of the video beside its folder of annotations, if it is one."""
+    """(width, height) px of the video next to its folder of annotations, if it is one."""
     from procc_annotator.image.video import Video  # OpenCV: most sets do without
 
     videos = (
@@ -308,7 +308,7 @@ def _size_of_video(annotations: Path) -> Size | None:
 
 
 def size_in_annotation(annotation: FrameAnnotation) -> Size | None:
-    """(width, height) px of the picture, as further entries of an annotation file tell it."""
+    """(width, height) px of the picture, as further entries of an annotation file give it."""
     extra = dict(annotation.extra)
     for keys in _SIZE_KEYS:
         width, height = (extra.get(key) for key in keys)
@@ -341,7 +341,7 @@ class SizesUsed:
         self.counts[size] += 1
 
     def describe(self) -> str:
-        """In words, to stand beside figures in px: ``960x540``."""
+        """In words, to stand next to figures in px: ``960x540``."""
         fitted = dict.fromkeys(size.fitted for size in self.counts)
         if not fitted:
             return _words(self.asked or DEFAULT_SIZE)

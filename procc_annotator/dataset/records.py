@@ -75,7 +75,7 @@ class Comment:
 
 @dataclass(frozen=True, slots=True)
 class NotVisible:
-    """Somebody's word that an element cannot be seen in a frame; ``time`` in seconds since 1970,
+    """A person's word that an element cannot be seen in a frame; ``time`` in seconds since 1970,
     UTC."""
 
     frame: str
@@ -107,7 +107,7 @@ class FrameRecord:
 
 
 def digest_of(data: bytes) -> bytes:
-    """Return what tells two versions apart (16 bytes)."""
+    """Return what says two versions apart (16 bytes)."""
     return hashlib.blake2b(data, digest_size=16).digest()
 
 
@@ -140,10 +140,11 @@ def new_origins(
 ) -> dict[PointKey, Origin]:
     """Origins of the points that an edit brought: ``kind``, or snapped where that is listed.
 
-    Points at which paint was looked for and not found (``unseen``) are told as such, new or not.
+    Points at which paint was looked for and not found (``unseen``) are reported as such, new or
+    not.
 
     Points that were unconfirmed before and are unchanged now were copied. A place that had an
-    origin before and is reached again (a point put back) is new again, by whoever did that.
+    origin before and is reached again (a point put back) is new again, by anyone who did that.
     """
     taken = {(p.u, p.v) for polyline in before.unconfirmed for p in polyline.points}
     origins: dict[PointKey, Origin] = {}
@@ -193,11 +194,12 @@ FAULT_WORDS: dict[FaultParty, str] = {
 
 @dataclass(frozen=True, slots=True)
 class Verdict:
-    """Somebody's verdict on a frame under a camera source.
+    """A person's verdict on a frame under a camera source.
 
     Attributes:
         source: what the camera source is called.
-        place: tells it from another one that is called the same (`place_of`, `place_by_name`).
+        place: distinguishes it from another one that is called the same (`place_of`,
+            `place_by_name`).
         time: seconds since 1970, UTC.
     """
 
@@ -214,7 +216,7 @@ class Verdict:
 def place_of(cameras: Path, fmt: str, dataset: Path) -> str:
     """Return where a source's cameras lie and how they are read, as ``format:path``.
 
-    The path is relative to the dataset's folder for what lies in it or beside it, so that a dataset
+    The path is relative to the dataset's folder for what is in it or next to it, so that a dataset
     may be moved with its cameras; otherwise absolute.
     """
     path, root = Path(os.path.realpath(cameras)), Path(os.path.realpath(dataset))

@@ -31,7 +31,7 @@ from procc_annotator.field.model import Field
 
 @dataclass(frozen=True, slots=True)
 class StoredFinding:
-    """A finding of a frame, with what tells it from others.
+    """A finding of a frame, with what distinguishes it from others.
 
     Attributes:
         finding: as the check gave it.
@@ -56,11 +56,11 @@ class FrameCheck:
         content: of the annotation, see `content_of`; empty for what is left of a check after an
             edit.
         found: the surest first.
-        fitted: whether the rules that need a camera were looked at too.
-        size: (width, height) px of the picture that distances are told in.
+        fitted: whether the rules that need a camera were examined too.
+        size: (width, height) px of the picture that distances are reported in.
         failure: why there was no camera, although one was asked for; empty otherwise.
         elements: number of annotated classes.
-        with_paint: whether the picture was looked at.
+        with_paint: whether the picture was examined.
         stand: where the fitted camera stands; None without one.
     """
 
@@ -100,7 +100,7 @@ def store_check(
         findings: what was found, the surest first.
         fit: the camera that was fitted to it, or why there is none.
         fitted: False if the camera was not asked for.
-        with_paint: whether the picture was looked at.
+        with_paint: whether the picture was examined.
     """
     found = tuple(_found(finding, annotation, fit) for finding in findings)
     failure = (fit.failure or "") if fitted else ""
@@ -126,7 +126,7 @@ def check_with_camera_side(
 
 
 def with_set_findings(checked: FrameCheck, found: StoredFinding) -> FrameCheck:
-    """A check with what only the set could tell; of a frame that is known to be the wrong way round
+    """A check with what only the set could say; of a frame that is known to be the wrong way round
     it says nothing new."""
     if any(known.finding.rule is Rule.REFLECTED for known in checked.found):
         return checked
@@ -157,7 +157,7 @@ def check_frame(
         field: its elements.
         size: (width, height) px of the picture.
         model: see `fit_camera`.
-        paint: class -> what the picture shows along it; None where nobody looked.
+        paint: class -> what the picture shows along it; None where no one looked.
         fit: its fit, where that was made together with others.
     """
     if fit is None:
@@ -218,7 +218,7 @@ def _places(
 
 def _worst_point(polyline: Polyline, fit: FitResult | None) -> int:
     """The point farthest from the fitted camera's element; without a camera the middle one. Points
-    beside the picture, where nobody looks, only if there are no others."""
+    next to the picture, where no one looks, only if there are no others."""
     points = polyline.points
     elements = () if fit is None else fit.elements
     residual = next((e for e in elements if e.name == polyline.class_name), None)
@@ -336,8 +336,8 @@ class LockEvent:
 
 
 def read_events(text: str | None) -> tuple[LockEvent, ...]:
-    """Return what happened, oldest first. A text that cannot be read is a lock by nobody known:
-    whoever may not see the fit must not come to see it through a damaged entry."""
+    """Return what happened, oldest first. A text that cannot be read is a lock by no one known:
+    anyone who may not see the fit must not come to see it through a damaged entry."""
     if text is None:
         return ()
     try:

@@ -27,7 +27,7 @@ K = TypeVar("K", bound=Hashable)
 
 
 def stamp_of(path: Path) -> Stamp:
-    """Return what differs once a file was written; None where there is none."""
+    """Return what differs once a file was written; None if absent."""
     try:
         status = path.stat()
     except OSError:
@@ -38,7 +38,7 @@ def stamp_of(path: Path) -> Stamp:
 class FileStamps(Generic[K]):
     """The stamps of files by whatever they are known by; safe to be used from several threads.
 
-    A file keeps the stamp of its first reading until somebody followed the change: who reads it in
+    A file keeps the stamp of its first reading until a person followed the change: who reads it in
     between hides nothing from those who read it before.
     """
 
@@ -129,7 +129,7 @@ class PendingSave:
         return write_annotation(self.annotation)
 
     def look(self) -> bytes | None:
-        """Return what the file holds; None when there is none.
+        """Return what the file holds; None if absent.
 
         Raises:
             SaveError: it cannot be read.
@@ -148,7 +148,7 @@ class PendingSave:
         """
         found = self.look()
         # A file that vanished holds nothing that writing could destroy, nor does one that is this
-        # already (a batch broke off before it could tell).
+        # already (a batch broke off before it could say).
         if found is not None and found != self.data and not self._is_known(found):
             raise ChangedOnDiskError(
                 f"{self.path}: changed on disk meanwhile, not saved (reload it, or overwrite it)"
@@ -198,7 +198,7 @@ class SaveResult:
         save: what was to be written.
         error: why it was not; None once it is.
         stamp: of the file right after it was written.
-        unsure: it failed, and nobody knows whether the file is as it was or as it should be.
+        unsure: it failed, and no one knows whether the file is as it was or as it should be.
     """
 
     save: PendingSave
@@ -232,7 +232,7 @@ def write_save(save: PendingSave, *, over_anything: bool = False) -> SaveResult:
 
 
 def _after_failure(save: PendingSave, before: bytes | None, error: SaveError) -> SaveResult:
-    """Look at the file: a drive behind a network may fail to tell what it has done."""
+    """Look at the file: a drive behind a network may fail to give what it has done."""
     try:
         found = save.look()
     except SaveError:
@@ -243,11 +243,11 @@ def _after_failure(save: PendingSave, before: bytes | None, error: SaveError) ->
 
 
 def _skip_check() -> None:
-    """Somebody decided that the file is to be replaced."""
+    """A person decided that the file is to be replaced."""
 
 
 def digest(data: bytes | None) -> bytes | None:
-    """Return what tells the content of a file from another one."""
+    """Return what gives the content of a file from another one."""
     return None if data is None else hashlib.blake2b(data, digest_size=16).digest()
 
 
@@ -261,13 +261,13 @@ class FrameState:
         history: its annotations; the current one is what is shown.
         error: why the annotation file cannot be used; the frame cannot be edited then.
         save_error: why the last save failed; None once one succeeded.
-        kept_unconfirmed: the unconfirmed elements that are remembered beside the file.
-        under_way: what is being drawn, kept beside the file like what is unconfirmed.
+        kept_unconfirmed: the unconfirmed elements that are remembered next to the file.
+        under_way: what is being drawn, kept next to the file like what is unconfirmed.
         digest: of the file as it was read or written last; None where there was none.
         made_here: whether whatever file there is was made in this session.
         attempted: digests of what writes that failed may have left in the file; none if it is known
             to be as it was.
-        being_written: whether a thread is at its file: what that holds is known once it told.
+        being_written: whether a thread is at its file: what that holds is known once it reported.
     """
 
     def __init__(self, annotation: FrameAnnotation, digest: bytes | None) -> None:
@@ -350,7 +350,7 @@ class FrameVersions:
     def with_unconfirmed(
         self, frame: str, annotation: FrameAnnotation, field: Field
     ) -> FrameAnnotation:
-        """The annotation with what was copied here earlier and still waits for a hand."""
+        """The annotation with what was copied here earlier and still waits for the user."""
         if self.database is None:
             return annotation
         kept = self.database.draft(frame)
@@ -365,7 +365,7 @@ class FrameVersions:
         return replace(annotation, unconfirmed=polylines)
 
     def keep_unconfirmed(self, frame: str, state: FrameState) -> None:
-        """Keep what waits for a hand, unless it is kept already."""
+        """Keep what waits for the user, unless it is kept already."""
         waiting = state.history.current.unconfirmed
         if (drawn := state.under_way) is not None:
             waiting = (*(p for p in waiting if p.class_name != drawn.class_name), drawn)

@@ -176,7 +176,7 @@ class FrameSequence:
 
 
 class SequencePictures:
-    """Pictures by number; of a video through a reader of its own, so that nobody else waits."""
+    """Pictures by number; of a video through a reader of its own, so that no one else waits."""
 
     def __init__(self, sequence: FrameSequence) -> None:
         self._paths = sequence.paths
@@ -390,7 +390,7 @@ def _frames_with_work(video: Path) -> list[int]:
 
 
 def keep_frame(frame: Frame, picture: PixelArray) -> Path:
-    """Write a frame's picture beside its annotation, without loss; the same file each time.
+    """Write a frame's picture next to its annotation, without loss; the same file each time.
 
     Raises:
         SaveError: it could not be written.

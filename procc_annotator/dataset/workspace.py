@@ -42,13 +42,14 @@ SAVED_ELSEWHERE = word("what was saved elsewhere")  # the step that `refresh` ma
 class Workspace:
     """The frames of a folder (or one picture), loaded one by one when asked for.
 
-    Annotations lie beside the pictures, in the folder's ``annotations/`` when it holds any JSON, or
+    Annotations lie next to the pictures, in the folder's ``annotations/`` when it holds any
+    JSON, or
     in a folder chosen by the user; the file is always ``{picture's stem}.json``.
 
     Attributes:
         root: what was opened: a folder, or a single picture.
         folder: the dataset's; of a single picture the one it lies in.
-        memory: what is kept beside the files.
+        memory: what is kept next to the files.
         given: annotations of any format, for who only reads the dataset; None: the frames' own
             files, which can be edited.
     """
@@ -185,7 +186,7 @@ class Workspace:
         return self.parse(index, data) if data is not None else None
 
     def has_file(self, index: int) -> bool:
-        """Return whether a frame has an annotation file, be it empty."""
+        """Return whether a frame has an annotation file, whether empty."""
         frame = self.frames[index]
         return frame.annotation_path.exists() if self.given is None else self.given.has(frame)
 
@@ -269,7 +270,7 @@ class Workspace:
     def prepare_saves(self, indices: Iterable[int]) -> list[PendingSave]:
         """Return what is to be written of some frames, for a thread of its own.
 
-        Until `note_saved` is told what became of it a frame is not saved, whatever it shows.
+        Until `note_saved` is reported what became of it a frame is not saved, whatever it shows.
         """
         states = [(index, self.state(index)) for index in dict.fromkeys(indices)]
         changed = [(index, state) for index, state in states if not state.error and state.dirty]
@@ -314,7 +315,7 @@ class Workspace:
 
         Raises:
             SaveError: it could not be written, or the frame is blocked: what its file holds was
-                never on screen, so nobody can have decided to give it up. Or the file cannot be
+                never on screen, so no one can have decided to give it up. Or the file cannot be
                 read, so that it could not be kept.
         """
         state = self.state(index)
@@ -422,7 +423,7 @@ def restore_version(workspace: Workspace, index: int, data: bytes) -> None:
     """Write what a version holds over a frame's file, which stays a version.
 
     Raises:
-        InputError: what is there cannot be looked at.
+        InputError: what is there cannot be examined.
         SaveError: it could not be written.
     """
     frame = workspace.frames[index]
@@ -447,7 +448,7 @@ class AnnotatedFrames(Protocol):
         """Return where nothing may be written."""
 
     def read(self, index: int) -> FrameAnnotation | None:
-        """A frame's annotation, however short; None where nobody annotated it.
+        """A frame's annotation, however short; None where no one annotated it.
 
         Raises:
             InputError: its file cannot be used.

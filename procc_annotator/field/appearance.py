@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 # A painted band with ground on both its sides; the border of an area or of a wall, where one side
 # differs from the other; something that stands before anything; nothing that could be found.
 LINE, EDGE, BAR, NOTHING = KINDS = "line", "edge", "bar", "nothing"
-# The paint against what lies beside it.
+# The paint against what is next to it.
 LIGHTER, DARKER, ANY = TONES = "lighter", "darker", "any"
 WHITE, BLACK = "white", "black"
 RED, ORANGE, YELLOW, BLUE = "red", "orange", "yellow", "blue"
@@ -23,9 +23,9 @@ class Appearance:
 
     Attributes:
         kind: one of `KINDS`.
-        tone: of the paint against the ground beside it, one of `TONES`.
+        tone: of the paint against the ground next to it, one of `TONES`.
         colour: of the paint, one of `COLOURS`.
-        width_m: of the painted band, or the diameter of a bar; 0 where nobody knows.
+        width_m: of the painted band, or the diameter of a bar; 0 if unknown.
     """
 
     kind: str = LINE

@@ -17,7 +17,7 @@ from procc_annotator.field.formulas import (
 )
 
 _RELATION_PATTERN = re.compile(r"([^<>=]+)(<=|>=|<|>)([^<>=]+)\Z")
-# What is kept of a dimension and what formulas make of it differ by less; nobody measures as much.
+# What is kept of a dimension and what formulas make of it differ by less; no one measures as much.
 _EQUAL_TOLERANCE_M = 1e-9
 _MAX_RELATIONS = 32
 _MAX_COMBINATIONS = 2000

@@ -245,7 +245,7 @@ class MarkingReader:
     ) -> None:
         self._values = values
         self._lines, self._bars = lines, bars
-        # A mistake in what holds for all elements is told here, not at the first of them.
+        # A mistake in what holds for all elements is reported here, not at the first of them.
         values.keys("paint", dict(lines), _LINE_KEYS, {"line_width"} if lines else set())
         values.keys("bars", dict(bars), _BAR_KEYS, set())
         for place, table in (("paint", lines), ("bars", bars)):

@@ -1,4 +1,4 @@
-"""Places of one stadium that a dataset knows beside its field: surveyed or triangulated.
+"""Places of one stadium that a dataset knows next to its field: surveyed or triangulated.
 
 A landmark with a position becomes an element of the field, a spot that is judged only where it is
 annotated. One without is a class that may be clicked until its position is known. A moving object

@@ -101,7 +101,7 @@ def _border_elements(elements: tuple[Element, ...]) -> tuple[Element, ...]:
 
 
 def marking_normal(element: Element) -> FloatArray | None:
-    """(3,) unit normal of the plane the paint lies in; None where nothing tells it."""
+    """(3,) unit normal of the plane the paint lies in; None where nothing gives it."""
     if element.on_ground:
         return np.array((0.0, 0.0, 1.0))
     geometry = element.geometry
@@ -174,7 +174,7 @@ def with_centred_markings(field: Field) -> Field:
     """The field with each element in the middle of its paint, if it is measured at an edge of it.
 
     Lines that shared an end, as at the corner of a court, end where their middles cross.
-    What has no paint, or paint that lies nobody knows where, stays: spots, posts, nets. Names,
+    What has no paint, or paint that lies no one knows where, stays: spots, posts, nets. Names,
     order, symmetries and all else stay.
 
     Args:
@@ -193,7 +193,7 @@ def has_off_centre_markings(field: Field) -> bool:
 
 
 def _centred_element(element: Element) -> Element:
-    """The same element if it lies there already, or if nothing tells where its paint is."""
+    """The same element if it lies there already, or if nothing decides where its paint is."""
     if element.inside is None or element.line_width <= 0 or element.is_spot:
         return element
     normal = marking_normal(element)

@@ -44,14 +44,14 @@ class Element:
         colour: ``#rrggbb``.
         shortcut: key (sequence) that selects it; "" for none.
         geometry: where it is.
-        optional: whether it is judged only where somebody annotated it: a mark or a landmark that
+        optional: whether it is judged only where a person annotated it: a mark or a landmark that
             a set need not have. It is never a false positive, and the ``soccernet`` protocol, which
             knows the official classes only, leaves it out.
         line_width: metres of paint; 0 where nothing is painted (a post, a net).
         inside: a place on that side of the element on which the paint lies, where the rules measure
             at the paint's outer edge; None where they measure at its middle. Of a chain it is
-            beside the part that is nearest to it; on the other parts the paint lies on the same
-            hand of somebody who walks along it.
+            next to the part that is nearest to it; on the other parts the paint lies on the same
+            hand of a person who walks along it.
         appearance: what a finder of paint looks for; no part of what the field is.
     """
 
@@ -95,10 +95,10 @@ class Landmark:
         name: exact class name in files.
         title: shown to people; "" for the name.
         position: metres, world frame (z down); None until it is known.
-        covariance: (3, 3) m^2 of the position; None where nobody knows it.
+        covariance: (3, 3) m^2 of the position; None if unknown.
         instant: when a moving object was there, as frames are grouped; None for what stays.
         moving: whether it has another position each instant.
-        surveyed: whether somebody gave the position; triangulated otherwise.
+        surveyed: whether a person gave the position; triangulated otherwise.
         colour: ``#rrggbb``; "" for one of its own choosing.
         shortcut: key that selects it; "" for none.
         note: for people.
@@ -307,7 +307,7 @@ class NoPartnerError(ValueError):
 def find_symmetry(elements: Sequence[Element], turn_degrees: float) -> Symmetry:
     """The symmetry of a turn, each element's partner found by its place.
 
-    Elements that lie at the same place (one the prolongation of none, but drawn over) are told
+    Elements that lie at the same place (one the prolongation of none, but drawn over) are reported
     apart by their order: the first goes to the first that is free.
 
     Args:

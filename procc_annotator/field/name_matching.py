@@ -33,7 +33,7 @@ class ClassMatch:
     """Classes that are called like a label.
 
     Attributes:
-        classes: in the field's order; several where nothing in the label tells them apart, as its
+        classes: in the field's order; several where nothing in the label distinguishes them, as its
             sides are not in it. None are like it: empty.
         likeness: 0 to 1, of each of them; 1 where the words are the same.
     """

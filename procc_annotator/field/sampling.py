@@ -174,7 +174,7 @@ def distances_from(field: Field, class_names: Collection[str]) -> FloatArray:
         field: any.
         class_names: those without a geometry do not count; infinite where none has one.
     """
-    # Landmarks come and go while somebody annotates: what is known of the field itself stays.
+    # Landmarks come and go while a person annotates: what is known of the field itself stays.
     landmarks = {landmark.name for landmark in field.landmarks}
     placed = np.array([e.name in landmarks for e in field.elements])
     chosen = np.array([e.name in class_names for e in field.elements])

@@ -48,7 +48,7 @@ class FieldWarning:
     """Something about a field.
 
     Attributes:
-        severity: an error fails for somebody, a warning is most likely a mistake, a note is not.
+        severity: an error fails for a person, a warning is most likely a mistake, a note is not.
         place: where in the file, as errors name it.
         text: what is so, a plain sentence.
         advice: what to do about it.

@@ -185,7 +185,7 @@ def _is_stale(entry: os.DirEntry[str], old: float) -> bool:
 
 
 def sibling_path(path: Path, before: str, after: str) -> Path:
-    """A path beside another one whose name is made from its name, cut if it gets too long."""
+    """A path next to another one whose name is made from its name, cut if it gets too long."""
     name = os.fsencode(path.name)
     if len(os.fsencode(before)) + len(name) + len(os.fsencode(after)) > _LONGEST_NAME:
         kept, digest = os.fsdecode(name[:100]), hashlib.sha256(name).hexdigest()[:16]
@@ -204,7 +204,7 @@ def remove(path: Path) -> None:
 
 
 def mode_to_keep(target: Path) -> int | None:
-    """The permissions of a file that is to be replaced; None where there is none.
+    """The permissions of a file that is to be replaced; None if absent.
 
     Raises:
         OSError: it must not be replaced: it is no file, or write-protected.
@@ -216,7 +216,7 @@ def mode_to_keep(target: Path) -> int | None:
     if not stat.S_ISREG(mode):  # a rename would put a file in the place of a device
         raise OSError(errno.EINVAL, "a folder, a pipe or a device is in its place")
     # A rename needs no right to the file itself: without this look it would replace a file that
-    # somebody protected on purpose.
+    # a person protected on purpose.
     if not os.access(target, os.W_OK):
         raise PermissionError(errno.EACCES, "the file is write-protected")
     return stat.S_IMODE(mode)

@@ -40,7 +40,7 @@ def other_json_among(source: FileSource, files: Mapping[str, str]) -> tuple[str,
     """The frames of a listing whose files are JSON of another kind.
 
     Only files whose names are unlike those of the others are read, the rarest kinds of names first.
-    Files of whole sets of another program are other files where single frames lie beside them.
+    Files of whole sets of another program are other files where single frames lie next to them.
 
     Args:
         source: where the files are.
@@ -119,7 +119,7 @@ def _is_set(content: Any) -> bool:
 
 
 def _content(source: FileSource, file: str) -> Any:
-    """Return what JSON holds; None where it is damaged: whoever reads the set says so."""
+    """Return what JSON holds; None where it is damaged: anyone who reads the set says so."""
     try:
         return msgspec.json.decode(strip_bom(source.read(file)))
     except (InputError, msgspec.DecodeError, UnicodeDecodeError, RecursionError):
@@ -131,7 +131,7 @@ _ENDING = ".json"
 _JSON = frozenset({".json", ".jsonl"})
 _STORAGE = frozenset({".yml", ".yaml", ".xml"})
 _HOMOGRAPHY_ENDING = "_homography"
-# What this program writes beside annotations; a frame cannot have these names.
+# What this program writes next to annotations; a frame cannot have these names.
 MANIFEST_FILE = "manifest.json"
 OWN_FILES = frozenset({"jac.json", "procc.json", MANIFEST_FILE, LANDMARKS_FILE})
 
@@ -205,7 +205,7 @@ def qualify_by_folder(lists: Sequence[AnnotationFiles]) -> list[AnnotationFiles]
 
 
 def list_annotations(source: FileSource) -> AnnotationFiles:
-    """Frame name -> annotation file, in natural order; camera files beside them do not count.
+    """Frame name -> annotation file, in natural order; camera files next to them do not count.
 
     Nor does JSON of another kind (`procc_annotator.formats.file_listing`): it is named in a notice.
 

@@ -40,7 +40,8 @@ def walk(
 
     Args:
         root: the place.
-        on_unread: told of each folder below it that cannot be listed, which is then left out; None:
+        on_unread: called for each folder below it that cannot be listed, which is then left out;
+            None:
             that is raised.
 
     Yields:
@@ -119,7 +120,7 @@ def is_listed(name: str) -> bool:
     )
 
 
-# What a release keeps beside the folder of its annotations.
+# What a release keeps next to the folder of its annotations.
 RELEASE_FILE = "release.json"
 _RELEASED = "annotations/"
 _LONGEST_NAME = 255  # of what a file system takes; an archive may hold any
@@ -188,7 +189,7 @@ def open_source(path: Path, base: Path | None = None, of_tree: bool = False) -> 
 
     Raises:
         UsageError: there is nothing at the path.
-        InputError: nothing at the path can be looked at, or an archive that cannot be opened or
+        InputError: nothing at the path can be examined, or an archive that cannot be opened or
             holds a name that leads out of it.
     """
     try:
@@ -299,7 +300,7 @@ class ZipSource(_Opened):
     """Files of a zip archive; the archive stays open until the source is closed.
 
     Nothing is ever unpacked to disk, and yet an archive is refused as a whole when it holds a name
-    that leads out of the folder it is unpacked to: nobody made it by accident.
+    that leads out of the folder it is unpacked to: no one made it by accident.
     """
 
     def __init__(self, path: Path, base: Path | None = None) -> None:

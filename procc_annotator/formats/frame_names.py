@@ -21,7 +21,7 @@ _LONGEST_PATH = 600  # of the folders above a picture
 
 
 def escapes_folder(path: str) -> bool:
-    """Return whether a path with slashes, as a file tells it, may lead out of the folder it belongs
+    """Return whether a path with slashes, as a file gives it, may lead out of the folder it belongs
     in."""
     return (
         path.startswith("/")
@@ -63,7 +63,7 @@ def frame_of_file(path: str, prefix: str = "") -> str:
 
     Args:
         path: below the dataset, with slashes: ``game/camera_00037.json``.
-        prefix: what the file's own name begins with beside the frame: ``camera_``.
+        prefix: what the file's own name begins with next to the frame: ``camera_``.
     """
     folder, slash, name = path.rpartition("/")
     return folder + slash + PurePosixPath(name).stem.removeprefix(prefix)
@@ -75,7 +75,7 @@ def file_of_frame(frame: str, suffix: str, prefix: str = "") -> str:
     Args:
         frame: its name: ``00037``, or ``game/00037`` in a tree.
         suffix: of the file: ``.json``.
-        prefix: what the file's own name begins with beside the frame: ``camera_``.
+        prefix: what the file's own name begins with next to the frame: ``camera_``.
 
     Raises:
         UsageError: the name leads out of that folder.
@@ -179,10 +179,10 @@ class PictureFrames:
     """Names of frames for the pictures of one file: by their last parts, or by their paths where
     they lie in several folders, or in one folder of the dataset's tree.
 
-    Paths that lead out of the dataset (absolute ones, ``..``) tell no folder.
+    Paths that lead out of the dataset (absolute ones, ``..``) say no folder.
 
     Args:
-        pictures: their names, as the file tells them.
+        pictures: their names, as the file gives them.
         folder: of the file, below the dataset, if that is a tree.
         there: the frames of the dataset that have a picture.
     """

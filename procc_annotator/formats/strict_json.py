@@ -75,7 +75,7 @@ def decode_fast(data: bytes, *, path: str, error: type[InputError]) -> Any:
     try:
         content = msgspec.json.decode(strip_bom(data))
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError):
-        # The slow decoder tells line and column, and reads NaN so that its place can be named.
+        # The slow decoder says line and column, and reads NaN so that its place can be named.
         return decode_strict(data, path=path, error=error)
     flat = data.count(b"[") < _DEEPEST
     if type(content) is dict and flat and has_only_keys(data, len(content)):
@@ -221,7 +221,7 @@ class _KeyValuePairs(list[tuple[str, Any]]):
 def _place_of_repeat(text: str) -> str:
     """Return where the object with a repeated key is (``Circle left[3]``).
 
-    Empty for the outermost object, and where it cannot be told.
+    Empty for the outermost object, and where it cannot be reported.
     """
     try:
         content = json.loads(text, object_pairs_hook=_KeyValuePairs)
@@ -258,7 +258,7 @@ def _too_deep(path: Path | str, error: type[InputError]) -> InputError:
     return error(path, "is nested too deeply to be read", advice="is it this file?")
 
 
-# A float never needs more digits than this to be told from its neighbours.
+# A float never needs more digits than this to be distinguished from its neighbours.
 _FLOAT_DIGITS = 17
 _MOST_DIGITS = 40
 SMALLEST_EXACT, LARGEST_EXACT = 1e-30, 1e15  # numbers whose longer text is kept

@@ -71,7 +71,7 @@ def build_window(
     cameras: Path | Sequence[CameraChoice] = (),
     field: Field | None = None,
 ) -> MainWindow:
-    """The window, not shown yet; a path that cannot be opened is told in the window.
+    """The window, not shown yet; a path that cannot be opened is reported in the window.
 
     Of several sources of cameras the first one is judged. A field that is given is the dataset's
     from now on.
@@ -109,7 +109,7 @@ def main(
 
 
 class _FirstPaint(QObject):
-    """Calls somebody once a window was painted for the first time."""
+    """Calls a person once a window was painted for the first time."""
 
     def __init__(self, then: Callable[[], object], window: QWidget) -> None:
         super().__init__(window)

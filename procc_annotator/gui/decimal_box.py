@@ -21,7 +21,7 @@ class DecimalBox(QDoubleSpinBox):
 
 
 class RangeBox(DecimalBox):
-    """Lets numbers out of its range be written, and tells that they are not taken."""
+    """Lets numbers out of its range be written, and says that they are not taken."""
 
     refused = Signal(float)  # this was entered; the value is what it was
 
@@ -38,7 +38,7 @@ class RangeBox(DecimalBox):
         return str(super().fixup(text))
 
     def tell_refused(self, number: float) -> None:
-        """Say beside the box that a number is not taken."""
+        """Say next to the box that a number is not taken."""
         told = tr(
             "not {number:g}: {least:g} to {most:g}{unit}",
             number=number,

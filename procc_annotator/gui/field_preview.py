@@ -40,7 +40,7 @@ class _Read:
 
 
 class _ProblemBar(Bar):
-    """What is wrong with the file, until it is mended."""
+    """What is wrong with the file, until it is fixed."""
 
     def __init__(self) -> None:
         super().__init__("problemBar")

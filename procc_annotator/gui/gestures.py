@@ -7,7 +7,7 @@ from procc_annotator.translation import word
 # Keys that mean something while they are held, without Shift and the like.
 HELD_KEYS = ("X", "Z", ",", "Space")  # not shown
 
-# The sheet of keys lists them beside the actions.
+# The sheet of keys lists them next to the actions.
 GESTURES: tuple[tuple[str, str], ...] = (
     (word("Wheel"), word("zoom at the cursor")),
     (word("Two fingers"), word("pan; pinched, zoom")),

@@ -152,7 +152,7 @@ def _calls(
         yield f"element:{element.name}", title, (keys,) if keys else ()  # not shown
 
 
-# --- as it is kept and handed on ------------------------------------------------------------------
+# --- as it is kept and passed on ------------------------------------------------------------------
 
 
 def to_values(keymap: Keymap) -> dict[str, object]:

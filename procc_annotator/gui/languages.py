@@ -12,7 +12,7 @@ from procc_annotator.resources import resources_dir
 CONTEXT = "procc"  # of all texts in the files of translations
 SYSTEM, ENGLISH = "system", "en"
 
-# Each by its own name: whoever looks for theirs cannot read the others.
+# Each by its own name: anyone who looks for theirs cannot read the others.
 LANGUAGES = {
     ENGLISH: "English",  # not shown
     "de": "Deutsch",  # not shown

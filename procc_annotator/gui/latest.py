@@ -1,4 +1,4 @@
-"""Work beside the window of which only the latest counts."""
+"""Work next to the window of which only the latest counts."""
 
 from __future__ import annotations
 
@@ -28,8 +28,9 @@ class Latest:
 
         Args:
             owner, urgent, at_once, wait_ms: as for `run_in_background`.
-            failed: hears why it came to nothing, unless a piece of work has somebody else told;
-                None: it cannot fail in a way that a person could be told.
+            failed: hears why it came to nothing, unless a piece of work has another person
+                reported;
+                None: it cannot fail in a way that a person could be reported.
         """
         self._owner = owner
         self._failed = failed
@@ -51,7 +52,7 @@ class Latest:
         parts: Callable[[list[Any]], None] | None = None,
     ) -> None:
         """Begin; what is under way is cancelled. ``then`` receives the outcome, ``parts`` what the
-        work handed over until then."""
+        work passed on until then."""
         self.cancel()
         self._job = run_in_background(
             work,
@@ -74,7 +75,7 @@ class Latest:
         return under_way
 
     def cut_short(self) -> bool:
-        """Take what was handed over so far and forget the rest; False if nothing is under way."""
+        """Take what was passed on so far and forget the rest; False if nothing is under way."""
         if self._job is not None:
             self._job.deliver_parts()
         return self.cancel()

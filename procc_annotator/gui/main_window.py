@@ -149,7 +149,7 @@ class MainWindow(QMainWindow):
         self.setStatusBar(self.status)
 
     def _make_helpers(self) -> None:
-        """What watches the window and helps: tips, keys, what is told."""
+        """What watches the window and helps: tips, keys, what is reported."""
         self.keys_back = KeysBack(self.canvas)
         self.finding_tips = FindingTips(self.document, self.canvas)
         self.coach = Coach(self.document, self.canvas, self.actions_, self.settings)

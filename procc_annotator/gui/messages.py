@@ -48,7 +48,7 @@ class Bar(QWidget):
         self.hide()
 
     def follow_theme(self) -> None:
-        """Take the colours of the theme; Qt tells nothing to a widget with a style sheet."""
+        """Take the colours of the theme; Qt says nothing to a widget with a style sheet."""
         name = self.objectName()
         background, text = alarm_colours(QGuiApplication.palette())
         style = f"#{name} {{ background: {background}; }}"  # not shown
@@ -92,7 +92,7 @@ class MessageBar(Bar):
         self.show()
 
     def keep(self, notices: Collection[Notice]) -> None:
-        """These are so, and no others: put away what was withdrawn, if it is shown."""
+        """These are so, and no others: dismissed what was withdrawn, if it is shown."""
         held = {notice.key for notice in notices} | {""}
         left = [line for line in self._lines if line.key in held]
         if len(left) < len(self._lines):
@@ -111,7 +111,7 @@ class MessageBar(Bar):
         self.remedy.setVisible(bool(remedy))
 
     def grow_old(self) -> None:
-        """Another frame is on screen; what was told before the last one was is put away."""
+        """Another frame is on screen; what was reported before the last one was is dismissed."""
         if not self._fresh:
             self.hide()
         self._fresh = False
@@ -131,7 +131,7 @@ class FrameBar(Bar):
 
 
 class ConflictBar(Bar):
-    """Somebody else changed the file of the frame on screen: whose work stays?"""
+    """Another person changed the file of the frame on screen: whose work stays?"""
 
     reload_chosen = Signal()
     overwrite_chosen = Signal()

@@ -10,10 +10,10 @@ _WHEN = (QEvent.Type.Show, QEvent.Type.FocusIn)
 
 
 class _Role(QObject):
-    """Tells what a widget is, when it is shown and whenever the keyboard comes to it.
+    """Reports what a widget is, when it is shown and whenever the keyboard comes to it.
 
-    Qt keeps what is told by an object and its class, and the class becomes another one each time a
-    method of Python is first connected: what was told before that is not asked for any more.
+    Qt keeps what is given by an object and its class, and the class becomes another one each time a
+    method of Python is first connected: what was reported before that is not asked for any more.
     """
 
     def __init__(self, widget: QWidget, role: QAccessible.Role) -> None:
@@ -36,5 +36,5 @@ class _Role(QObject):
 
 
 def give_role(widget: QWidget, role: QAccessible.Role) -> None:
-    """Have a widget told as something; its name and description are its own."""
+    """Have a widget reported as something; its name and description are its own."""
     _Role(widget, role)

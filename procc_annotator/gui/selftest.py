@@ -46,7 +46,7 @@ def run_selftest(path: Path | None = None, field: Field | None = None) -> str:
     Args:
         path: a folder of pictures, or a picture: one is copied. None: one of the sample, or one
             that is drawn where there is no sample.
-        field: what it shows, if that is not told by its folder.
+        field: what it shows, if that is not given by its folder.
 
     Returns:
         What was done, in one line.

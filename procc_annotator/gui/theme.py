@@ -57,7 +57,7 @@ _DARK = {
     QPalette.ColorRole.Shadow: "#0a0b0c",
 }
 # The style takes the edges of boxes that are ticked from the window's colour, a little darker: on a
-# dark window nobody sees them. These stand in for it, for what draws such boxes.
+# dark window no one sees them. These stand in for it, for what draws such boxes.
 _WINDOW_OF_BOXES = {False: "#a6acb2", True: "#c0c6cc"}
 WITH_BOXES = ("QCheckBox", "QRadioButton", "CommentList")
 _TEXT_ROLES = (
@@ -157,7 +157,7 @@ def set_text_size(application: QApplication, percent: float) -> None:
 
 
 def text_times() -> float:
-    """How large texts are, of what the system says; 1 where nobody chose."""
+    """How large texts are, of what the system says; 1 where no one chose."""
     application = QApplication.instance()
     usual = None if application is None else application.property(_USUAL_SIZE)
     size = QApplication.font().pointSizeF()
@@ -187,7 +187,7 @@ def blend(a: QColor, b: QColor, share: float) -> QColor:
 
 
 def paint_row(painter: QPainter, option: QStyleOptionViewItem) -> tuple[QColor, QColor]:
-    """Paint what lies below a row of a list, chosen or with the mouse over it; the colours of that
+    """Paint what is below a row of a list, chosen or with the mouse over it; the colours of that
     and of text on it."""
     palette: QPalette = option.palette
     base, text = palette.color(QPalette.ColorRole.Base), palette.color(QPalette.ColorRole.Text)

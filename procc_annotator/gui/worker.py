@@ -1,8 +1,8 @@
 """Long work off the interface thread, its outcome delivered on it.
 
-Groups of threads share the work. What a hand waits for (the fit of the frame on screen, its
+Groups of threads share the work. What the user waits for (the fit of the frame on screen, its
 ghosts, the points of a copied element) is ``urgent`` and never queues behind what walks through a
-whole dataset (audits, exports, thumbnails), which gets a core only where nobody else wants it.
+whole dataset (audits, exports, thumbnails), which gets a core only where no one else wants it.
 What has to come ``at_once`` (the picture of the frame on screen, saving a click) is short, and
 waits for neither.
 """
@@ -34,7 +34,7 @@ _NICER = 5  # than the interface
 
 
 class Stopped(Exception):
-    """Left the work: nobody wants its result any more."""
+    """Left the work: no one wants its result any more."""
 
 
 class JobControl:
@@ -49,7 +49,7 @@ class JobControl:
 
     @property
     def cancelled(self) -> bool:
-        """True once nobody wants the result any more; the work should return soon."""
+        """True once no one wants the result any more; the work should return soon."""
         return self._stop.is_set()
 
     def progress(self, done: int, total: int) -> None:
@@ -69,7 +69,7 @@ class JobControl:
         """As `progress`, for work that knows nothing of jobs.
 
         Raises:
-            Stopped: nobody wants the result any more.
+            Stopped: no one wants the result any more.
         """
         if self.cancelled:
             raise Stopped
@@ -177,7 +177,7 @@ class Job:
         return self.running
 
     def deliver_parts(self) -> None:
-        """Deliver now what was handed over so far."""
+        """Deliver now what was passed on so far."""
         if self._on_parts is not None and self._wanted() and (parts := self._control._take_parts()):
             self._on_parts(parts)
 
@@ -200,7 +200,8 @@ class Job:
             self._on_error(str(error))
         else:
             sys.excepthook(type(error), error, error.__traceback__)
-            # Whoever waits hears that it is over, or would wait for as long as the window is open.
+            # Anyone who waits hears that it is over, or would wait for as long as the window is
+            # open.
             if self._on_error is not None:
                 self._on_error(_unexpected(error))
 
@@ -270,14 +271,14 @@ def run_in_background(
         on_error: receives the one-line text of a `ProccError`. Any other exception is a bug: it
             goes to `sys.excepthook` as if it had been raised on the interface thread, and
             ``on_error`` receives a line that says so. None: the work raises nothing that a person
-            could be told, so that every exception of it is a bug.
+            could be reported, so that every exception of it is a bug.
         on_progress: receives (done, total).
-        on_parts: receives what the work handed over since, before progress and outcome.
+        on_parts: receives what the work passed on since, before progress and outcome.
         owner: nothing is delivered any more once this object is gone, and what has not begun by
             then never does.
-        urgent: a hand waits for it, and it takes a second at most.
+        urgent: the user waits for it, and it takes a second at most.
         at_once: it is short, and may not wait for what is urgent either.
-        writes: it writes down what a hand did, and waits for nothing but the disk.
+        writes: it writes down what the user did, and waits for nothing but the disk.
         wait_ms: begin so much later, and once what is to be painted was painted: 0 is after the
             next paint. None: at once.
     """
@@ -336,7 +337,7 @@ def cancel_all() -> None:
 
 
 def _give_way() -> None:
-    """Let this thread, and the processes that it starts, yield to those that a hand waits for."""
+    """Let this thread, and the processes that it starts, yield to those that the user waits for."""
     if sys.platform == "linux":  # elsewhere no thread has a niceness of its own
         before = os.getpriority(os.PRIO_PROCESS, 0)
         os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), min(before + _NICER, 19))

@@ -1,4 +1,4 @@
-"""One way to write something of the open dataset: ask where to, write in the background, tell."""
+"""One way to write something of the open dataset: ask where to, write in the background, say."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ T = TypeVar("T")
 
 
 def opened_frame(document: Document) -> Frame | None:
-    """The frame on screen; where there is none it is said what to do."""
+    """The frame on screen; if absent it is said what to do."""
     if document.frame is None:
         document.say(tr("open a folder of pictures first"), "warning")
     return document.frame
@@ -27,7 +27,7 @@ def opened_frame(document: Document) -> Frame | None:
 def ask_where(
     document: Document, parent: QWidget, title: str, name: str, kinds: str
 ) -> Path | None:
-    """Ask for a file beside the folder of pictures; None if nowhere.
+    """Ask for a file next to the folder of pictures; None if nowhere.
 
     Args:
         document: nothing is asked, and that is said, where no frame is open.

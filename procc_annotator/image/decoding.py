@@ -58,7 +58,7 @@ def decode_for_camera(path: Path) -> PixelArray:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class HalfSizeImage:
-    """A picture at half its size, to be looked at until the whole one is there.
+    """A picture at half its size, to be examined until the whole one is there.
 
     Attributes:
         pixels: (h, w, 4) uint8 like `decode_bgra`.

@@ -31,7 +31,7 @@ def require_valid_size(path: Path, width: int, height: int) -> None:
     """Refuse what is no picture of a field, before a camera is looked for in it.
 
     Raises:
-        ImageError: a side is too short beside the other one, or for any camera.
+        ImageError: a side is too short next to the other one, or for any camera.
     """
     if not is_valid_size(width, height):
         raise ImageError(
@@ -54,7 +54,7 @@ def header_size(data: bytes | memoryview) -> tuple[int, int] | None:
 
 
 def displayed_size(file: BinaryIO) -> tuple[int, int] | None:
-    """(width, height) px of a picture as it is shown; None where only decoding tells, as where EXIF
+    """(width, height) px of a picture as it is shown; None where only decoding says, as where EXIF
     data may turn it.
 
     Of a png or webp the heads of all chunks are read, as EXIF may follow the pixels.

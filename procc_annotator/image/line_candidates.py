@@ -50,7 +50,7 @@ _BAR_PROFILE_POSITIONS_PX = tuple(
 )
 _DISTANCE_SCALE_PX = 8.0  # a band at this distance counts less than half of one at none
 _MIN_BAND_CONTRAST = 16.0  # of 255
-# Of the grounds beside a band and of three samples in its middle: its step in one cut.
+# Of the grounds next to a band and of three samples in its middle: its step in one cut.
 _BAND_STEP = np.array([-1 / 2, 1 / 3, 1 / 3, 1 / 3, -1 / 2], dtype=np.float32)
 _EDGE_STEP = np.array([-1, 0, 0, 0, 1], dtype=np.float32)
 _MIN_SEEN_CONTRAST = 0.4  # of the contrast: what a cut must have to show the band
@@ -70,7 +70,7 @@ class LineBand:
     """A band through a patch: its direction, and where across the position it is, px.
 
     ``merit``: how sharp and near it is; comparable within one patch. ``along``: where along the
-    direction the middle of the cuts lies that show it, px; at an end that is beside the position.
+    direction the middle of the cuts lies that show it, px; at an end that is next to the position.
     """
 
     angle: float
@@ -235,7 +235,7 @@ def _profiles_with_band(
 
 
 def _is_sharpening_halo(band: ProfileBand, profile: Sequence[float]) -> bool:
-    """Return whether a band is what sharpening makes of the ground beside a stronger one."""
+    """Return whether a band is what sharpening makes of the ground next to a stronger one."""
     half = round(band.width_px / 2 / STEP_PX)
     reach = round(_HALO_WIDTH_PX / STEP_PX)
     first, last = (round(band.centre) + side * half for side in (-1, 1))

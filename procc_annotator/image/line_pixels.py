@@ -2,7 +2,7 @@
 
 A line is a band lighter or darker than both its sides: there the picture curves much across and
 little along. What is narrow in a crowd, on boards and in letters is so too: the colour of the
-ground tells where to look, and a ridge counts only where others of its direction continue it.
+ground says where to look, and a ridge counts only where others of its direction continue it.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ Values = NDArray[np.float32]
 _WORKING_WIDTH_PX = 1280  # paint is seen as well in a picture made smaller, in less time
 _RIDGE_SIGMAS_PX = (1.2, 2.0)
 _MIN_RIDGE_RESPONSE = 2.5
-# A ridge is lighter than both sides, so many px away; beside a step only one of them is darker.
+# A ridge is lighter than both sides, so many px away; next to a step only one of them is darker.
 _FLANK_DISTANCES_PX, _MIN_CONTRAST, _CONTRAST_SHARE = (4, 7), 2.0, 0.3
 # A ridge goes on so far to one side at least, in small steps, perhaps bending a little.
 _CONTINUATION_PX, _CONTINUATION_STEP_PX, _CONTINUATION_CURVATURES, _MIN_SHARE = (
@@ -77,7 +77,7 @@ def detect_line_pixels(
 
     Args:
         picture: (H, W, 3 or 4) BGR or BGRA.
-        light, dark: whether paint is lighter, or darker, than what lies beside it.
+        light, dark: whether paint is lighter, or darker, than what is next to it.
         floor: whether the ground is the floor of a hall, of several colours and with a grain;
             otherwise it is of one.
         wide: whether some lines may be many px wide.
@@ -169,7 +169,7 @@ def _count_per_cell(places: FloatArray, cells: tuple[int, ...], shape: tuple[int
 
 
 def _search_window(where: BoolArray) -> tuple[tuple[slice, slice], FloatArray]:
-    """The part of a picture that is looked at, with what the filters need beside it; and (2, 1) px
+    """The part of a picture that is examined, with what the filters need next to it; and (2, 1) px
     from the picture's corner to that of the part."""
     rows, columns = (np.flatnonzero(where.any(axis=axis)) for axis in (1, 0))
     if not len(rows):
@@ -199,7 +199,7 @@ def _ridges(grey: Values, where: BoolArray, grained: bool) -> tuple[FloatArray, 
     here = strength[rows, columns]
     after = strength[rows + step[1], columns + step[0]]
     before = strength[rows - step[1], columns - step[0]]
-    # Thinned: a middle is stronger than what lies to either side; to parts of a px by a parabola.
+    # Thinned: a middle is stronger than what is to either side; to parts of a px by a parabola.
     middle = (here >= after) & (here > before)
     off = np.clip(0.5 * (after - before) / (2 * here - after - before + 1e-6), -0.6, 0.6)
     places = np.stack([columns, rows]) + off * step
@@ -214,7 +214,7 @@ def _ridge_curvature(
     grey: Values,
 ) -> tuple[Values, Callable[[IntArray, IntArray], tuple[Values, Values]]]:
     """Return how much a picture curves across less how much along, at the scale where that is most;
-    and what tells, at rows and columns, the two numbers for the direction, xx - yy and twice xy."""
+    and what says, at rows and columns, the two numbers for the direction, xx - yy and twice xy."""
     scales = []
     for sigma in _RIDGE_SIGMAS_PX:
         smooth = cv2.GaussianBlur(grey, (0, 0), sigma)

@@ -45,7 +45,7 @@ class LineTarget:
         width_px: (least, most) of the band, across it.
         bends: whether its direction changes along it.
         is_expected: whether a camera shows it there.
-        is_wide: whether something narrower beside it could be a part of it.
+        is_wide: whether something narrower next to it could be a part of it.
     """
 
     looks: Appearance = ANY_LINE
@@ -63,7 +63,7 @@ class LineTarget:
         Args:
             looks: the element's.
             picture_px: the picture's width.
-            px_per_metre: across the element; None where nobody knows it.
+            px_per_metre: across the element; None if unknown.
         """
         if not looks.width_m:
             return cls(looks)
@@ -104,7 +104,7 @@ class ImagePatch:
     def around(
         cls, picture: PixelArray, point: tuple[float, float], reach_px: float, shrink: int = 1
     ) -> ImagePatch:
-        """Return what lies within a distance, at the picture's border less; so many times
+        """Return what is within a distance, at the picture's border less; so many times
         smaller."""
         x, y = point
         reach = math.ceil(reach_px) + 2
@@ -139,7 +139,7 @@ class ImagePatch:
             samples: of each cut to either side, `STEP_PX` apart.
 
         Returns:
-            (cuts, A, 2 samples + 1, 4) BGRA; what lies beyond the part mirrors it.
+            (cuts, A, 2 samples + 1, 4) BGRA; what is beyond the part mirrors it.
         """
         count, width = round(2 * along_px / every_px) + 1, 2 * samples + 1
         found = np.empty((count, len(angles), width, 4), dtype=np.uint8)
@@ -181,7 +181,7 @@ class ProfileBand:
     Attributes:
         centre: its middle.
         width_px: at half its height.
-        left, right: where the ground beside it was taken.
+        left, right: where the ground next to it was taken.
         contrast: how much it stands out from the more similar of both grounds.
         balance: the share of that in how much it stands out from the other one.
         level: the share of its contrast that it has at its middle: less where one of two bands side
@@ -302,7 +302,7 @@ _COLOUR_DIRECTIONS = {
 _CHANNELS = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
 _LIGHTNESS_SIGN = {LIGHTER: 1.0, DARKER: -1.0, WHITE: 1.0, BLACK: -1.0}
 # Of the step's length. Video halves the resolution of colour: a thin line differs from its flanks
-# in brightness alone, and only what has another colour than the paint can be told.
+# in brightness alone, and only what has another colour than the paint can be reported.
 _MIN_GROWTH = -0.2
 _MAX_LOSS = 0.15  # of white paint in any channel
 

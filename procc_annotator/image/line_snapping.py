@@ -2,7 +2,7 @@
 
 Profiles across the line are averaged along it; the centre is where the smoothed profile curves
 most (Steger 1998, "An unbiased detector of curvilinear structures", without its width model), in
-the colour that tells the band from its flanks. A band convinces when nearly every cut across shows
+the colour that gives the band from its flanks. A band convinces when nearly every cut across shows
 it, when it is as wide and as coloured as what is sought, and when it goes on along the line. Of two
 that convince as much neither does.
 """
@@ -70,7 +70,7 @@ def snap_to_line(
     direction: tuple[float, float] | None = None,
     reach_px: float = SNAP_RADIUS_PX,
 ) -> tuple[float, float] | None:
-    """Move a position to the middle of the paint beside it, across the line only.
+    """Move a position to the middle of the paint next to it, across the line only.
 
     Args:
         picture: (H, W, 4) BGRA.
@@ -113,7 +113,7 @@ def _snap_to_wide_band(
     reach_px: float,
     shrink: int,
 ) -> tuple[float, float] | None:
-    """A band too wide to be looked at as it is, found in a smaller picture."""
+    """A band too wide to be examined as it is, found in a smaller picture."""
     if direction is None:
         return None
     least, most = (width / shrink for width in sought.width_px)
@@ -134,7 +134,7 @@ def _snap_with_direction(
     direction: tuple[float, float],
     reach_px: float,
 ) -> tuple[float, float] | None:
-    """The place beside a point on the band that runs in a direction."""
+    """The place next to a point on the band that runs in a direction."""
     angle = math.atan2(direction[1], direction[0])
     spread = _ANGLE_OFFSETS
     if sought.looks.kind == BAR:
@@ -148,7 +148,7 @@ def _snap_with_direction(
         for course in trace_line(patch, found.angle, found.offset, found.width, sought):
             turn = abs(found.angle + course.turn - angle)
             if course.length_px >= _min_length_px(found, course, sought) and turn <= most_turn:
-                # It is wanted beside the position, not where it can be seen.
+                # It is wanted next to the position, not where it can be seen.
                 across = found.along * math.tan(course.turn)
                 return replace(found, offset=found.offset - across)
         return None
@@ -168,7 +168,7 @@ def _min_length_px(found: LineBand, course: LineExtent, sought: LineTarget) -> f
     """Return how far a band must go on to be the sought paint, px.
 
     One that may be lighter or darker than its ground, and is seen on one side only, could be a
-    letter's stroke; and so could anything that is farther away than a hand errs.
+    letter's stroke; and so could anything that is farther away than the user errs.
     """
     farther = 0.0
     if not sought.is_wide:
@@ -228,7 +228,7 @@ def _snap_any_direction(
     angles = np.arange(_DIRECTIONS, dtype=np.float64) * turn
 
     def place(found: LineBand) -> LineBand | None:
-        # Seen from its own centre, a line tells its direction best.
+        # Seen from its own centre, a line gives its direction best.
         across = -math.sin(found.angle), math.cos(found.angle)
         x, y = (c + found.offset * a for c, a in zip(point, across, strict=True))
         centred = _patch_around(picture, (x, y), reach_px)

@@ -216,7 +216,7 @@ def _static_mask(picture: PixelArray) -> PixelArray:
 def _strongest_per_cell(
     points: FloatArray, strength: FloatArray, shape: tuple[int, ...]
 ) -> NDArray[np.int64]:
-    """Indices of the strongest points of every cell: a crowd must not be all that is looked at."""
+    """Indices of the strongest points of every cell: a crowd must not be all that is examined."""
     order = np.argsort(-strength, kind="stable")
     cell = _cell_indices(points[order], shape)
     by_cell = np.argsort(cell, kind="stable")

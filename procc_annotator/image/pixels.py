@@ -135,7 +135,7 @@ class DownscaledImages:
         return small
 
     def _spare(self, size: Size) -> PixelArray | None:
-        """The memory of the picture that goes, if nobody looks at it: the system takes its time
+        """The memory of the picture that goes, if no one looks at it: the system takes its time
         over new memory."""
         with self._lock:
             if len(self._kept) < _CACHED_IMAGES:
@@ -258,7 +258,7 @@ def _local_mean_and_gain(
     small = cv2.resize(light, size, interpolation=cv2.INTER_AREA).astype(np.float32)
     side = max(3, round(size[0] * _NEIGHBOURHOOD)) | 1
     mean = cv2.blur(small, (side, side))
-    # Limited, or a board beside a faint line would pass for a neighbourhood full of differences.
+    # Limited, or a board next to a faint line would pass for a neighbourhood full of differences.
     differences = cv2.blur(np.minimum(np.abs(small - mean), _TARGET_CONTRAST), (side, side))
     gain = np.clip(_TARGET_CONTRAST / (differences + 1.0), 1.0, _MAX_GAIN) - 1.0
     return (

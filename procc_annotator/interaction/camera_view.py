@@ -56,7 +56,7 @@ class MapStyle:
         levels_m: ascending; a band lies between each two.
         colours: a tone a band.
         opacity: of the bands, 0 to 1.
-        lines: the levels that are drawn as lines, told apart by their dashes.
+        lines: the levels that are drawn as lines, distinguished by their dashes.
     """
 
     name: str
@@ -98,7 +98,7 @@ class VisibleField:
     Attributes:
         turns: quarter turns, clockwise as seen from above with the main camera at the bottom, that
             bring the side the camera stands on to the bottom: 0 for the main camera's side, 1 to 3.
-        names: the elements that are in the picture, be it in part.
+        names: the elements that are in the picture, whether in part.
         ground: the ground that is in the picture, metres, as far as the field reaches.
         half: -1 or 1 where nothing is in sight of the half with larger or smaller x; else 0.
     """
@@ -200,7 +200,8 @@ class WireframePoint:
         name: the class it is on.
         world: metres.
         px: where the camera shows it.
-        along: the direction of its line, metres; None for a place that can be told from all others
+        along: the direction of its line, metres; None for a place that can be distinguished from
+            all others
             on its line: an end, a corner, a crossing, a spot.
     """
 

@@ -12,7 +12,7 @@ from procc_annotator.camera.base import FloatArray
 from procc_annotator.field.model import Element, Field
 from procc_annotator.field.sampling import distances_from, touching_elements
 
-# SoccerNet's class of a line that nobody could name.
+# SoccerNet's class of a line that no one could name.
 UNNAMED = "Line unknown"  # not shown
 _REVERSED = 3.0  # how much farther a line counts that runs across what was drawn
 
@@ -97,7 +97,7 @@ def next_element(
 ) -> str | None:
     """The class to offer after one was finished; None when every element in sight is annotated.
 
-    Where a camera tells what annotating each element would bring, the group of the finished one
+    Where a camera gives what annotating each element would bring, the group of the finished one
     (the lines of a penalty area) is gone through in the field's order, from it on and round, unless
     an element elsewhere brings at least twice as much. Without a camera, if the frame annotated
     before this one had the finished element too (the camera moved little), its other elements come
@@ -111,7 +111,7 @@ def next_element(
             hand).
         finished: the class just drawn; None at the beginning of a frame.
         seen_before: classes of the frame annotated last.
-        gains: what the classes in sight would tell a fitted camera, px; none where none of them
+        gains: what the classes in sight would give a fitted camera, px; none where none of them
             is worth a word.
         out_of_sight: classes known not to be in the picture; they are not offered.
     """

@@ -26,7 +26,7 @@ from procc_annotator.translation import tr, tr_count
 
 @dataclass
 class DrawTool:
-    """Clicks along an element; one that has points already is continued at its last one if a hand
+    """Clicks along an element; one that has points already is continued at its last one if the user
     chose it for that.
 
     Continuing an unconfirmed element confirms it.
@@ -211,7 +211,7 @@ class DrawTool:
             self.points[0] = placed
 
     def _direction(self, name: str, position: Position, context: ToolContext) -> Position | None:
-        """Where a straight element runs, as far as its clicks tell."""
+        """Where a straight element runs, as far as its clicks say."""
         if name in context.curved or self.unnamed:
             return None
         drawn = context.polyline(name)
@@ -230,7 +230,8 @@ _STRAIGHT, _CURVE = 2, 5
 def draft_with_cursor(
     draw: DrawTool, context: ToolContext, cursor: Position | None, held: Modifiers
 ) -> Draft | None:
-    """The polyline under way, with its line to the cursor and what is told there; before the first
+    """The polyline under way, with its line to the cursor and what is reported there; before the
+    first
     click what that begins; None where it would begin nothing.
 
     Args:

@@ -74,7 +74,7 @@ class EditTool:
         return "frame" if self.band is not None else self._held
 
     def hover(self, position: Position, context: ToolContext) -> Hit | None:
-        """What the next press would take; unconfirmed elements lie below the others, but for a
+        """What the next press would take; unconfirmed elements are below the others, but for a
         selected one."""
         waiting = FrameAnnotation(polylines=context.annotation.unconfirmed)
         layers = [context.annotation, waiting]
@@ -333,7 +333,7 @@ class EditTool:
     def _direction(
         self, annotation: FrameAnnotation, at: Position, context: ToolContext
     ) -> Position | None:
-        """Where the element runs at the held point, as its other points tell."""
+        """Where the element runs at the held point, as its other points say."""
         assert self.grabbed is not None
         name, index = self.grabbed
         polyline = annotation.get(name)

@@ -161,7 +161,7 @@ class ToolContext:
         return len(polyline.points) if polyline is not None else 0
 
     def is_unconfirmed(self, class_name: str) -> bool:
-        """Whether nobody has decided yet where this element is."""
+        """Whether no one has decided yet where this element is."""
         return self.annotation.get_unconfirmed(class_name) is not None
 
     def _exists(self, ref: PointRef | None) -> bool:
@@ -255,7 +255,7 @@ def next_unconfirmed(context: ToolContext) -> str | None:
 
 
 def line_direction(begin: Position, end: Position) -> Position | None:
-    """Unit direction from one position to another; None when they are too near to tell."""
+    """Unit direction from one position to another; None when they are too near to say."""
     length = math.dist(begin, end)
     if length < _LONG_ENOUGH_PX:
         return None

@@ -22,7 +22,7 @@ class GhostHint:
 
     Attributes:
         count: how many are shown.
-        current: the class of the one that is looked at.
+        current: the class of the one that is examined.
         points: how many points accepting it adds; None while they are looked for.
         resumes: whether the next one is not the first: it comes behind where a walk was left.
         coming: whether a walk waits for the ghosts of a new fit.
@@ -46,7 +46,7 @@ class _HintText:
 
     Attributes:
         tool: what is in hand, and what it is at.
-        click: what a click does; "" where the other answers tell.
+        click: what a click does; "" where the other answers say.
         answers: what Enter and Esc do.
         more: what else there is to know.
     """
@@ -92,7 +92,7 @@ def status_hint(
         blind: the projection is hidden until the frame is committed.
         upcoming: the class that is chosen by itself once this one is finished.
         suggested: the class to draw next.
-        ghosts: how many there are, and which one is looked at.
+        ghosts: how many there are, and which one is examined.
     """
     if context is None:
         offer = tr("Drop a folder of pictures here, or open one with Ctrl+O")
@@ -134,7 +134,7 @@ def _blocked_words(ghosts: GhostHint, field: Field) -> list[str]:
 
 
 def _with_ghosts(words: _HintText, ghosts: GhostHint, *, all_too: bool) -> _HintText:
-    """What is to be said of ghosts while none is looked at."""
+    """What is to be said of ghosts while none is examined."""
     if ghosts.coming:
         waits = tr("GHOST the next one comes in a moment")
         return _HintText(waits, words.click, (tr("Enter does nothing yet"), tr("Esc goes back")))

@@ -171,7 +171,7 @@ class OnPicture:
         ghosts: whether ghosts are; "unsure" if their camera may be wrong.
         unconfirmed: whether copied elements wait.
         second: whether those of a second annotator are shown.
-        others: names and colours of camera sources drawn beside the judged one.
+        others: names and colours of camera sources drawn next to the judged one.
     """
 
     annotated: bool = False

@@ -80,7 +80,7 @@ class LastCallCache(Generic[P, T]):
 
 
 def judged_marks(drawn: Drawn, verdict: ScoredFrame) -> Iterable[PointMarks]:
-    """Points by verdict: their shapes tell them apart without colour."""
+    """Points by verdict: their shapes give them apart without colour."""
     size = tones.HANDLE_SIZE
     missed = [drawn.points(n) for n in drawn.names() if verdict.status.get(n) == "missed"]
     yield PointMarks(verdict.passing, "dot", tones.PASSES, size)
@@ -184,7 +184,7 @@ class OverlayContent:
         highlight: class under the cursor here or in the field map.
         selection: selected class, or class and point.
         draft: polyline being drawn.
-        pointer: cursor in picture px; it carries the highlighted class's title.
+        pointer: cursor in picture px; it has the highlighted class's title.
         with_projection: False hides everything that depends on the camera (blind mode).
         colour_by: ``criterion`` (needs a score), ``class``, ``origin`` or ``annotator`` (points
             by how they came to be, or through whom; lines by class).
@@ -221,7 +221,7 @@ class OverlayContent:
 
     @property
     def selected_class(self) -> str | None:
-        """The selected class, be it chosen itself or by one of its points."""
+        """The selected class, whether chosen itself or by one of its points."""
         return self.selection[0] if isinstance(self.selection, tuple) else self.selection
 
 

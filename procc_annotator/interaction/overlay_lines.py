@@ -54,7 +54,7 @@ class ShownEllipse:
 def halos(
     drawn: Drawn, verdict: ScoredFrame, highlight: str | None, selected: str | None
 ) -> Iterable[Strokes]:
-    """What lies under the lines of the hovered and the selected element.
+    """What is under the lines of the hovered and the selected element.
 
     White alone would vanish on the painted lines of the field, hence the dark rims. The selected
     element's projection is emphasised only if there is no annotation to emphasise.
@@ -106,7 +106,7 @@ def projection_strokes(projection: ScoredProjection) -> Iterable[Strokes]:
         yield Strokes(
             projection.by_status.get(status, NO_SEGMENTS),
             tones.STATUS_COLOURS[status],
-            # Nothing annotated lies beside these, and dashes weigh less than lines.
+            # Nothing annotated lies next to these, and dashes weigh less than lines.
             tones.PROJECTION_WIDTH * (1.5 if status == "not_annotated" else 1.0),
             tones.STATUS_DASHES[status],
             "projection",

@@ -45,14 +45,14 @@ def finding_signs(
     """A sign at every element that has a finding, below the point it stands at.
 
     An element bears the sign of its surest finding. Errors and warnings are named; hints only where
-    somebody looks. A ring surrounds a point that is wrong by itself.
+    a person looks. A ring surrounds a point that is wrong by itself.
 
     Args:
         found: of this annotation, the surest first.
         annotation: of the frame, gestures under way included.
         picture_size: (width, height) px.
         field: the elements' titles.
-        looked_at: elements somebody looks at: selected, hovered.
+        looked_at: elements a person looks at: selected, hovered.
 
     Returns:
         The same groups whatever was found: the ring, and the signs by severity.
@@ -129,7 +129,7 @@ def build_ghosts(
     Args:
         ghosts: all that are shown, the current one among them.
         current: drawn stronger, with a dark rim and its points.
-        label: said beside the current one.
+        label: said next to the current one.
         points_px: (N, 2) picture px, where accepting the current one would put points.
         tone: says how sure their camera is.
     """
@@ -155,7 +155,7 @@ def with_next(
     Args:
         overlay: of the ghosts.
         at: picture px.
-        label: said beside it.
+        label: said next to it.
         size: (width, height) px of the picture.
     """
     centre = np.clip(np.array([at]), 0.0, np.array(size) - 1.0)

@@ -38,7 +38,7 @@ class ScoredProjection:
     Attributes:
         by_element: element -> its visible segments, (N, 4) picture px.
         by_status: verdict -> the segments of all its elements; `UNSCORED` -> those of optional
-            elements that nobody annotated.
+            elements that no one annotated.
     """
 
     by_element: dict[str, FloatArray]
@@ -58,7 +58,7 @@ class ScoredFrame:
         shown_as: class as an annotator labels it -> the projected element it is judged against.
         projection: the elements where the camera shows them.
         points: (n, 2) picture px.
-        feet: (n, 2) nearest projected position, picture px; NaN where there is none.
+        feet: (n, 2) nearest projected position, picture px; NaN if absent.
         distances: (n,) px of the evaluation size.
         passes: (n,) whether each is below the threshold.
         owners: (n,) annotated class of each point.
@@ -308,11 +308,11 @@ NO_DRAFT_STATE = DraftState()
 
 @dataclass(frozen=True, eq=False)
 class Labels:
-    """Texts beside points: (N, 2) picture px.
+    """Texts next to points: (N, 2) picture px.
 
     ``sign`` is a finding's severity, whose sign goes before each text (or stands alone before "");
     ``below``: on the other side of their points than texts usually are. ``hand``: what stands
-    beside the text at the cursor. ``carried``: at the cursor; others need not give way.
+    next to the text at the cursor. ``carried``: at the cursor; others need not give way.
     """
 
     positions: FloatArray

@@ -26,7 +26,7 @@ def curve_overlap(
     """Share of the shorter course's length that runs along the longer one.
 
     A part runs along as far as its feet on the other advance: a line across another one, or away
-    from its end, hardly does, however near it is. Only what lies between clicks counts, not the
+    from its end, hardly does, however near it is. Only what is between clicks counts, not the
     reach beyond them.
 
     Args:
@@ -179,7 +179,7 @@ class FrameAgreement:
 
 @dataclass(frozen=True, eq=False)
 class AnnotatedCurve:
-    """One element as somebody clicked it: (n, 2) px, and the course through them."""
+    """One element as a person clicked it: (n, 2) px, and the course through them."""
 
     points: FloatArray
     trace: ClickedCurve
@@ -248,13 +248,13 @@ def _compare_frames(
 
 def _compare_class(name: str, a: AnnotatedCurve, b: AnnotatedCurve) -> ClassAgreement:
     of_a, of_b = b.trace.distances(a.points), a.trace.distances(b.points)
-    # Whoever tells less of the course is measured by the other, not the reverse.
+    # Anyone who says less of the course is measured by the other, not the reverse.
     told = [
         *((of_a,) if b.trace.rank >= a.trace.rank else ()),
         *((of_b,) if a.trace.rank >= b.trace.rank else ()),
     ]
     measured = np.concatenate(told)
-    # Where all clicks of one are beside the other, their distances say what there is to say.
+    # Where all clicks of one are next to the other, their distances say what there is to say.
     both_go_beyond = bool(np.isnan(of_a).any() and np.isnan(of_b).any())
     if both_go_beyond and curve_overlap(a.trace, a.points, b.trace, b.points) < MIN_OVERLAP:
         return ClassAgreement(name, np.empty(0), len(measured))

@@ -7,7 +7,7 @@ around no one ellipse, and curves of fewer than five clicks, get a smooth spline
 A chain runs in clicked order, too: from click to click if all its parts are straight, else as a
 spline. A spot is where it was clicked.
 
-Nobody clicks the same extent twice. A course therefore reaches a little beyond its first and last
+No one clicks the same extent twice. A course therefore reaches a little beyond its first and last
 click (`REACH` of its length, at least `MIN_EXTENSION_PX`); a point past that has no distance.
 """
 
@@ -28,7 +28,7 @@ EXTENSION_SHARE = 0.05
 MIN_EXTENSION_PX = 3.0
 
 # The direction in which a line goes on is taken over a part of it: over the last clicks alone it
-# would be as uncertain as they are close, over the whole of it a bent line would go on beside.
+# would be as uncertain as they are close, over the whole of it a bent line would go on next to.
 _DIRECTION_SHARE = 0.25
 _DIRECTION_PX = 20.0
 
@@ -77,7 +77,7 @@ class ClickedCurve:
 
     @property
     def rank(self) -> int:
-        """Return how much it tells: a place (0), a coarse course (1), a course (2)."""
+        """Return how much it says: a place (0), a coarse course (1), a course (2)."""
         if self.is_point:
             return 0
         return 1 if self.coarse else 2
@@ -135,7 +135,7 @@ def clicked_curve(points_px: FloatArray, element: Element) -> ClickedCurve:
     if isinstance(shape, Chain):
         bent = not all(isinstance(part, Line) for part in shape.parts)
         course = _catmull_rom(points_px) if bent else _polyline_curve(points_px)
-        # Whoever leaves corners out goes far beside them.
+        # Anyone who leaves corners out goes far next to them.
         return replace(course, coarse=len(points_px) <= max(len(shape.parts), _CHAIN_CLICKS))
     if len(points_px) < _ELLIPSE_POINTS:
         return replace(_catmull_rom(points_px), coarse=True)

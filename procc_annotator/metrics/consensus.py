@@ -59,7 +59,7 @@ def build_consensus(
     annotations: Sequence[FrameAnnotation], field: Field, size: tuple[int, int]
 ) -> tuple[Consensus, list[Consensus]]:
     """The consensus of annotations of one frame; and, for each, that of all the others, so that
-    nobody is compared with himself.
+    no one is compared with himself.
 
     Args:
         annotations: at least two; one without any element counts as a voice against all.
@@ -86,7 +86,7 @@ def compare_to_consensus(
 
 
 class _OverlapCache:
-    """Shared length of two courses, each two looked at once."""
+    """Shared length of two courses, each two examined once."""
 
     def __init__(self) -> None:
         self._known: dict[frozenset[AnnotatedCurve], float] = {}
@@ -144,7 +144,7 @@ def _resample_like_clicks(
     course: ClickedCurve, told: Sequence[AnnotatedCurve], count: int
 ) -> FloatArray:
     """(n, 2) px: at most so many places on a course, as clicks are spread along it. Between clicks
-    that are far apart, as where a circle leaves the picture, nobody knows where it runs."""
+    that are far apart, as where a circle leaves the picture, no one knows where it runs."""
     lengths = arc_lengths(course.vertices)
     at = np.concatenate([closest_arc_lengths(course, vote.points) for vote in told])
     at = at[(at > 0) & (at < lengths[-1])]
@@ -221,7 +221,7 @@ def _signed_offsets(vote: AnnotatedCurve, places: FloatArray, across: FloatArray
     lengths = arc_lengths(vote.trace.vertices)
     at = closest_arc_lengths(vote.trace, places)
     off = points_at_arc_lengths(vote.trace.vertices, at, lengths) - places
-    # As far as it reaches beyond its clicks: nobody clicks the same extent as another.
+    # As far as it reaches beyond its clicks: no one clicks the same extent as another.
     runs = (at > 0) & (at < lengths[-1]) if not vote.trace.closed else np.ones(len(at), dtype=bool)
     return np.where(runs, (off * across).sum(axis=1), np.nan)
 

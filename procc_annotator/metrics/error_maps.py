@@ -78,7 +78,7 @@ def bilinear_value(
     """A value between four samples, in proportion to its distances from them.
 
     Args:
-        values: (h, w); NaN where there is none.
+        values: (h, w); NaN if absent.
         xs, ys: (w,), (h,) places of the samples, ascending, at least two each.
         x, y: the place asked for.
 

@@ -33,7 +33,7 @@ class ScoreExplanation:
         status: the verdict.
         deciding_point: index (from 0) in the polyline of the farthest point, or of the first one
             without a distance; None where no point was measured.
-        deciding_px: its distance; None where there is none.
+        deciding_px: its distance; None if absent.
         passes_above: the element is correct at every threshold above this one, px; None if it is
             at none.
         sentence: for people; points are counted from 1.

@@ -167,7 +167,7 @@ def folds_into_image(
 
     Args:
         camera: in px of ``size``; only pinholes fold.
-        tables: the field, whose official samples are looked at.
+        tables: the field, whose official samples are examined.
         size: (width, height) px.
     """
     if not isinstance(camera, PinholeCamera) or camera.fold_radius == np.inf:

@@ -49,7 +49,7 @@ class FrameScore:
 
     Attributes:
         labelling: the one that counts; mirrored: whether it is a mirrored one.
-        read: the one whose errors are told: the labels as annotated unless mirrored ones score
+        read: the one whose errors are reported: the labels as annotated unless mirrored ones score
             higher. On a tie the official evaluation counts the mirrored labels, whose distances
             belong to the other half of the field and say nothing.
     """
@@ -94,7 +94,7 @@ class FrameScore:
 
     @property
     def mean_reprojection_error(self) -> float | None:
-        """The mean error under the labelling that counts, as the official evaluation tells it."""
+        """The mean error under the labelling that counts, as the official evaluation gives it."""
         return self.labelling.mean_error
 
     @cached_property

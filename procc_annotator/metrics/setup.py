@@ -87,9 +87,9 @@ class EvaluationSetup:
         return replace(self, field=field, _of_field=self._of_field.of(field))
 
     def describe(self, ground_only: bool = False, sizes: str = "") -> str:
-        """The setup in words, to stand beside every number, e.g. ``soccernet, 960x540``.
+        """The setup in words, to stand next to every number, e.g. ``soccernet, 960x540``.
 
-        A field other than the default one is told, as are dimensions that are not the nominal
+        A field other than the default one is reported, as are dimensions that are not the nominal
         ones: the official evaluation knows neither.
 
         Args:

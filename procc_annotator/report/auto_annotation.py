@@ -53,15 +53,15 @@ def annotate_pictures(
     """Write what a run finds as it comes: each file at once and whole, never over another one.
 
     Before a file is there its points are in the workspaces as proposed: a file without that would
-    pass for somebody's own. What a person clicked or accepted stays theirs in a workspace that is
+    pass for a person's own. What a person clicked or accepted stays theirs in a workspace that is
     not that of the files, be a proposed point at the very same place.
 
     Args:
         run: over these frames.
         frames: with the files their annotations belong in.
-        datasets: folders whose workspaces are told, and whether the files are theirs.
+        datasets: folders whose workspaces are reported, and whether the files are theirs.
         progress: shows the progress of what it passes on.
-        done: filled on the way, so that it is right also when somebody stops the work.
+        done: filled on the way, so that it is right also when a person stops the work.
 
     Raises:
         SaveError: a file could not be written.

@@ -86,7 +86,7 @@ class CalibrationReport:
     """Summary of a calibrated set.
 
     Attributes:
-        described: model, protocol and size, to stand beside every figure.
+        described: model, protocol and size, to stand next to every figure.
         frames, cameras: number of readable annotations, and of cameras written.
         failures: frames without a camera, and why.
         errors: annotations that cannot be read, one line each.
@@ -131,7 +131,7 @@ def calibrate_set(
         out: folder, or archive if the name ends in .zip.
         progress: shows the progress of what it passes on.
         more: further files for OUT, by name.
-        hold_out: whether the table tells of elements left out.
+        hold_out: whether the table reports elements left out.
 
     Raises:
         SaveError: writing failed.
@@ -190,7 +190,7 @@ def _note(result: Calibrated, report: CalibrationReport) -> None:
 
 
 def _stale(out: Path, names: Iterable[str], written: set[str]) -> Iterator[str]:
-    """Cameras that this run did not write: nobody should take them for its own."""
+    """Cameras that this run did not write: no one should take them for its own."""
     folders = {""}
     for name in names:
         folders.add(name.rpartition("/")[0])
@@ -272,7 +272,7 @@ def _element_rows(result: Calibrated) -> Iterator[Row]:
 
 
 def held_out_table(report: CalibrationReport) -> MetricTable:
-    """The share of elements that the camera of the others shows well, beside that of all."""
+    """The share of elements that the camera of the others shows well, next to that of all."""
     count = len(report.held_out)
     rows = []
     for tau in report.summaries:

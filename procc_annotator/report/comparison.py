@@ -1,4 +1,4 @@
-"""The comparison of two camera sources: tables, files, and pictures painted by who is handed in."""
+"""The comparison of two camera sources: tables, files, and pictures painted by who is passed in."""
 
 from __future__ import annotations
 
@@ -85,7 +85,7 @@ class ComparisonReport:
 
     @property
     def marked_names(self) -> tuple[str, str]:
-        """The names as tables tell them, with the mark of one that was fitted to the dataset's
+        """The names as tables give them, with the mark of one that was fitted to the dataset's
         annotations."""
         (a, b), (of_a, of_b) = self.names, self.fitted
         return name_with_mark(a, of_a), name_with_mark(b, of_b)

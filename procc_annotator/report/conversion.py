@@ -72,14 +72,14 @@ def convert_annotations(
         field: knows the official names.
         fmt: format of what is read, or ``auto``.
         names: which classes the labels of the files stand for.
-        size: of pictures that are not there and whose size no file tells.
+        size: of pictures that are not there and whose size no file says.
         progress: called with frames done and frames in all.
 
     Returns:
         Figures; ``frames`` is 0 if nothing was left to write, and then nothing was written.
 
     Raises:
-        UsageError: nothing to read, formats that cannot be told, an output that is an input.
+        UsageError: nothing to read, formats that cannot be reported, an output that is an input.
         InputError: what is read cannot be opened or listed.
         SaveError: writing failed.
     """
@@ -158,7 +158,7 @@ def read_annotations(
     names: LabelMap | None = None,
     progress: Progress | None = None,
 ) -> ReadSet:
-    """Annotations of any format, to be taken into a dataset whose pictures tell their sizes.
+    """Annotations of any format, to be taken into a dataset whose pictures give their sizes.
 
     Raises:
         UsageError, InputError: as for `convert_annotations`.
@@ -212,7 +212,7 @@ def _size_in(workspace: Workspace, name: str) -> Size | None:
 
 
 def _picture_among(sizes: PictureSizes, frame: ExchangedFrame) -> Path | None:
-    """The picture that a file tells, or else the one that is called like its frame."""
+    """The picture that a file says, or else the one that is called like its frame."""
     folder, slash, _ = frame.name.rpartition("/")
     told = folder + slash + Path(frame.picture or "").stem
     return sizes.path(told) or sizes.path(frame.name)

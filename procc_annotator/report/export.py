@@ -185,7 +185,7 @@ def export_split(
 
 
 def split_scores(out: Path) -> tuple[Path, ...]:
-    """Return where the scores of a split go: beside its archive, or beside its folder."""
+    """Return where the scores of a split go: next to its archive, or next to its folder."""
     if is_archive(out):
         return tuple(out.with_name(f"{out.stem}_{name}") for name in JAC_FILES)
     return tuple(out / name for name in JAC_FILES)
@@ -363,7 +363,7 @@ def _keep_off_the_dataset(frames: AnnotatedFrames, out: Path, split: str) -> Non
 
 
 def _require_flat(names: Sequence[str]) -> None:
-    """The official evaluation has one folder a split, and no name for what lies deeper."""
+    """The official evaluation has one folder a split, and no name for what is deeper."""
     for name in names:
         if "/" in name:
             raise UsageError(
@@ -373,7 +373,7 @@ def _require_flat(names: Sequence[str]) -> None:
 
 
 def _require_own(folder: Path, names: Sequence[str]) -> None:
-    """What lies in a split's folder already would be frames of the set to the evaluation."""
+    """What is in a split's folder already would be frames of the set to the evaluation."""
     try:
         others = {name for name in os.listdir(folder) if ".json" in name}
     except OSError:  # usually: no such folder yet

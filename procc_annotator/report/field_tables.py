@@ -203,7 +203,7 @@ class FlatField:
     Attributes:
         lines: (E,) arrays (n, 2) of metres, x along the field, y across towards the main camera,
             in the field's order; a single row for a spot.
-        ground: (left, far, right, near) metres of what lies on the ground.
+        ground: (left, far, right, near) metres of what is on the ground.
     """
 
     lines: Sequence[FloatArray]
@@ -232,7 +232,7 @@ def field_picture(field: Field, flat: FlatField, suffix: str) -> bytes:
 
     import matplotlib
 
-    # The settings of whoever runs this must not change the picture.
+    # The settings of anyone who runs this must not change the picture.
     settings: Any = {
         key: value
         for key, value in matplotlib.rcParamsDefault.items()

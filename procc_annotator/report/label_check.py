@@ -32,7 +32,7 @@ Progress = Callable[[Iterable[Checked], int, str], Iterable[Checked]]
 
 
 class ReportedFinding(NamedTuple):
-    """A finding as it is told.
+    """A finding as it is reported.
 
     Attributes:
         frame: where.
@@ -48,7 +48,7 @@ class ReportedFinding(NamedTuple):
 
 
 class FrameWithoutCamera(NamedTuple):
-    """A frame without a camera: only the rules that need none were looked at.
+    """A frame without a camera: only the rules that need none were examined.
 
     Attributes:
         frame: its name.
@@ -71,12 +71,12 @@ class CheckReport:
         described: model, field and size.
         frames: number of annotations that could be read.
         found: in the order of the frames; those that were asked for.
-        severities: of all findings, also of those nobody asked for.
+        severities: of all findings, also of those no one asked for.
         unreadable: (frame, why its annotation cannot be read).
         without_camera: the frames that no camera could be fitted to.
         remarks: on the sizes of the pictures, one line each.
         wrong_field: whether the set must be another field's: what is said of it as a whole is not
-            told again class by class.
+            reported again class by class.
     """
 
     described: str = ""
@@ -90,7 +90,7 @@ class CheckReport:
 
     @property
     def worth_listing(self) -> list[ReportedFinding]:
-        """Return what tells somebody something about a single label."""
+        """Return what gives a person something about a single label."""
         if not self.wrong_field:
             return self.found
         return [told for told in self.found if told.finding.rule is not Rule.UNKNOWN_CLASS]
@@ -204,7 +204,7 @@ def findings_json(report: CheckReport, run: CheckRun) -> bytes:
 
 
 def _only(sizes: Iterable[tuple[int, int]]) -> list[int] | None:
-    """The size of all frames; None where they have several, as every finding tells."""
+    """The size of all frames; None where they have several, as every finding says."""
     found = set(sizes)
     return list(found.pop()) if len(found) == 1 else None
 

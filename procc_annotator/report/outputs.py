@@ -20,7 +20,7 @@ _ZIP_DATE = (1980, 1, 1, 0, 0, 0)  # the same dataset gives the same archive
 
 
 class Interrupted(KeyboardInterrupt):
-    """Somebody stopped the work: so many cameras of so many frames are written."""
+    """A person stopped the work: so many cameras of so many frames are written."""
 
     def __init__(self, written: int, total: int) -> None:
         super().__init__()

@@ -129,7 +129,7 @@ class TemporalMetrics:
 
     @property
     def marked_name(self) -> str:
-        """Its name as tables and charts tell it beside others."""
+        """Its name as tables and charts give it next to others."""
         return name_with_mark(self.source, sum((shot.fits for shot in self.shots), NOT_FITTED))
 
     @property

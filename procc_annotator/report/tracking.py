@@ -173,7 +173,7 @@ def write_tracks(run: TrackRun, out: Path, table: TrackTable, progress: Progress
 
 
 class _Writing:
-    """Writes cameras behind whoever follows them; one of a frame after the other."""
+    """Writes cameras behind anyone who follows them; one of a frame after the other."""
 
     def __init__(self, out: Path) -> None:
         self._out = out
@@ -282,7 +282,7 @@ def shots_table(table: TrackTable) -> MetricTable:
 
 @dataclass(frozen=True)
 class Gap:
-    """Frames one after the other that have no camera, or one carried over from others.
+    """Frames one after the other that have no camera, or one propagated from others.
 
     Attributes:
         first, last: names.
@@ -376,7 +376,7 @@ def _place_of(out: Path, lines: Sequence[Line]) -> KnownPosition | None:
 
 
 def _position(path: Path) -> tuple[float, float, float] | None:
-    """Return where the camera of a file stands, metres; None if somebody else has been there."""
+    """Return where the camera of a file stands, metres; None if another person has been there."""
     try:
         camera = read_camera_file(read_file(path), path=str(path)).camera
     except InputError:

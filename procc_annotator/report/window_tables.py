@@ -38,7 +38,7 @@ class OverviewRow:
 
     Attributes:
         classes: class -> number of points; a class without points counts as absent.
-        seconds: time somebody worked on the frame.
+        seconds: time a person worked on the frame.
         jac: None when the frame has no score.
         origins: origin -> number of points that came from there.
         blind: what may be said of its clicks (`dataset.review.BlindWork`).
@@ -67,7 +67,7 @@ class OverviewRow:
 
 @dataclass(frozen=True, slots=True)
 class Times:
-    """Time of the frames somebody worked on (more than 0 s), in seconds; median None if none."""
+    """Time of the frames a person worked on (more than 0 s), in seconds; median None if none."""
 
     frames: int
     total: float

@@ -1,7 +1,7 @@
 """Choose how work on a set is shared: in process, local processes or Dask.
 
 A command cuts its frames into chunks and maps a task over them; the results come in the order of
-the chunks whoever computed them, so that sums made in that order are the same to the last digit.
+the chunks anyone who computed them, so that sums made in that order are the same to the last digit.
 """
 
 from __future__ import annotations

@@ -101,7 +101,7 @@ class ProcessPool:
         """See `Executor.map`. A bounded window of chunks is under way, so that memory stays flat
         when results are used up more slowly than they are made.
 
-        When nobody wants more results, the chunks under way are left to the pool: it breaks off
+        When no one wants more results, the chunks under way are left to the pool: it breaks off
         with a traceback at one that was called off when its processes are killed.
         """
         key = uuid.uuid4().hex
@@ -163,7 +163,7 @@ class ProcessPool:
         trace: TracebackType | None,
     ) -> None:
         if kind is not None and issubclass(kind, KeyboardInterrupt):
-            # Nobody wants what they are doing, and one that still starts would be waited for.
+            # No one wants what they are doing, and one that still starts would be waited for.
             self._context.kill_all()
         self._end()
 
@@ -172,7 +172,7 @@ class _RememberingContext(SpawnContext):
     """Knows the processes started through it.
 
     A pool that breaks while it starts a process forgets that one when it ends the others, and then
-    waits for it for ever.
+    waits for it permanently.
     """
 
     def __init__(self) -> None:
@@ -237,7 +237,7 @@ def _interrupts_deferred() -> Iterator[None]:
     """A Ctrl+C meanwhile is heard at the end.
 
     At once, it could come between the taking of a lock, of a future or of the pool, and what
-    releases it: then the pool would wait for that lock for ever.
+    releases it: then the pool would wait for that lock permanently.
     """
     handler = signal.getsignal(signal.SIGINT)
     if not callable(handler) or threading.current_thread() is not threading.main_thread():

@@ -233,7 +233,7 @@ def _gauss_newton_step(
     normal = _summed_normal_matrix(profiles) + np.diag(prior.inverse_sd**2)
     gradient = np.sum([p.gradient for p in profiles], axis=0)
     gradient = gradient + (values - prior.mean) * prior.inverse_sd**2
-    # What lies on its limit and is pushed through it stays there.
+    # What is on its limit and is pushed through it stays there.
     held = (values <= prior.lowest) & (gradient > 0) | (values >= prior.highest) & (gradient < 0)
     free = ~held
     step = np.zeros(len(values))
@@ -279,7 +279,7 @@ _FIXED_POSITION_SD_M = 1e-3  # what the position may be off in a fit that is not
 
 @dataclass(frozen=True, eq=False)
 class LensAndRollPrior:
-    """Priors of a camera's lens and level beside its position: means and standard deviations of
+    """Priors of a camera's lens and level next to its position: means and standard deviations of
     roll (rad) and kappa."""
 
     roll: tuple[float, float]
@@ -450,7 +450,7 @@ def profile_at_position(
 
 
 def frame_parameters(vector: FloatArray, free: int) -> NDArray[np.intp]:
-    """Free parameters beside the position; a radial coefficient on its bound is none."""
+    """Free parameters next to the position; a radial coefficient on its bound is none."""
     return np.setdiff1d(unbounded_parameters(vector, free), POSITION_PARAMETERS)
 
 

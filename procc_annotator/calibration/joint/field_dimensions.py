@@ -135,10 +135,10 @@ DEFAULT_DIMENSIONS = ("length", "width")
 _DIFFERENCE_STEP_M = (
     0.02  # for derivatives of the field's geometry, which is nearly linear in its dimensions
 )
-# What is expected before any frame is looked at: anywhere in the range of the rules.
+# What is expected before any frame is examined: anywhere in the range of the rules.
 _PRIOR_RANGE_SHARE = 0.5  # of the range, standard deviation
 # A dimension is not determined that is known less surely than to this share of the field's length,
-# or of the range of the rules, which alone would tell it to half of that.
+# or of the range of the rules, which alone would give it to half of that.
 _MAX_SD_SHARE, _MAX_SD_OF_RANGE = 0.005, 0.25
 _AT_LIMIT_TOLERANCE_M = 1e-3
 # What the frames leave out depends on the field they were fitted on: decided anew until it stays.

@@ -130,7 +130,7 @@ def _merge_estimates(means: FloatArray, spreads: FloatArray) -> tuple[FloatArray
 
 _ROTATION_180 = np.array([-1.0, -1.0, 1.0])
 _OPPOSITE_SIDES = (("near", "far"), ("left", "right"))
-# Cameras on one side are worth a look where so many frames tell that hardly any stands there.
+# Cameras on one side are worth a look where so many frames say that hardly any stands there.
 _MIN_FRAMES_ON_SIDE, _MAX_MINORITY_SHARE = 10, 0.1
 
 
@@ -150,7 +150,7 @@ class OppositeSideFrames:
 def find_opposite_side_frames(
     positions: FloatArray, covariances: FloatArray, around: CameraPlacementPrior
 ) -> OppositeSideFrames:
-    """Tell the frames on the other side of a field that half a turn takes to itself.
+    """Report the frames on the other side of a field that half a turn takes to itself.
 
     Args:
         positions: (F, 3) metres, of the frames' own fits.

@@ -127,7 +127,7 @@ def fit_shared_position(
     """Give frames of one camera position one position.
 
     The positions of the frames' own fits are grouped where they agree as well as they are known;
-    so several cameras are told apart, and a frame that agrees with none keeps its own position.
+    so several cameras are distinguished, and a frame that agrees with none keeps its own position.
     Each group is then fitted as one: the position is that which is best for all its points.
 
     Args:
@@ -341,7 +341,7 @@ def _weak_position_prior(near: FloatArray, field: Field) -> SharedParameterPrior
 
 
 def _with_outliers_from(sighting: FrameObservations, vector: FloatArray) -> FrameObservations:
-    """The same, with what another camera takes for mistakes; with few elements nobody can tell."""
+    """The same, with what another camera takes for mistakes; with few elements no one can say."""
     seen = whitened(sighting.seen, linear_map(vector))
     residuals = pinhole_residuals(
         vector[None], seen, sighting.frame.half_diagonal, FREE_PARAMETERS["P"]
@@ -369,7 +369,8 @@ def _build_group(
 
 
 def lens_and_roll_prior(vectors: Iterable[FloatArray]) -> LensAndRollPrior:
-    """Return what lens and level of a camera usually are, told from its frames' parameters; strong
+    """Return what lens and level of a camera usually are, distinguished from its frames'
+    parameters; strong
     lenses say nothing of one radial coefficient."""
     vectors = list(vectors)
     kappas = [vector[KAPPA] for vector in vectors if not is_wide_angle(vector)]

@@ -92,7 +92,7 @@ def candidate_classes(
     """The classes that all points of a polyline are near enough to, the nearest first.
 
     Its own class is among them if it fits. A curve is offered for what was drawn as something else
-    only where there are points enough to tell; a spot for a single point and for what was clicked
+    only where there are points enough to say; a spot for a single point and for what was clicked
     as one; and nothing but spots for a single point clicked as one.
     """
     own, count = field.element(polyline.class_name), len(polyline.points)
@@ -165,7 +165,7 @@ def uncertain_landmarks(field: Field, vector: FloatArray) -> frozenset[str]:
 
 # A mistake pulls the camera as far as it can.
 SQUARED_LOSS = RobustLoss("squared", 1.0)
-# Points that lie a little beside their element do not: as in the last step of `fit_camera`.
+# Points that lie a little next to their element do not: as in the last step of `fit_camera`.
 HUBER_LOSS = FINAL_LOSS
 _ITERATIONS = 30
 

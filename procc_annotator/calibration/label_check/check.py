@@ -91,10 +91,11 @@ def check_labels(
         field: the elements.
         size: (width, height) px of the picture.
         fit: the camera fitted to this annotation, or its failure.
-        go_on: called before each further fit; raises whatever it likes when nobody wants the rest.
+        go_on: called before each further fit; raises whatever it likes when no one wants the rest.
 
     Returns:
-        At most one finding about each mistake: what the camera explains is not told again by rules
+        At most one finding about each mistake: what the camera explains is not reported again by
+            rules
         that need none.
     """
     frame = ImageFrame(size)
@@ -121,10 +122,10 @@ def add_line_evidence(
     fit: FitResult,
     paint: Mapping[str, LineEvidence],
 ) -> tuple[Finding, ...]:
-    """Return what is known once the picture was looked at: the surest first.
+    """Return what is known once the picture was examined: the surest first.
 
     Ends are short only where the picture shows paint beyond them, and what it shows under and
-    beside the elements is told.
+    next to the elements is reported.
 
     Args:
         findings: of this annotation, without the picture.
@@ -242,8 +243,9 @@ def find_opposite_frames(
 
     Args:
         stands: of the frames with a camera.
-        field: of a field that half a turn does not take to itself nothing is told: there the labels
-            of one frame tell the side.
+        field: of a field that half a turn does not take to itself nothing is reported: there the
+            labels
+            of one frame give the side.
     """
     if field.half_turn is None or not stands:
         return {}
@@ -261,7 +263,7 @@ def find_opposite_frames(
 def opposite_side_finding(
     annotation: FrameAnnotation, field: Field, found: OppositeSideFrame
 ) -> Finding | None:
-    """Return what to tell of a frame on the other side; None where its labels say which side it is
+    """Return what to report a frame on the other side; None where its labels say which side it is
     of.
 
     Args:

@@ -42,7 +42,7 @@ from procc_annotator.field.sampling import distances_to, sample_evenly
 from procc_annotator.metrics.polylines import arc_lengths, points_at_arc_lengths
 from procc_annotator.translation import translatable, translatable_count, translatable_joined
 
-# So many points of an element, more than anybody clicks, are looked at if all are compared with
+# So many points of an element, more than anyone clicks, are examined if all are compared with
 # all.
 _MAX_POINTS = 1000
 # A conic has five unknowns; three points say next to nothing about a circle seen in perspective.
@@ -107,7 +107,7 @@ def _single_outlier(points: FloatArray, frame: ImageFrame) -> int | None:
 
 
 def few_points_finding(clicked: AnnotatedElement) -> Finding | None:
-    """Fewer points than tell where the element runs."""
+    """Fewer points than say where the element runs."""
     count = _count_distinct(clicked.points)
     shape = clicked.element.geometry
     if clicked.element.is_spot:
@@ -347,7 +347,7 @@ def _most_similar_class(name: str, field: Field) -> str | None:
     return spellings[close[0]] if close else None
 
 
-# Clicks along one line lie so near to those of somebody else along it.
+# Clicks along one line lie so near to those of another person along it.
 _OVERLAP_PX = 3.0
 _MIN_OVERLAP_SHARE = 0.8
 _MIN_OVERLAP_LENGTH_PX = 20.0

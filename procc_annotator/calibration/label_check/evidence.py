@@ -145,7 +145,7 @@ _NEXT_ELEMENT_RATIO = 3.0
 FITS_PX = 8.0
 # Elements that are right lie this near when the mistakes are left out.
 CORRECT_PX = 5.0
-# A straight element may lie this far beside a line, whatever the lens.
+# A straight element may lie this far next to a line, whatever the lens.
 STRAIGHT_TOLERANCE_PX = 4.0
 
 
@@ -214,15 +214,15 @@ def annotated_elements(
 
 @dataclass(frozen=True, eq=False)
 class FrameEvidence:
-    """A frame whose labels are looked at: what every rule is given.
+    """A frame whose labels are examined: what every rule is given.
 
     Attributes:
         annotation: normalised points; unconfirmed elements take no part.
         field: the elements.
         frame: the picture.
         fit: the camera fitted to the annotation, or why there is none.
-        go_on: called before each further fit; raises whatever it likes when nobody wants the rest.
-        paint: class -> what the picture shows of paint along it; empty where nobody looked.
+        go_on: called before each further fit; raises whatever it likes when no one wants the rest.
+        paint: class -> what the picture shows of paint along it; empty where no one looked.
     """
 
     annotation: FrameAnnotation
@@ -293,7 +293,8 @@ def line_residuals(points: FloatArray) -> FloatArray:
 
 
 def min_line_residuals(points: FloatArray, frame: ImageFrame) -> float:
-    """Return how far points lie beside a straight line, seen through the lens that helps them most.
+    """Return how far points lie next to a straight line, seen through the lens that helps them
+    most.
 
     Args:
         points: (n, 2) solver px, origin at the picture's centre; at least 3.

@@ -63,7 +63,7 @@ class SuspectFrame:
     go_on: Callable[[], None] = lambda: None
 
     def fit(self, annotation: FrameAnnotation, start: Camera | None = None) -> FitResult:
-        """The camera of another version of the annotation, if anybody still wants it."""
+        """The camera of another version of the annotation, if anyone still wants it."""
         self.go_on()
         return fit_camera(
             annotation, self.field, model=self.model, size=self.frame.size, start=start
@@ -141,7 +141,7 @@ def best_explanation(
         suspects: the elements that are off under that fit.
 
     Returns:
-        None where too few elements are left to tell; an explanation without mistakes where a
+        None where too few elements are left to say; an explanation without mistakes where a
         better camera fits them all.
     """
     first = (
@@ -241,7 +241,7 @@ def _retry_relabelled(doubted: SuspectFrame, found: Explanation) -> Explanation:
 def _try_swap_with(doubted: SuspectFrame, found: Explanation, name: str) -> Explanation | None:
     """A mistake that lies on a right element may be swapped with it: the camera gave way to that.
 
-    Had somebody clicked one line under two names, the other one would fit no better for the swap.
+    Had a person clicked one line under two names, the other one would fit no better for the swap.
     """
     right = set(doubted.names) - found.off_px.keys()
     twin = next((p.class_name for p in found.places.get(name, ()) if p.class_name in right), None)

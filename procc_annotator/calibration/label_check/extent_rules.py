@@ -158,7 +158,7 @@ def _end_by_neighbours(
 
 @lru_cache(maxsize=256)
 def _elements_at_end(elements: tuple[Element, ...], name: str) -> tuple[str, ...]:
-    """The elements at which a straight one ends, not those that it merely crosses or carries."""
+    """The elements at which a straight one ends, not those that it merely crosses or has."""
     field = Field("", "", (), elements)
     shape = elements[field.index[name]].geometry
     assert isinstance(shape, Line)  # of straight elements only
@@ -178,11 +178,11 @@ _MIN_MISSING_PX, _MIN_MISSING_SHARE = 40.0, 0.5
 _MIN_MISSING_BAR_PX = 12.0  # which is short, and stands before whatever else there is
 _ERROR_MISSING_SHARE = 0.8
 _MIN_CURVE_CLICKS = 5
-# A straight element beside its paint: a lens bends it between its clicks.
+# A straight element next to its paint: a lens bends it between its clicks.
 _BEND_PX = 2.5
 _MIN_SEEN_SHARE = 0.6  # what is beside something must be seen
 _MIN_DISPLACED_SHARE, _END_SHARE = 0.25, 0.7
-# An end beside its paint, px at 960 px width: how far at least, how near to it the point before
+# An end next to its paint, px at 960 px width: how far at least, how near to it the point before
 # still is, and how far what is seen between them may leave a line.
 _DISPLACED_END_PX, _ALIGNED_PX, _LINE_RESIDUAL_PX = 2.5, 1.2, 0.9
 _MIN_PLACES, _SEEN_SPACING_PX = 3, 1.2
@@ -190,9 +190,9 @@ _FOLLOW_LINE_REMEDY = Remedy(RemedyKind.FOLLOW, translatable("put its points alo
 
 
 def line_evidence_findings(looked_at: FrameEvidence, known: Sequence[Finding]) -> Iterator[Finding]:
-    """Return what the picture says of elements; nothing where nobody looked at it.
+    """Return what the picture says of elements; nothing where no one examined it.
 
-    Only of paint that is lighter than what lies around it, which is found nearly always; and none
+    Only of paint that is lighter than what is around it, which is found nearly always; and none
     is missed where as much of what was clicked is not seen as is: at night, in snow, in a picture
     of something else.
     """
@@ -214,7 +214,7 @@ def line_evidence_findings(looked_at: FrameEvidence, known: Sequence[Finding]) -
 
 
 def _displaced_finding(one: AnnotatedElement, seen: LineEvidence) -> Finding | None:
-    """Paint that is seen, but beside the element or beside one of its ends."""
+    """Paint that is seen, but next to the element or next to one of its ends."""
     if bent := _line_bend_px(one, seen):
         reason = translatable(
             "{title} is straight between its clicks, its paint runs up to {px:.0f} px beside it:"
@@ -264,7 +264,7 @@ def _no_line_finding(
 
 
 def _is_checked(one: AnnotatedElement) -> bool:
-    # Between few clicks nobody knows how a curve runs.
+    # Between few clicks no one knows how a curve runs.
     known = not one.element.is_curved or len(one.points) >= _MIN_CURVE_CLICKS
     return known and one.element.appearance.tone == LIGHTER
 
@@ -280,8 +280,8 @@ def _missing_px(seen: LineEvidence) -> float:
 
 
 def _line_bend_px(one: AnnotatedElement, seen: LineEvidence) -> float:
-    """Return how far the paint runs beside the middle of a straight element, px of the picture; 0
-    where it does not, or nobody can say."""
+    """Return how far the paint runs next to the middle of a straight element, px of the picture; 0
+    where it does not, or no one can say."""
     if not one.element.is_straight:
         return 0.0
     off, paint = seen.steady, seen.paint
@@ -289,7 +289,7 @@ def _line_bend_px(one: AnnotatedElement, seen: LineEvidence) -> float:
     sides = [(paint == side).mean() for side in (LinePresence.LEFT, LinePresence.RIGHT)]
     if found.mean() < _MIN_SEEN_SHARE or max(sides) < _MIN_DISPLACED_SHARE or min(sides) > 0.1:
         return 0.0
-    # Its ends are on the paint: else the element is beside it as a whole, or another one's.
+    # Its ends are on the paint: else the element is next to it as a whole, or another one's.
     at_ends = np.abs(off[found][[0, -1]]) * seen.scale
     most = float(np.quantile(np.abs(off[found]), 0.9))
     most_px = most * seen.scale
@@ -297,7 +297,7 @@ def _line_bend_px(one: AnnotatedElement, seen: LineEvidence) -> float:
 
 
 def _displaced_end(one: AnnotatedElement, seen: LineEvidence) -> tuple[int, float] | None:
-    """Which end of a straight element lies beside its paint, 0 or -1, and how far, px of the
+    """Which end of a straight element lies next to its paint, 0 or -1, and how far, px of the
     picture: from the click before it the paint steadily leaves the line."""
     if not one.element.is_straight:
         return None

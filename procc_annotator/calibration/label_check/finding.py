@@ -69,7 +69,7 @@ class RemedyKind(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Remedy:
-    """A way to mend a finding.
+    """A way to fix a finding.
 
     Attributes:
         kind: what it does.
@@ -95,7 +95,7 @@ class Finding:
         severity: how sure it is.
         elements: the classes concerned; the first one is to be shown.
         reason: one sentence, elements by their titles, without a full stop at its end; by `said`.
-        remedies: ways to mend it, the likeliest first; `LOOK` where nothing else is known.
+        remedies: ways to fix it, the likeliest first; `LOOK` where nothing else is known.
         point: index of the one bad point in the first element's polyline.
         error_px: largest distance of the first element's points from the fitted camera, px of the
             picture; None for rules that need no fit.

@@ -12,7 +12,7 @@ hold whatever the camera:
 Half a turn of the field changes neither.
 
 A frame may be labelled top for bottom or left for right, as the reflected field. Reflecting twice,
-across and along, is half a turn. Of a field that half a turn takes to itself no camera can tell it:
+across and along, is half a turn. Of a field that half a turn takes to itself no camera can give it:
 there the two reflections are one and the same mistake, seen from the two sides of the field. A
 field without symmetry has no reflection either.
 """
@@ -187,7 +187,7 @@ def mirrored_names(
         needed: classes that must become one.
 
     Returns:
-        None where one of those becomes none: what is told by its place on one side only (a mark
+        None where one of those becomes none: what is given by its place on one side only (a mark
         before the team benches, a landmark) cannot have been taken for its own reflection.
     """
     found = _mirrored_elements(field.elements, signs)

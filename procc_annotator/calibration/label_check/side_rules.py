@@ -190,8 +190,8 @@ def _line_corner(one: FloatArray, other: FloatArray) -> FloatArray | None:
 
 
 def side_findings(looked_at: FrameEvidence, known: Sequence[Finding]) -> tuple[Finding, ...]:
-    """Return what lies on the wrong side of others, where no camera explains everything and nothing
-    is surely wrong already; nothing of what another finding would mend."""
+    """Return what is on the wrong side of others, where no camera explains everything and nothing
+    is surely wrong already; nothing of what another finding would fix."""
     if looked_at.is_whole or error_classes(known):
         return ()
     mended = {name for f in known for r in f.remedies for name, _ in r.renamed}

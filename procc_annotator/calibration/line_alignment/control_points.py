@@ -42,14 +42,15 @@ _OPTICAL_AXIS = np.array([0.0, 0.0, 1.0])
 
 @dataclass(frozen=True, slots=True)
 class ControlPoint:
-    """A place of the field that somebody put where it belongs in the picture.
+    """A place of the field that a person put where it belongs in the picture.
 
     Attributes:
         world: metres.
         px: where it is in the picture.
-        along: the direction of its line, (3,) metres, of a place that nothing tells from others on
+        along: the direction of its line, (3,) metres, of a place that nothing decides from
+            others on
             it: only the distance across the line counts. None for a corner, an end, a spot.
-        sd_px: how exactly a hand could put it there.
+        sd_px: how exactly the user could put it there.
     """
 
     world: Vector
@@ -100,7 +101,8 @@ def fit_control_points(
 
 
 def control_point_errors(camera: PinholeCamera, pegs: Sequence[ControlPoint]) -> FloatArray:
-    """(n,) px that a camera shows pegs beside their places; infinite where it does not show one."""
+    """(n,) px that a camera shows pegs next to their places; infinite where it does not show
+    one."""
     world = np.array([peg.world for peg in pegs])
     along = np.array([peg.along or (0.0, 0.0, 0.0) for peg in pegs])
     px, shown = camera.project(np.concatenate([world, world + _DIRECTION_STEP_M * along]))
@@ -229,7 +231,7 @@ def _constrained_step(
         return np.asarray(np.linalg.lstsq(system, right, rcond=None)[0][:free])
 
 
-# Somebody who drags lines to where they belong saw them about right; a camera stands where it was
+# A person who drags lines to where they belong saw them about right; a camera stands where it was
 # found to stand, to a metre or two.
 _POINT_PRIOR_M = 2.0
 _MAX_DEVIATION_SD, _MIN_TOLERANCE_SHARE = (
@@ -248,9 +250,9 @@ def align_with_control_points(
     *,
     go_on: Callable[[], None] = lambda: None,
 ) -> tuple[LineAlignment | None, str]:
-    """The same camera on the paint near its lines, the pegs within what a hand is good for.
+    """The same camera on the paint near its lines, the pegs within what the user is good for.
 
-    One peg tells nothing of the zoom: others near it are tried, and the one counts whose lines are
+    One peg says nothing of the zoom: others near it are tried, and the one counts whose lines are
     on paint.
 
     Args:
@@ -258,7 +260,7 @@ def align_with_control_points(
         field: the elements.
         camera: that shows the pegs where they are, px of the picture.
         pegs: at least one.
-        go_on: called between the tries; raises whatever it likes when nobody wants the rest.
+        go_on: called between the tries; raises whatever it likes when no one wants the rest.
 
     Returns:
         What was found, or None and why the paint does not say: too little of it is seen, or it

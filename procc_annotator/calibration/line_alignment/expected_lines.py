@@ -41,8 +41,9 @@ class MarkingPoints:
             their diameter to everybody.
         element: (N,) index in ``names``.
         run: (N,) which smooth part of an element it is on, ascending.
-        width_m: (N,) of the band, or diameter of the bar; 0 where nobody knows.
-        tone: (N,) 1 for paint lighter than what is beside it, -1 for darker, 0 where either may be.
+        width_m: (N,) of the band, or diameter of the bar; 0 if unknown.
+        tone: (N,) 1 for paint lighter than what is next to it, -1 for darker, 0 where either may
+            be.
     """
 
     names: tuple[str, ...]
@@ -60,7 +61,7 @@ def marking_points(field: Field) -> MarkingPoints:
 
     Args:
         field: its elements are taken for the middle of their paint, as they are where clicks are
-            put there: whoever wants them where they are painted asks for ``lines = middle``.
+            put there: anyone who wants them where they are painted asks for ``lines = middle``.
     """
     return _marking_points(field.elements)
 
@@ -131,7 +132,7 @@ class ExpectedLinePoints:
         rows: (n,) of `MarkingPoints`.
         px: (2, n) solver px.
         normal: (2, n) unit vectors across the element in the picture.
-        width_px: (n,) solver px of the band, across it; 0 where nobody knows.
+        width_px: (n,) solver px of the band, across it; 0 if unknown.
         run: (n,) which unbroken stretch in sight it is on, ascending.
         length_px: (n,) solver px of the stretch that a place stands for.
     """

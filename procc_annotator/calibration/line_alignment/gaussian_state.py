@@ -113,7 +113,7 @@ class GaussianState:
 
     Attributes:
         vector: (11,) parameters.
-        information: (8, 8) inverse covariance of the free ones; 0 of what nobody knows.
+        information: (8, 8) inverse covariance of the free ones; 0 of what no one knows.
     """
 
     vector: FloatArray
@@ -251,7 +251,7 @@ def fit_from_edge_points(
     painted: MarkingPoints,
     frame: ImageFrame,
 ) -> FitResult:
-    """A fit to marks, as any fit is handed back."""
+    """A fit to marks, as any fit is returned."""
     information = solved.information / worth.independent_error_px**2 + belief.information
     covariance = np.linalg.inv(information)
     covariance = (covariance + covariance.T) / 2

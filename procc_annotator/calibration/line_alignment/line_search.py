@@ -95,14 +95,15 @@ _PROFILE_MARGIN_STEPS = _WIDTH_STEPS // 2 + _FLANK_GAP_STEPS + _FLANK_LENGTH_STE
 _MIN_CONTRAST = 5.0  # grey levels, of the band against the nearer of its flanks
 _RIVAL_RATIO = 0.75  # of a band's contrast: another one that convinces as much
 _RIVAL_MIN_STEPS = 5  # from the band's middle: nearer ones are itself
-# Of a band's contrast: what the grounds beside a narrow line differ by, for its brightest place not
+# Of a band's contrast: what the grounds next to a narrow line differ by, for its brightest place
+# not
 # to be its middle.
 _FLANK_DIFFERENCE_RATIO = 2.0
 
 
 @dataclass(frozen=True, eq=False)
 class LineOffsets:
-    """Paint beside n expected places.
+    """Paint next to n expected places.
 
     Attributes:
         px: (n,) solver px, how far along the normal the paint's middle lies.
@@ -145,7 +146,7 @@ def nearest_line_offsets(
     near_px: float,
     far_px: float,
 ) -> tuple[LineOffsets, NDArray[np.bool_]]:
-    """Look for paint near every expected place, and where there is none farther off, as
+    """Look for paint near every expected place, and if absent farther off, as
     `line_offsets`; also says (n,) where it was found near."""
     if not len(expected.rows):
         return _NO_OFFSETS, _NO_OFFSETS.found
@@ -168,7 +169,7 @@ class _LineProfiles:
         step: (n,) px between the samples of a cut.
         half: samples to either side at which a band's middle may lie.
         cuts: (n, 2 (half + beyond) + 1, 3) BGR.
-        values: the same in one tone, in which paint is lighter than what is beside it.
+        values: the same in one tone, in which paint is lighter than what is next to it.
         response: (n, 2 half + 1) how much a band there stands out.
     """
 
@@ -209,7 +210,7 @@ class _LineProfiles:
     def offsets(
         self, at: FloatArray, contrast: FloatArray, found: NDArray[np.bool_]
     ) -> LineOffsets:
-        """Return what lies at columns (n,), in the middle of the paint."""
+        """Return what is at columns (n,), in the middle of the paint."""
         px = (at - self.half) * self.step
         narrow = np.flatnonzero(found & (self.step == _MIN_STEP_PX))
         column = _PROFILE_MARGIN_STEPS + np.rint(at[narrow]).astype(np.intp)
@@ -243,7 +244,7 @@ def _sample_profiles(
 
 
 def _profile_values(cuts: PixelArray, tone: IntArray, element: IntArray) -> Values:
-    """(n, m) of cuts, in which paint is lighter than what is beside it."""
+    """(n, m) of cuts, in which paint is lighter than what is next to it."""
     # White paint is light in all colours, coloured paint dark in one of them.
     lowest = np.minimum(np.minimum(cuts[..., 0], cuts[..., 1]), cuts[..., 2])
     values = lowest.astype(np.float32)
@@ -251,7 +252,7 @@ def _profile_values(cuts: PixelArray, tone: IntArray, element: IntArray) -> Valu
     unknown = np.flatnonzero(tone == 0)
     if len(unknown):
         grey = cuts[unknown].astype(np.float32).mean(axis=2)
-        # An element is painted in one colour: all of its places tell which.
+        # An element is painted in one colour: all of its places give which.
         strength = [np.maximum(_band_response(own), 0).max(axis=1) for own in (grey, -grey)]
         own = element[unknown]
         votes = np.stack([np.bincount(own, s) for s in strength])
@@ -312,7 +313,7 @@ def _neighbour_mean_colours(
 
 
 def _neighbour_rows(run: IntArray) -> Iterator[IntArray]:
-    """Each place itself, and those beside it on the same stretch, or its end."""
+    """Each place itself, and those next to it on the same stretch, or its end."""
     rows = np.arange(len(run))
     first = np.searchsorted(run, run)
     last = np.searchsorted(run, run, side="right") - 1

@@ -47,12 +47,12 @@ POINT_SPACING_PX = 5.0
 
 @dataclass(frozen=True, eq=False)
 class LineMeasurement:
-    """Paint beside n expected places.
+    """Paint next to n expected places.
 
     Attributes:
         expected: the places.
-        offsets: what was found beside them.
-        marks: of those beside which something was.
+        offsets: what was found next to them.
+        marks: of those next to which something was.
     """
 
     expected: ExpectedLinePoints
@@ -68,7 +68,7 @@ def measure_lines(
     reach_px: float,
     spacing_px: float = POINT_SPACING_PX,
 ) -> LineMeasurement:
-    """Look for paint beside where a camera (11,) shows it, so many solver px to either side."""
+    """Look for paint next to where a camera (11,) shows it, so many solver px to either side."""
     return measure_at(
         picture, expected_line_points(vector, painted, frame, spacing_px), painted, frame, reach_px
     )
@@ -81,7 +81,7 @@ def measure_at(
     frame: ImageFrame,
     reach_px: float,
 ) -> LineMeasurement:
-    """Look for paint beside expected places, so many solver px to either side."""
+    """Look for paint next to expected places, so many solver px to either side."""
     offsets = line_offsets(picture, expected, painted, frame, reach_px)
     found = np.flatnonzero(offsets.found)
     normal = expected.normal[:, found]
@@ -137,7 +137,7 @@ _LONG_PX, _MISSED = 150.0, 0.2
 
 @dataclass(frozen=True, eq=False)
 class NearbyEdgePoints:
-    """Paint on and beside elements.
+    """Paint on and next to elements.
 
     Attributes:
         marks: n places.
@@ -151,7 +151,7 @@ class NearbyEdgePoints:
 def displaced_elements_in_image(
     picture: PixelArray, vector: FloatArray, painted: MarkingPoints, frame: ImageFrame
 ) -> str:
-    """Which elements a camera (11,) shows beside the paint of its picture (H, W, 4), in words; ""
+    """Which elements a camera (11,) shows next to the paint of its picture (H, W, 4), in words; ""
     for none."""
     seen = measure_lines(picture, vector, painted, frame, _NEAR_RADIUS_PX)
     if not len(seen.marks):
@@ -229,7 +229,7 @@ def displaced_elements(
     around: NearbyEdgePoints | None,
     frame: ImageFrame,
 ) -> dict[int, float]:
-    """Elements that a camera (11,) shows beside their paint, by number in `Painted.names`: how far
+    """Elements that a camera (11,) shows next to their paint, by number in `Painted.names`: how far
     the paint lies off, solver px.
 
     Args:
@@ -297,7 +297,7 @@ def edge_point_residuals(vector: FloatArray, marks: EdgePoints, frame: ImageFram
 def displaced_elements_text(
     beside: dict[int, float], painted: MarkingPoints, frame: ImageFrame
 ) -> str:
-    """That elements lie beside their paint, the farthest first; "" of none."""
+    """That elements lie next to their paint, the farthest first; "" of none."""
     if not beside:
         return ""
     number = max(beside, key=lambda own: beside[own])

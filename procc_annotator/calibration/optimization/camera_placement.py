@@ -22,7 +22,7 @@ from procc_annotator.field.geometry import outline_of
 from procc_annotator.field.model import CameraPlacement, Element, Field
 from procc_annotator.translation import translatable, translatable_count
 
-# Shares of half the field's length: where cameras stand if nobody tells.
+# Shares of half the field's length: where cameras stand if no one decides.
 _DISTANCE_SHARES, _HEIGHT_SHARES = (0.2, 0.55, 1.2), (0.08, 0.28, 0.5)
 # A camera so many times as far away as the farthest usual one is none.
 _MAX_DISTANCE_FACTOR = 3.5
@@ -38,7 +38,7 @@ class CameraPlacementPrior:
     """A field's size, and where cameras stand around it; metres.
 
     Attributes:
-        half_length, half_width: of what lies on the field, from its centre.
+        half_length, half_width: of what is on the field, from its centre.
         distance: from the edge of the field: least, usual, most.
         height: above the ground: least, usual, most.
         ceiling: height of cameras that look down; 0 for none.
@@ -94,7 +94,7 @@ class CameraPlacementPrior:
 
 
 def camera_placement_prior(field: Field) -> CameraPlacementPrior:
-    """The surroundings of a field, as its file tells them or its size suggests."""
+    """The surroundings of a field, as its file gives them or its size suggests."""
     # What a set need not have may lie anywhere, as a landmark on a roof does.
     own = tuple(e for e in field.elements if not e.optional) or field.elements
     half_length, half_width = _field_extent(own)

@@ -161,7 +161,7 @@ _MAX_STEP_RAD = 0.5
 # Coordinates of aside, centre and ahead, each going on round: their cross products are those of
 # slices (`numpy.cross` takes several times as long on small arrays).
 _GRAM_ORDER = [6, 7, 8, 6, 7, 0, 1, 2, 0, 1, 3, 4, 5, 3, 4]
-# The whole of a curve is looked at where the last step is larger, or the point is farther off.
+# The whole of a curve is examined where the last step is larger, or the point is farther off.
 _CONVERGED_PX, _AMBIGUOUS_PX = 1.0, 4.0
 
 
@@ -259,7 +259,7 @@ def _closest_on_lines(
 ) -> None:
     split = seen.line_pairs
     table, hidden = _visible_lines(linear, seen)
-    # Elements are handed to their points in one step, a plane each number.
+    # Elements are passed to their points in one step, a plane each number.
     table = seen.of_lines(table)
     across = table[2:4]
     share = _dot_2d(points.transpose(1, 0, 2) - table[0:2], across)
@@ -437,7 +437,7 @@ def _dot_2d(a: FloatArray, b: FloatArray) -> FloatArray:
     return found
 
 
-# Places looked at all along the curve, then about the nearest one of the chords between: half a
+# Places examined all along the curve, then about the nearest one of the chords between: half a
 # circle's 1/512, 6 cm for 9.15 m, and two passes over small arrays instead of four.
 _SEARCH_SAMPLES, _REFINE_SAMPLES = 129, 17
 _CORNER_PX = 1.0

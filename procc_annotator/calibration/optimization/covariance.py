@@ -48,7 +48,7 @@ def parameter_covariance(found: CameraSolution, error_px: float) -> FloatArray:
     """(n, n) covariance of the free parameters.
 
     The n points of an element count as the square root of n independent ones, as they do in the
-    fit: what makes an element lie beside the model moves all its points.
+    fit: what makes an element lie next to the model moves all its points.
 
     Args:
         found: a fit.
@@ -121,7 +121,7 @@ def projected_jacobian(
 
 # On a field that is the same after half a turn, labels go by where the main camera stands. On one
 # that is not, such as a running track with its finish line, much of what a picture shows may be the
-# same all the same: lanes are, their marks are not. No standard deviation tells of that.
+# same all the same: lanes are, their marks are not. No standard deviation reports that.
 # What the end must explain to be known, squares of the error of a point: twenty times as likely.
 _OPPOSITE_END_EVIDENCE = 3.0
 
@@ -131,7 +131,7 @@ def is_opposite_end_possible(found: CameraSolution, field: Field, frame: ImageFr
 
     Args:
         found: a fit.
-        field: the elements; of one with symmetries the labels tell, and the answer is no.
+        field: the elements; of one with symmetries the labels say, and the answer is no.
         frame: the picture.
     """
     if found.basis is not None or field.symmetries:
@@ -147,7 +147,7 @@ def is_opposite_end_possible(found: CameraSolution, field: Field, frame: ImageFr
     return costs[1] - costs[0] < _OPPOSITE_END_EVIDENCE * point_error_sd(found) ** 2
 
 
-# What elements and points are off by where the residuals cannot tell, and how many means and
+# What elements and points are off by where the residuals cannot say, and how many means and
 # residuals that belief is worth; as bands of held-out elements ask for (docs/fitting.md).
 PRIOR_OFFSET_PX, _OFFSET_PRIOR_WEIGHT = 1.0, 2.0
 _PRIOR_NOISE_PX, _NOISE_PRIOR_WEIGHT = 1.0, 4.0
@@ -181,7 +181,7 @@ class ElementOffsets:
 def estimate_element_offsets(
     found: CameraSolution, frame: ImageFrame, error_px: float
 ) -> ElementOffsets:
-    """Return how far the elements of a fit lie beside its model.
+    """Return how far the elements of a fit lie next to its model.
 
     Args:
         found: a fit.

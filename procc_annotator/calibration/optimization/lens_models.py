@@ -222,14 +222,14 @@ _WIDE_ANGLE_FREE = FREE_PARAMETERS["R2"]
 # Focal lengths, solver px, of the fisheyes that are tried; a picture is 960 px wide.
 _WIDE_ANGLE_FOCALS_PX = (330.0, 480.0, 700.0)
 _MAX_ANGLE_RAD = 1.4
-# Where both coefficients of a radial lens are looked for beside a camera without them.
+# Where both coefficients of a radial lens are looked for next to a camera without them.
 _COEFFICIENT_STARTS = ((0.0, 0.0), (-0.15, 0.02), (-0.35, 0.08))
 # A fisheye's curve is made a radial one at so many places, up to so many half diagonals.
 _STRAIGHTENING_SAMPLES, _MAX_RADII = 40, 2.5
 # What a strong lens must explain, squares of the error of a point: 3 for each of two coefficients
 # that its prior left open, and 3 for being twenty times as likely.
 _WIDE_ANGLE_EVIDENCE = 9.0
-# Straight elements clicked so far beside the line through their ends are bent by a strong lens.
+# Straight elements clicked so far next to the line through their ends are bent by a strong lens.
 _BENT_LINE_PX, _MIN_BENT_ELEMENTS = 6.0, 2
 # Of so many elements that fit no camera together it is rather the camera that is not understood.
 MANY_OUTLIERS = 3
@@ -372,7 +372,7 @@ def _fisheye_vector_from(vector: FloatArray) -> FloatArray:
 
 
 def single_coefficient_vector(vector: FloatArray) -> FloatArray:
-    """(11,) the camera of one coefficient to look for one from, beside a strong lens (13,)."""
+    """(11,) the camera of one coefficient to look for one from, next to a strong lens (13,)."""
     plain = vector[:SECOND_KAPPA].copy()
     plain[KAPPA] = MIN_KAPPA / 2 if vector[FISHEYE_FLAG] else max(vector[KAPPA], MIN_KAPPA / 2)
     return plain

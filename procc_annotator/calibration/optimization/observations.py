@@ -184,7 +184,7 @@ REFERENCE_WIDTH = 960
 # No lens shows a point this far outside the picture; squares of larger numbers only do harm.
 _MAX_COORDINATE_PX = 20000.0
 _SAME_POINT_PX = 0.5
-# More points on an element tell a camera nothing more, but take their time.
+# More points on an element give a camera nothing more, but take their time.
 MAX_POINTS = 64
 
 
@@ -358,7 +358,7 @@ def build_observations(
 ) -> Observations | None:
     """The points of an annotation on elements whose place on the field is known.
 
-    Points that repeat another one of their element tell nothing new and are left out, as are
+    Points that repeat another one of their element say nothing new and are left out, as are
     unconfirmed elements. Of an element with more than `MAX_POINTS` points so many are taken,
     evenly, its ends among them.
 

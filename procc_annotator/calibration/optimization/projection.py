@@ -48,7 +48,7 @@ class RadialLensCurve:
 
     @property
     def reach(self) -> FloatArray:
-        """(B, 1) t up to which the curve rises; what lies beyond it would fold back."""
+        """(B, 1) t up to which the curve rises; what is beyond it would fold back."""
         a, b = 3 * self.first, 5 * self.second
         # 1 + a s + b s^2 = 0 with s = t^2, as 1 / s: the largest positive root is the nearest turn.
         inside = a * a - 4 * b
@@ -97,7 +97,7 @@ class RadialLensCurve:
         return first, first * angle**2
 
     def beyond(self, squares: FloatArray) -> NDArray[np.bool_]:
-        """(B, N) whether what lies there undistorted is too far out to be shown."""
+        """(B, N) whether what is there undistorted is too far out to be shown."""
         if self.fisheye:
             return np.asarray(self._ray(squares)[1] >= self.reach)
         return np.asarray(squares >= (self.unit * self.reach) ** 2)

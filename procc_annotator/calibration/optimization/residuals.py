@@ -229,7 +229,7 @@ def project_out_tangent(
     return Residuals(values, found, distances, other, moved)
 
 
-# What a click is off by where the points cannot tell, and how many residuals that belief is worth.
+# What a click is off by where the points cannot say, and how many residuals that belief is worth.
 PRIOR_CLICK_SD_PX = 1.5
 _CLICK_SD_PRIOR_WEIGHT = 10.0
 MAX_NOISE_RESIDUAL_PX = (

@@ -66,7 +66,7 @@ MIN_ELEMENTS = 3
 # A camera known before is looked for anew when the points no longer fit it.
 _STALE_ELEMENT_SHARE, _STALE_PX = 1 / 3, 5.0
 
-# Times that an uncertain spot's say is told anew from the camera that was found with it.
+# Times that an uncertain spot's say is reported anew from the camera that was found with it.
 _WHITENING_ROUNDS = 3
 
 
@@ -122,7 +122,7 @@ class CameraSolution:
 
 
 def outlier_elements(seen: Observations, distances: FloatArray) -> NDArray[np.bool_]:
-    """(E,) elements to leave out; none when too few would remain to tell who is right."""
+    """(E,) elements to leave out; none when too few would remain to say who is right."""
     left_out = seen.max_per_element(distances) > OUTLIER_PX
     if len(left_out) - left_out.sum() < MIN_ELEMENTS:
         return np.zeros_like(left_out)

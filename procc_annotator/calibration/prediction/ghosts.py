@@ -196,7 +196,7 @@ class GhostPiece:
 
 @dataclass(frozen=True, eq=False)
 class Ghost:
-    """An element nobody annotated, as a fitted camera shows it.
+    """An element no one annotated, as a fitted camera shows it.
 
     Attributes:
         name: the class.
@@ -278,7 +278,7 @@ def stretch_deviations(stretches: list[VisibleStretch], fit: FitResult) -> list[
     across = np.concatenate(
         [polyline_normals(s.points_px)[k] for s, k in zip(stretches, knots, strict=True)]
     )
-    # Of the camera, and of what this element may lie beside it by itself.
+    # Of the camera, and of what this element may lie next to it by itself.
     sd = np.hypot(fit.projected_sd(world, across), fit.offset_px)
     ends = np.cumsum([len(k) for k in knots])[:-1]
     return [

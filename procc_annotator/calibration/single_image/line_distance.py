@@ -186,7 +186,7 @@ class CoarseLineGrid:
         return cls(rows, cell, paint.half_height)
 
     def explained(self, cells: NDArray[np.int32]) -> NDArray[np.float64]:
-        """(B,) share of its cells that have a line of a like direction in them or beside them.
+        """(B,) share of its cells that have a line of a like direction in them or next to them.
 
         Args:
             cells: (B, K) of the maps where lines are, flat.
@@ -205,7 +205,7 @@ class CoarseLineGrid:
 
 
 def _dilate_cells(lines: BitArray) -> BitArray:
-    """With the cells beside, above and below, and of the next directions."""
+    """With the cells next to, above and below, and of the next directions."""
     lines = lines | lines << np.uint32(1) | lines >> np.uint32(1)
     tall = lines.copy()
     tall[:, :, 1:] |= lines[:, :, :-1]

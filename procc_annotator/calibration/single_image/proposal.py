@@ -34,10 +34,10 @@ class Proposal:
     """A camera proposed for a picture, or why there is none.
 
     Attributes:
-        state: whether the camera may be relied on, has to be looked at, or is none.
+        state: whether the camera may be relied on, has to be examined, or is none.
         reason: a sentence for the user, also when sure.
         fit: the camera, px of the picture, with vector, covariance and deviations as any fit; its
-            camera is None and its failure told if there is none.
+            camera is None and its failure reported if absent.
         coverage: share of the visible model that was found on paint, 0-1.
         explained: share of the paint on the ground that the model explains, 0-1.
         residual_px: median distance of the found paint to the model, px of the picture; None
@@ -105,7 +105,7 @@ def cluster_camera_positions(
     """The positions that several cameras agree on; the own ones of all where none do.
 
     Args:
-        cameras: each in px of the picture size (width, height) beside it.
+        cameras: each in px of the picture size (width, height) next to it.
         field: the elements.
     """
     if not cameras:

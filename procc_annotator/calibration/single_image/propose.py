@@ -71,7 +71,7 @@ _MAX_PRIOR_COST = 6.0
 # Longer by shorter side of the narrowest pictures that cameras make (5:4). In a squeezed picture
 # another position and zoom agree with the lines as well as the true ones do with square pixels.
 _MIN_VIEW_FACTOR = 1.25
-# So many elements tell a camera; one less, such as a circle and two lines, where all is found.
+# So many elements give a camera; one less, such as a circle and two lines, where all is found.
 _SURE_MIN_ELEMENTS, _ALL_FOUND_SHARE = 4, 0.9
 
 
@@ -85,7 +85,7 @@ class ProposalEvidence:
         margin: see `Proposal`.
         unlikeliness: half the squared deviations from where cameras are expected.
         elements: how many of the field were found on paint.
-        beside: which lie beside their paint, in words; "" for none.
+        beside: which lie next to their paint, in words; "" for none.
     """
 
     fit: FitResult
@@ -161,7 +161,7 @@ _MAX_MAHALANOBIS = 3.5  # beyond, the picture contradicts a known position (1 in
 
 
 def _never_cancel() -> None:
-    """Nobody wants it stopped."""
+    """No one wants it stopped."""
 
 
 def propose_camera(
@@ -279,7 +279,7 @@ def _half_height_px(size: tuple[int, int]) -> float:
 
 def warm_up_caches(field: Field, size: tuple[int, int]) -> None:
     """Work out what searches of pictures (width, height) px with nothing known all look up: once
-    for a field and a shape of picture, in some seconds, unless somebody did."""
+    for a field and a shape of picture, in some seconds, unless a person did."""
     lines = field_line_points(field)
     if lines is None:
         return
@@ -418,7 +418,7 @@ def _refine_candidates(
     picture: PixelArray, field: Field, scene: SearchScene, vectors: FloatArray, scores: FloatArray
 ) -> _BestCandidate | None:
     """The best of some cameras (B, 11) with their scores (B,), those that come near the first one
-    refined; None if there is paint beside none."""
+    refined; None if there is paint next to none."""
     tried: list[LineAlignment] = []
     kept: list[tuple[FloatArray, float]] = []
     for vector, score in zip(vectors, scores, strict=True):

@@ -90,7 +90,7 @@ class CameraHypotheses:
         return self.vectors[some[_top_indices(on_paint[some] * explained, most)]]
 
     def _on_paint(self, near: LineDistanceMaps, paint: ImageLinePixels) -> FloatArray:
-        """(B,) share of lines on paint, less that beside it; more where more is in sight."""
+        """(B,) share of lines on paint, less that next to it; more where more is in sight."""
         shape = near.away.shape[1:]
         value = np.clip(
             (_MISMATCH_DISTANCE_PX - near.away) / (_MISMATCH_DISTANCE_PX - _MATCH_DISTANCE_PX), 0, 1

@@ -97,7 +97,7 @@ class FilterStep:
         marks: paint that had a say, thinned; None if none had.
         worth: of a mark.
         standing_for: how many marks each that was kept stands for.
-        turn: from the frame before; None at the first, or where nothing tells.
+        turn: from the frame before; None at the first, or where nothing decides.
         coverage, residual_px: of what should be in sight; solver px.
         sd_px: how surely its wireframe is known, solver px, where it is least sure.
         reason: why paint had no say, in words; "" if it had.
@@ -116,7 +116,7 @@ class FilterStep:
     around: NearbyEdgePoints | None = None
 
     def beside(self, vector: FloatArray, frame: ImageFrame) -> dict[int, float]:
-        """Elements that a camera (11,) shows beside their paint in this frame, see
+        """Elements that a camera (11,) shows next to their paint in this frame, see
         `displaced_elements`."""
         if self.marks is None:
             return {}
@@ -148,7 +148,7 @@ def predict_state(
     Args:
         belief: of the frame before.
         turn: how the picture says it moved.
-        last: (4,) the step before, which goes on more slowly where nothing tells.
+        last: (4,) the step before, which goes on more slowly where nothing decides.
         stand: what the camera stands on.
     """
     covariance = belief.covariance

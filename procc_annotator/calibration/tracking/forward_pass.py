@@ -74,7 +74,7 @@ def track_run(
         start: what is believed of that.
         painted: the field's paint.
         picture_frame: the pictures.
-        on_step: told of every frame as it is followed.
+        on_step: called for every frame as it is followed.
         go_on: called between frames; what it raises ends it.
         stand: what the camera stands on.
     """
@@ -150,7 +150,8 @@ class FrameChain:
     Attributes:
         numbers: ascending.
         steps: where following left each frame.
-        turns: (K - 1,) how the camera moved from each frame to the next; None where nothing tells.
+        turns: (K - 1,) how the camera moved from each frame to the next; None where nothing
+            decides.
         given: place in the chain -> what is believed of that frame's camera by itself.
     """
 
@@ -162,7 +163,7 @@ class FrameChain:
 
 def build_chain(runs: Sequence[TrackedRun], given: Mapping[int, GaussianState]) -> FrameChain:
     """The chain of frames that were followed, in either direction, from frames they share or up to
-    frames beside each other.
+    frames next to each other.
 
     Args:
         runs: what was followed.

@@ -26,7 +26,7 @@ from procc_annotator.image.pixels import PixelArray
 ReadFrame = Callable[[int], PixelArray]
 
 _READ_AHEAD_FRAMES = 3
-# Pictures read forwards, to be handed out backwards: at first so many, then as many as fit, for a
+# Pictures read forwards, to be given out backwards: at first so many, then as many as fit, for a
 # video is decoded from the key frame before them each time.
 _BACKWARD_FIRST_FRAMES, _BACKWARD_MAX_BYTES, _BACKWARD_MIN_FRAMES, _BACKWARD_MAX_FRAMES = (
     24,
@@ -39,13 +39,13 @@ _CUT_WINDOW = 6  # frames to either side that a cut stands out of, see `image.mo
 
 @dataclass(frozen=True, eq=False)
 class DecodedFrame:
-    """A frame as it is handed out.
+    """A frame as it is given out.
 
     Attributes:
         number: of the frame.
         picture: (H, W, 4) BGRA.
         small: the picture much reduced; nothing of it if it is not to be followed.
-        begins: whether it comes from another camera than the one handed out before it.
+        begins: whether it comes from another camera than the one given out before it.
         unlike: how different it looks from that one, see `image.motion.look_difference`.
     """
 

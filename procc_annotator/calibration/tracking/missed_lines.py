@@ -1,6 +1,6 @@
-"""Long lines that a camera misses: no line pixels along them, but an unexplained line beside them.
+"""Long lines that a camera misses: no line pixels along them, but an unexplained line next to them.
 
-Neither alone tells: worn and hidden lines have no line pixels either, and pictures show lines that
+Neither alone says: worn and hidden lines have no line pixels either, and pictures show lines that
 are none of the field's.
 """
 
@@ -37,7 +37,7 @@ def unexplained_beside(
     painted: MarkingPoints,
     frame: ImageFrame,
 ) -> dict[int, float]:
-    """Return the missed elements beside which the field shows a line that no element explains.
+    """Return the missed elements next to which the field shows a line that no element explains.
 
     Args:
         seen: the line pixels of the whole picture.

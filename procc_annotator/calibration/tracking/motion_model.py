@@ -316,7 +316,7 @@ class MotionConstraints:
 def motion_constraints(
     turns: Sequence[InterFrameMotion | None], stand: ProcessNoise
 ) -> MotionConstraints:
-    """The ties of frames between which the picture turned so; None where nothing tells."""
+    """The ties of frames between which the picture turned so; None where nothing decides."""
     told = [turn or _UNKNOWN_MOTION for turn in turns]
     apparent = np.diag(stand.apparent**2)
     return MotionConstraints(

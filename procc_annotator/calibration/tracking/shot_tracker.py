@@ -46,7 +46,7 @@ from procc_annotator.camera.base import Camera
 from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.field.model import Field
 
-# Shots of one match tell of the same tripod to about a metre; standard deviation of each axis.
+# Shots of one match report the same tripod to about a metre; standard deviation of each axis.
 _MIN_SEPARATION_M = 0.7
 _MAX_MAHALANOBIS, _MAX_DISTANCE_M = 3.5, 5.0
 _MIN_COVERAGE = 0.65  # below it a frame is doubtful
@@ -55,7 +55,7 @@ _MIN_COVERAGE = 0.65  # below it a frame is doubtful
 def is_at_known_position(
     fit: FitResult | None, coverages: Sequence[float], places: Sequence[KnownPosition]
 ) -> bool:
-    """Return whether what all frames of a shot tell of their camera is a place that is known, and
+    """Return whether what all frames of a shot report their camera is a place that is known, and
     its lines are on their paint.
 
     Args:
@@ -89,7 +89,7 @@ _PROPOSAL_OFFSETS = (*range(0, 200, 20), *range(200, 1000, 50), *range(1000, 200
 _ANCHOR_REACHED_PX = 6.0
 # For a missed line the whole picture is searched once a second: it takes as long as ten frames do.
 _LOOKED_FRAMES = 25
-# When a camera that moves is tried: elements lie so far beside the model, solver px, or less of
+# When a camera that moves is tried: elements lie so far next to the model, solver px, or less of
 # the frames asked for is explained, or less of the model is found on paint than in the best frames:
 # where a position is held that is not, lines are left behind one by one.
 _MOVING_DISPLACEMENT_PX, _MOVING_HELD_SHARE, _MOVING_FOUND_SHARE = 0.7, 0.96, 0.8
@@ -99,15 +99,15 @@ _SKIPPED_SHARE = 0.5
 
 
 def _never_cancel() -> None:
-    """Nobody wants it stopped."""
+    """No one wants it stopped."""
 
 
 def _ignore_frame(_: TrackedFrame) -> None:
-    """Nobody asks."""
+    """No one asks."""
 
 
 def _ignore_progress(_: int, __: FilterStep) -> None:
-    """Nobody minds."""
+    """No one minds."""
 
 
 def _is_recent(number: int, looked: tuple[int, float] | None) -> bool:
@@ -131,7 +131,7 @@ def track_shot(
 ) -> Track:
     """The camera of every frame that can be followed from a known one, or that is found.
 
-    What lies between two anchors is followed from them alone: when an anchor changes, only what
+    What is between two anchors is followed from them alone: when an anchor changes, only what
     lies between its neighbours has to be followed again.
 
     Args:
@@ -140,10 +140,10 @@ def track_shot(
         field: the elements, taken for the middle of their paint, see `marking_points`.
         anchors: cameras that are known, px of the pictures; those outside ``numbers`` do not count.
         known: where cameras of other shots of the same source stand. One that is not given is
-            looked for there only, and counts if its own shot then tells of that place.
+            looked for there only, and counts if its own shot then reports that place.
         propose: finds a camera where none is known; None for `propose_camera`.
-        on_frame: told of each frame as soon as it was followed, in the order in which they are;
-            what is handed back at the end is surer, and replaces it.
+        on_frame: called for each frame as soon as it was followed, in the order in which they are;
+            what is returned at the end is surer, and replaces it.
         go_on: called at least once a frame; what it raises ends everything.
 
     Raises:
@@ -203,7 +203,7 @@ class _ShotTracker:
     begins: set[int] = dataclass_field(default_factory=set)
 
     def from_anchors(self, numbers: range, anchors: Mapping[int, Camera]) -> None:
-        """Follow what lies around and between anchors."""
+        """Follow what is around and between anchors."""
         vectors = {
             n: nearest_pinhole_vector(c, self.field, self.picture) for n, c in anchors.items()
         }
@@ -230,7 +230,7 @@ class _ShotTracker:
     def _between(
         self, one: int, other: int, given: Mapping[int, GaussianState]
     ) -> tuple[TrackedRun, TrackedRun | None]:
-        """Follow what lies between two anchors from the first one, and from the second one what
+        """Follow what is between two anchors from the first one, and from the second one what
         cannot be followed from there."""
         near = {n: given[n] for n in (one, other)}
         forwards = self._follow(range(one, other + 1), near)
@@ -286,7 +286,8 @@ class _ShotTracker:
         found = smooth_chain(build_chain(runs, given), self.field, self.picture)
         asked = len({number for run in runs for number in run.asked})
         if _camera_may_move(found, asked):
-            # Once more from what all frames told of its place: lines that it lost on the way stay.
+            # Once more from what all frames reported of its place: lines that it lost on the way
+            # stay.
             start = _states_of_frames(found.chain, given)
             again = [self._follow(run.asked, start) for run in runs]
             second = smooth_chain(build_chain(again, given), self.field, self.picture)
@@ -321,7 +322,7 @@ class _ShotTracker:
         self, number: int, step: FilterStep, looked: dict[int, tuple[int, float]]
     ) -> dict[int, float]:
         """Return the elements that a frame's camera misses and whose line lies elsewhere: solver
-        px by which. The whole picture is looked at once in `_LOOKED_FRAMES` only.
+        px by which. The whole picture is examined once in `_LOOKED_FRAMES` only.
 
         Args:
             looked: element -> frame at which it was looked for, and what came of it; 0 if nothing.
@@ -411,7 +412,8 @@ class _ShotTracker:
         return end, None
 
     def _state_from_proposal(self, vector: FloatArray, fit: FitResult) -> GaussianState:
-        """Return what is believed of a proposed camera (11,): what the paint of its picture told,
+        """Return what is believed of a proposed camera (11,): what the paint of its picture
+        reported,
         if its fit says how much that is."""
         if fit.covariance is None:
             return state_from_camera(vector, self.field, self.painted, self.picture)
@@ -466,7 +468,7 @@ def _missing_share(found: SmoothedChain, asked: int) -> float:
 def tracked_frame(
     number: int, step: FilterStep, distance: int, painted: MarkingPoints, frame: ImageFrame
 ) -> TrackedFrame:
-    """A frame as it is handed back."""
+    """A frame as it is returned."""
     belief = step.belief
     fit = fit_from_covariance(belief.vector, belief.covariance, frame, step.worth.error_px)
     residual = None if step.residual_px is None else step.residual_px / frame.scale

@@ -69,7 +69,7 @@ class BandedSolution:
 
 
 def solve_banded(normal: BandedNormalEquations) -> BandedSolution:
-    """Solve normal equations, and tell how surely."""
+    """Solve normal equations, and say how surely."""
     count, own, sides = normal.own_gradient.shape
     right = np.concatenate([normal.own_gradient, normal.border], axis=2)
     inverse = np.empty_like(normal.own)
@@ -116,7 +116,7 @@ class SmoothedChain:
 
     Attributes:
         chain: with the cameras that are best for all of it.
-        beside_px: how far elements lie beside the model in a frame, on average, solver px.
+        beside_px: how far elements lie next to the model in a frame, on average, solver px.
         explained: how many frames' worth of marks its cameras explain.
         coverages: (K,) of each frame, the share of the visible model that was found on paint.
     """
@@ -167,7 +167,7 @@ def smooth_chain(
 
 @dataclass(frozen=True, eq=False)
 class _StatePriors:
-    """Priors of cameras beside their pictures.
+    """Priors of cameras next to their pictures.
 
     Attributes:
         given: place in the chain -> what is believed of that frame's camera by itself.
@@ -261,7 +261,7 @@ def _element_offset_effect(
     frame: ImageFrame,
     stand: ProcessNoise,
 ) -> tuple[float, FloatArray]:
-    """Return what it does to the cameras that elements lie beside the model, each all along the
+    """Return what it does to the cameras that elements lie next to the model, each all along the
     chain by as much as elements of single frames do: more frames do not average that out.
 
     Returns:

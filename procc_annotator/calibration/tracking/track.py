@@ -7,7 +7,7 @@ from typing import Literal
 
 from procc_annotator.calibration.result import FitResult
 
-# Given beforehand; measured on the frame's own paint; carried over by the picture's motion; none.
+# Given beforehand; measured on the frame's own paint; propagated by the picture's motion; none.
 FrameState = Literal["anchor", "followed", "bridged", "lost"]
 
 

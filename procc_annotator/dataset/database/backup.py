@@ -121,7 +121,7 @@ def backup_path(path: Path) -> Path:
 
 
 def backup_time(path: Path) -> str:
-    """Return when the backup of a database was made, as local time; empty if there is none."""
+    """Return when the backup of a database was made, as local time; empty if absent."""
     try:
         made = backup_path(path).stat().st_mtime
     except OSError:

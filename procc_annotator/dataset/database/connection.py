@@ -64,7 +64,7 @@ class NewerError(Exception):
 
 
 # All that opening, reading and writing can end with. The sqlite3 module fails with a
-# UnicodeDecodeError to tell of damage when the message quotes damaged text.
+# UnicodeDecodeError to report damage when the message quotes damaged text.
 FAILURES = (sqlite3.Error, OSError, DamagedError, NewerError, UnicodeDecodeError)
 
 
@@ -73,7 +73,7 @@ class OpenedDatabase:
     """A database that can be used, with what it says.
 
     Attributes:
-        identity: tells whether another file has taken its place since.
+        identity: states whether another file has taken its place since.
         fresh: it was empty.
         data_version: changes when another connection writes.
         notices: what had to be set aside.
@@ -244,7 +244,7 @@ def _open(path: Path | None) -> OpenedDatabase:
 
 
 def _check_writable(connection: sqlite3.Connection) -> None:
-    """Write, and take it back: only that tells of folders in which no journal can be made.
+    """Write, and take it back: only that reports folders in which no journal can be made.
 
     A damaged header can forbid writing into a file that is not write-protected.
     """
@@ -300,7 +300,7 @@ def data_version(connection: sqlite3.Connection) -> int:
 
 
 def identity_of(path: Path | None) -> Identity | None:
-    """Return what tells a file from another that takes its place; None when there is none."""
+    """Return what gives a file from another that takes its place; None if absent."""
     if path is None:
         return None
     try:
@@ -330,7 +330,7 @@ def reason_of(error: Exception) -> str:
 
 
 def free_sibling_name(path: Path, why: str) -> Path:
-    """A name beside a file that is not taken yet."""
+    """A name next to a file that is not taken yet."""
     number = 1
     while (free := path.with_name(f"{path.name}.{why}-{number}")).exists():
         number += 1

@@ -123,7 +123,7 @@ class WorkspaceDatabase(MetadataCache):
 
     @property
     def shared(self) -> bool:
-        """Return whether everybody who opens the dataset reads this: not what lies in the user's
+        """Return whether everybody who opens the dataset reads this: not what is in the user's
         data folder, or in memory."""
         return self.path == database_path(self._dataset)
 
@@ -157,7 +157,7 @@ class WorkspaceDatabase(MetadataCache):
                 why = f"the origins of the points of frame {frame} cannot be read ({error})"
                 raise InputError(self._shown, why) from error
             read = {}
-        # Looked at last: what is put there meanwhile may be missing from what was read.
+        # Examined last: what is put there meanwhile may be missing from what was read.
         return read | self._put.get(frame, {})
 
     def prefetch_origins(self, frames: Iterable[str]) -> None:
@@ -280,7 +280,7 @@ class WorkspaceDatabase(MetadataCache):
     def close(self, timeout: float = 10.0) -> bool:
         """Write what is queued and let go of the file; whether all of it was written.
 
-        What the file does not take any more is left in the user's data folder (a notice tells), and
+        What the file does not take any more is left in the user's data folder (a notice says), and
         taken over from there when the dataset is opened the next time.
         """
         if self._writer.close(timeout):

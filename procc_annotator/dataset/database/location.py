@@ -96,7 +96,7 @@ def fingerprints_match(mark: Fingerprint, other: Fingerprint) -> bool:
 
 
 def read_fingerprint(file: Path) -> Fingerprint:
-    """A mark as it was written; empty if there is none that can be read."""
+    """A mark as it was written; empty if absent that can be read."""
     try:
         entries = json.loads(read_file(file))
     except (InputError, ValueError, RecursionError):
@@ -199,7 +199,7 @@ def open_or_fallback(dataset: Path) -> tuple[Path | None, OpenedDatabase, tuple[
 
 
 def read_settings(dataset: Path) -> tuple[dict[str, str], str]:
-    """The settings of a dataset, by key; nothing is made, written or mended.
+    """The settings of a dataset, by key; nothing is made, written or fixed.
 
     Args:
         dataset: its folder (or a picture in it).
@@ -257,7 +257,7 @@ def _fallback_file(dataset: Path, known: Callable[[Fingerprint], bool]) -> Path 
     """The file in the user's data folder that was kept for this dataset, or a new one.
 
     Another dataset at the same path (drives are mounted where others were) has a file of its own,
-    which nobody renames: a window may have it open.
+    which no one renames: a window may have it open.
 
     Args:
         dataset: decides the folder.

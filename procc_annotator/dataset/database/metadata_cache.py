@@ -109,7 +109,7 @@ class MetadataCache:
         return self._known.comments.get(frame, ())
 
     def resolve_comment(self, comment_id: str, resolved: bool) -> None:
-        """Settle a comment, or open it again; nothing happens when there is none of this id."""
+        """Settle a comment, or open it again; nothing happens if absent of this id."""
         everywhere = (remark for remarks in self._known.comments.values() for remark in remarks)
         found = next((remark for remark in everywhere if remark.id == comment_id), None)
         if found is None:
@@ -193,7 +193,7 @@ class MetadataCache:
         return dict(self._known.verdicts)
 
     def not_visible(self, frame: str) -> frozenset[str]:
-        """The classes of the elements that somebody said cannot be seen in a frame."""
+        """The classes of the elements that a person said cannot be seen in a frame."""
         return frozenset(self.is_marked_not_visible(frame))
 
     def is_marked_not_visible(self, frame: str) -> Mapping[str, NotVisible]:
@@ -231,7 +231,7 @@ class MetadataCache:
 
     @property
     def last_frame(self) -> str | None:
-        """The frame this author looked at last."""
+        """The frame this author examined last."""
         return self._known.meta.get(f"last frame of {self.author}")
 
     @last_frame.setter

@@ -35,7 +35,7 @@ MIGRATIONS: tuple[tuple[str, ...], ...] = (
     (
         # A setting that was taken back leaves NULL.
         "CREATE TABLE meta(key TEXT PRIMARY KEY, value) WITHOUT ROWID",
-        # NULL is what nobody has set.
+        # NULL is what no one has set.
         "CREATE TABLE frame(name TEXT PRIMARY KEY, status TEXT, committed INTEGER) WITHOUT ROWID",
         # Seconds are kept by session as totals, so that writing them twice changes nothing.
         "CREATE TABLE work(frame TEXT, session TEXT, seconds REAL NOT NULL,"
@@ -170,7 +170,7 @@ def values_of(columns: Sequence[str], row: Row) -> tuple[Any, ...]:
 
 
 # Every statement may be run again with the same values without changing more: what was written
-# before a failure whose extent nobody knows is simply written again.
+# before a failure whose extent no one knows is simply written again.
 SETTING_KEY = "setting "  # what a setting's key begins with among what else is kept by key
 
 SET_META = "INSERT OR REPLACE INTO meta(key, value) VALUES(?1, ?2)"
@@ -226,7 +226,7 @@ _VERSION = ("id", "frame", "author", "time", "reason")
 class Write:
     """A statement and the rows to run it with.
 
-    ``raw``: the last value of each row is still to be compressed (by the writer, not by whoever
+    ``raw``: the last value of each row is still to be compressed (by the writer, not by anyone who
     waits for the next click).
     """
 

@@ -1,6 +1,6 @@
 """The writer thread that owns the database connection.
 
-Whoever queues a write waits for nothing. When the disk is full or the folder is gone, everything
+Anyone who queues a write waits for nothing. When the disk is full or the folder is gone, everything
 stays in memory and is tried again every few seconds.
 """
 
@@ -50,7 +50,7 @@ class UnavailableError(Exception):
 
 
 class _BusyError(Exception):
-    """Somebody waits for the thread that copies the database."""
+    """A person waits for the thread that copies the database."""
 
 
 class DatabaseWriter:
@@ -75,7 +75,8 @@ class DatabaseWriter:
         self._changed = threading.Condition()
         self._waiting: list[Write] = []
         self._questions: list[Callable[[], None]] = []
-        # What this session has written already: told again to a file that takes the place of this
+        # What this session has written already: reported again to a file that takes the place of
+        # this
         # one (a folder deleted, a backup put back).
         self._written: list[Write] = []
         self._asked = 0  # flushes asked for, and those of them that had their round
@@ -165,7 +166,7 @@ class DatabaseWriter:
         return not last
 
     def _back_up(self, last: bool) -> None:
-        """Keep a backup beside the file: at the end, and every few minutes while nobody waits."""
+        """Keep a backup next to the file: at the end, and every few minutes while no one waits."""
         connection, path = self._connection, self._path
         if self.problem or connection is None or path is None:
             return

@@ -50,7 +50,7 @@ class LocatedLandmark:
         clicked: the clicks.
         found: the position, or why there is none.
         without_view: frames that could not take part, with the reason.
-        kept: whether its position was given by somebody, and is not touched.
+        kept: whether its position was given by a person, and is not touched.
         astray: frames whose click does not agree with the position that is kept.
     """
 
@@ -69,7 +69,7 @@ class ClickGathering:
         field: with or without landmarks.
         known: those the dataset has.
         groups: when its frames were taken.
-        moving: names of objects that move, beside those the dataset says so of.
+        moving: names of objects that move, next to those the dataset says so of.
     """
 
     field: Field
@@ -146,7 +146,7 @@ class ClickGathering:
 def with_positions(file: LandmarkFile, located: Iterable[LocatedLandmark]) -> LandmarkFile:
     """A dataset's landmarks with the positions that were found.
 
-    What somebody surveyed stays as it is, though it be the file alone that says so; what was
+    What a person surveyed stays as it is, though it be the file alone that says so; what was
     triangulated before and cannot be now keeps its position too.
     """
     for one in located:
@@ -199,7 +199,7 @@ def title_in(file: LandmarkFile, name: str) -> TranslatableText:
 
 def surveyed_entry(known: Iterable[Landmark], name: str, instant: str | None) -> Landmark | None:
     """The entry with a landmark's place at an instant, or the one it has at all times, as far as
-    somebody gave it."""
+    a person gave it."""
     return next(
         (
             mark

@@ -53,7 +53,7 @@ def require_free(name: str, field: Field) -> None:
 
 
 def with_surveyed_position(file: LandmarkFile, name: str, position: Vector) -> LandmarkFile:
-    """With the place of a landmark that somebody measured; one that is not known yet is added.
+    """With the place of a landmark that a person measured; one that is not known yet is added.
 
     Raises:
         UsageError: it moves, or it cannot be a landmark's name or place.

@@ -88,8 +88,8 @@ class ViewsOfSet:
 class FittedViews:
     """Cameras fitted to the annotations, with their uncertainty.
 
-    Triangulated landmarks take no part in the fits: a place must not be what tells the camera that
-    tells the place.
+    Triangulated landmarks take no part in the fits: a place must not be what gives the camera that
+    gives the place.
 
     Attributes:
         field: with the dataset's landmarks.
@@ -120,7 +120,7 @@ class FittedViews:
 
 
 def surveyed_only(field: Field) -> Field:
-    """The field with those landmarks alone whose place somebody measured and that stay there."""
+    """The field with those landmarks alone whose place a person measured and that stay there."""
     kept = [m for m in field.landmarks if m.surveyed and not is_moving(m)]
     return with_landmarks(field, kept)
 
@@ -149,8 +149,8 @@ def locate(
         views: the cameras.
         click_px: standard deviation of a click along each axis, px of the views; without it the
             usual one, corrected by the residuals.
-        noise: how many times as far off as usual clicks are, where other landmarks have told.
-        kept: the entry whose position somebody gave: it is left alone, and compared to the clicks.
+        noise: how many times as far off as usual clicks are, where other landmarks have reported.
+        kept: the entry whose position a person gave: it is left alone, and compared to the clicks.
     """
     if clicked.problem and kept is None:
         return LocatedLandmark(clicked, Triangulation(failure=clicked.problem))
@@ -204,7 +204,7 @@ Progress = Callable[[int, int], None]
 
 @dataclass(frozen=True)
 class DatasetPaths:
-    """Paths of pictures and annotations of a dataset: the pictures tell the shape of frames.
+    """Paths of pictures and annotations of a dataset: the pictures give the shape of frames.
 
     Attributes:
         dataset: as the user named it.
@@ -226,7 +226,7 @@ class TriangulationSettings:
         groups: when frames were taken.
         cameras: of the frames; None for cameras fitted to the annotations.
         names: the landmarks to place; None for all that are clicked.
-        moving: those that move, beside those that are known to.
+        moving: those that move, next to those that are known to.
         model: to fit.
         click_px: see `locate`.
         size: (width, height) px to work in; None for what suits the pictures.

@@ -27,7 +27,7 @@ _ADVICE = "the file needs a header like: frame,instant,view"
 
 @dataclass(frozen=True, slots=True)
 class ViewAssignment:
-    """Instant and camera of a frame; "" where nobody says."""
+    """Instant and camera of a frame; "" where no one says."""
 
     instant: str
     view: str = ""
@@ -48,12 +48,12 @@ class ViewGroups:
     lines: Mapping[str, int] = field(default_factory=dict, compare=False)
 
     def instant_of(self, frame: str) -> str | None:
-        """Return when a frame was taken; None where nobody says."""
+        """Return when a frame was taken; None where no one says."""
         found = self.frames.get(frame)
         return None if found is None else found.instant
 
     def view_of(self, frame: str) -> str:
-        """The camera of a frame; "" where nobody says."""
+        """The camera of a frame; "" where no one says."""
         found = self.frames.get(frame)
         return "" if found is None else found.view
 
@@ -192,7 +192,7 @@ class NamedViews:
 
 
 def groups_by_name(names: Iterable[str], pattern: str) -> ViewGroups:
-    """Groups told by the names of frames.
+    """Groups given by the names of frames.
 
     Args:
         names: of all frames; those that do not fit the pattern stand alone.

@@ -312,7 +312,7 @@ def _track(
 ) -> str:
     """A track with a key frame wherever it is annotated, and nowhere else anything to be seen.
 
-    After the last picture of a task there is no frame; how long a video is nobody knows.
+    After the last picture of a task there is no frame; how long a video is no one knows.
     """
     from xml.sax.saxutils import quoteattr
 

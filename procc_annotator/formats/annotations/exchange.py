@@ -63,7 +63,7 @@ def normalised(px: float, extent: int) -> float:
 def to_px(coordinate: float, extent: int) -> float:
     """The pixel position of a coordinate, which `normalised` takes back to exactly that coordinate.
 
-    Where no float does, the number carries three digits more than a float has.
+    Where no float does, the number has three digits more than a float has.
     """
     if type(coordinate) is int:
         return coordinate * extent
@@ -76,7 +76,7 @@ def to_px(coordinate: float, extent: int) -> float:
 
 
 Size = tuple[int, int]
-# Under this key formats with room for foreign content keep what the annotation file held beside
+# Under this key formats with room for foreign content keep what the annotation file held next to
 # its classes. Other programs leave it alone.
 EXTRA_KEY = "procc_extra"
 SIZE_UNKNOWN = "the size of its picture is not known"  # why a frame is not written
@@ -91,8 +91,8 @@ class ExchangedFrame:
         name: the frame's name: the stem of its own file, or of its picture in formats that keep
             many frames in one file.
         annotation: what is annotated in it.
-        size: (width, height) of the picture in px; None if nobody knows.
-        picture: file name of the picture; None if nobody knows.
+        size: (width, height) of the picture in px; None if no one knows.
+        picture: file name of the picture; None if no one knows.
     """
 
     name: str
@@ -182,7 +182,7 @@ class ReadContext:
         self.unread.setdefault(self._at, error)
 
     def frame_of_file(self, file: str) -> str:
-        """The frame whose own file this is; whatever goes wrong next is told of it."""
+        """The frame whose own file this is; whatever goes wrong next is reported of it."""
         self._at = frame_of_file(file if self.in_tree else file.rpartition("/")[2])
         return self._at
 
@@ -191,14 +191,15 @@ class ReadContext:
 
         Args:
             file: its name in the source.
-            pictures: the names of all pictures in it, as it tells them.
+            pictures: the names of all pictures in it, as it gives them.
         """
         self.frame_of_file(file)
         folder = file.rpartition("/")[0] if self.in_tree else ""
         self._pictures = PictureFrames(pictures, folder, self._there)
 
     def frame_of_picture(self, picture: Any, path: str, place: str) -> str:
-        """The frame that a picture's name in the file belongs to; whatever goes wrong next is told
+        """The frame that a picture's name in the file belongs to; whatever goes wrong next is
+        reported
         of it.
 
         Raises:
@@ -212,7 +213,7 @@ class ReadContext:
         """The size of the picture of the frame that is read: as the file says, else the picture's.
 
         Raises:
-            AnnotationError: no picture size, or nobody knows it.
+            AnnotationError: no picture size, or no one knows it.
         """
         size = size_from_file(width, height, path, place) or self.size_of(self._at)
         if size is None:
@@ -326,7 +327,7 @@ class WriteContext:
     def only_one(self, frame: ExchangedFrame, pictures: Sequence[str]) -> bool:
         """Return whether an existing file has one picture of a frame's name at most.
 
-        With several nobody knows which one is meant: the frame is a problem then.
+        With several no one knows which one is meant: the frame is a problem then.
         """
         if len(pictures) < 2:
             return True
@@ -347,7 +348,7 @@ class WriteContext:
         return f"{frame.name}.jpg"
 
     def picture_of_frame(self, frame: ExchangedFrame) -> str:
-        """As `picture`, for formats that tell frames by their pictures: the frame keeps its name.
+        """As `picture`, for formats that say frames by their pictures: the frame keeps its name.
 
         A labelme file may name a picture that is called otherwise, or the picture of another one.
         """

@@ -102,7 +102,7 @@ def has_gaps(points: Sequence[Point | None]) -> bool:
 
 
 def template_named(name: object) -> KeypointTemplate | None:
-    """A template by its name; None if there is none."""
+    """A template by its name; None if absent."""
     return next((known for known in known_templates() if known.name == name), None)
 
 
@@ -190,7 +190,7 @@ class LabelMap:
 
         Returns:
             A class for each shape, its label where nothing is said of it, None where it is left
-            out; and remarks on what was left out because nobody can tell what it is.
+            out; and remarks on what was left out because no one can give what it is.
         """
         found: list[str | None] = []
         ordered: dict[str, list[int]] = {}

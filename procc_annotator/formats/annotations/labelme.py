@@ -2,7 +2,7 @@
 
 Facts: https://github.com/wkentaro/labelme (``labelme/_label_file.py``). labelme keeps top-level
 keys it does not know, refuses shapes without points, and reads the picture that ``imagePath``
-names beside the file when ``imageData`` is null.
+names next to the file when ``imageData`` is null.
 """
 
 from __future__ import annotations
@@ -98,7 +98,7 @@ def _add_shape(pieces: ShapeCollector, shape: Any, place: str) -> None:
 
 
 def write_many(frames: Iterable[ExchangedFrame], writing: WriteContext) -> None:
-    """One file a frame, to be put beside the pictures."""
+    """One file a frame, to be put next to the pictures."""
     for frame in frames:
         size = writing.named_size(frame)
         if size is None:

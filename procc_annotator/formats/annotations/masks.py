@@ -1,6 +1,6 @@
 """Write segmentation masks: one grey PNG per frame and ``classes.json``.
 
-Masks are made, never read: what was clicked cannot be told from a picture of lines.
+Masks are made, never read: what was clicked cannot be distinguished from a picture of lines.
 """
 
 from __future__ import annotations

@@ -66,11 +66,11 @@ class AnnotationFormat:
         decode_existing: reads a file whose other content is to be kept; None where that is
             not possible.
         classes: whose classes it is for: ``any`` field's, ``soccernet`` for SoccerNet's alone, or
-            ``leaning`` where optional elements beside SoccerNet's classes are left out unless they
+            ``leaning`` where optional elements next to SoccerNet's classes are left out unless they
             are asked for.
         pictures: the folder of the output that pictures go to when they are asked for, with the
             split's place in it; None for formats that go without.
-        split: what is written when nobody names a split.
+        split: what is written when no one names a split.
         by_game: whether its one file is that of a game, so that a tree has one in each folder.
     """
 
@@ -203,7 +203,7 @@ def find_annotations(source: FileSource, fmt: str = "auto") -> tuple[AnnotationF
 
 def read_plain(data: bytes, path: str, field: Field) -> FrameAnnotation:
     """A frame's annotation of this program, as of `read_annotation`; what is one of another format
-    is told so.
+    is reported so.
 
     Raises:
         AnnotationError: it cannot be used.
@@ -223,7 +223,7 @@ def read_plain(data: bytes, path: str, field: Field) -> FrameAnnotation:
 
 
 def detect_formats(source: FileSource) -> list[AnnotationFormat]:
-    """The formats of the first files of a source; none where there is no file that tells any."""
+    """The formats of the first files of a source; none where there is no file that gives any."""
     told = _detected(source, _files(source))
     return list({known.name: known for known in told if known}.values())
 
@@ -257,7 +257,7 @@ def _formats_covering(known: AnnotationFormat, told: Sequence[AnnotationFormat])
 
 
 def _detect_file(source: FileSource, name: str) -> AnnotationFormat | None:
-    """The format of one file; None where it cannot be told."""
+    """The format of one file; None where it cannot be reported."""
     try:
         data = source.read(name)
     except InputError:
@@ -268,7 +268,7 @@ def _detect_file(source: FileSource, name: str) -> AnnotationFormat | None:
 
 
 def detect_json_format(data: bytes) -> AnnotationFormat | None:
-    """The format of JSON; None where it cannot be told."""
+    """The format of JSON; None where it cannot be reported."""
     content = _decoded(data)
     if is_other_json(content):
         return next(
@@ -330,7 +330,7 @@ class ReadSet:
 
     Attributes:
         title: of the format.
-        frames: name -> what is annotated in it, with the size of its picture if anybody knows it.
+        frames: name -> what is annotated in it, with the size of its picture if anyone knows it.
         problems: one line for each frame or file that could not be used.
         unread: of those problems the ones of a frame or file, by its name.
         losses: what was left out or changed, one line each.

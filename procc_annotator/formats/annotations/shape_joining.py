@@ -24,7 +24,7 @@ from procc_annotator.formats.strict_json import json_kind, printable
 _TOUCH = 0.002
 # What a lens may bend a straight line by, as a share of its length: plenty for broadcast cameras.
 _BOW = 0.05
-# How far clicks may lie beside the bent line, as a share of the picture's longer side.
+# How far clicks may lie next to the bent line, as a share of the picture's longer side.
 _BESIDE = 0.005
 _USUAL_SIZE = (1920, 1080)  # where nobody knows the picture's
 _NUMBERED = re.compile(r"(.*) \((\d{1,4})\)")
@@ -39,7 +39,7 @@ class ShapeCollector:
         path: of the file.
         frame: its name.
         reading: what the reader was given.
-        size: of the frame's picture, px; the usual one where nobody knows it.
+        size: of the frame's picture, px; the usual one if unknown.
     """
 
     def __init__(

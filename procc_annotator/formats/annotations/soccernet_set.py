@@ -112,7 +112,7 @@ def official_only(annotation: FrameAnnotation, field: Field) -> tuple[FrameAnnot
 
 def without_unknown_to_official(annotation: FrameAnnotation) -> tuple[FrameAnnotation, list[str]]:
     """An annotation without what the official evaluation stops at: a class it does not know, and
-    entries beside the classes.
+    entries next to the classes.
 
     Args:
         annotation: of a frame.

@@ -191,7 +191,7 @@ def _start(writing: WriteContext) -> dict[str, Any]:
     if type(content["GameMetadata"]) is not dict:
         content["GameMetadata"] = {}
     content["GameMetadata"].setdefault("list_actions", [])
-    # SoccerNet's loader joins it to its folder and v3_frames/: pictures lie beside the file.
+    # SoccerNet's loader joins it to its folder and v3_frames/: pictures lie next to the file.
     content["GameMetadata"].setdefault("UrlLocal", "")
     return content
 

@@ -73,7 +73,7 @@ class CameraCollection:
 
         Args:
             source, fmt, field: see above.
-            about_to_read: told of each file of many cameras before it is read.
+            about_to_read: called for each file of many cameras before it is read.
 
         Raises:
             UsageError: no such format.
@@ -167,7 +167,7 @@ class CameraCollection:
         return (self._source.display(name) for name in dict.fromkeys(self.frames.values()))
 
     def beside(self) -> list[str]:
-        """Files beside the cameras that tell what they were fitted to, as names in the source."""
+        """Files next to the cameras that give what they were fitted to, as names in the source."""
         folders = {folder for file in self.frames.values() for folder in folders_of(file)}
         names = {folder + name for folder in folders for name in (TABLE_FILE, LEFT_OUT_FILE)}
         for frame, file in self.frames.items():
@@ -182,7 +182,7 @@ class CameraCollection:
         return top if top.issuperset(self.frames.values()) else frozenset(self._source.tree())
 
     def _read_beside(self, file: str) -> bytes | None:
-        """The content of a file of the source; None where there is none that can be read."""
+        """The content of a file of the source; None if absent that can be read."""
         try:
             if file in self._all_files:
                 return self._source.read(file)
@@ -235,8 +235,8 @@ class CameraCollection:
                 yield own, file
 
     def _only_folder(self) -> str:
-        """The folder, with a slash at its end, that the only file of many cameras tells of all its
-        pictures; empty where there is none."""
+        """The folder, with a slash at its end, that the only file of many cameras reports all its
+        pictures; empty if absent."""
         folders = [records.only_folder for records in self._records.values()]
         return f"{folders[0]}/" if len(folders) == 1 and folders[0] else ""
 
@@ -277,7 +277,7 @@ class CameraCollection:
 
 
 def _by_folders(found: dict[str, CameraRecords]) -> dict[str, CameraRecords]:
-    """Files of many cameras beside each other; frames are called by their paths where each file is
+    """Files of many cameras next to each other; frames are called by their paths where each file is
     of the pictures of another folder."""
     folders = [records.only_folder for records in found.values()]
     if len(folders) < 2 or "" in folders or len({*folders}) < len(folders):

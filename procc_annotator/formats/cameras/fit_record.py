@@ -96,12 +96,12 @@ NOT_FITTED = FitCounts()
 
 
 def name_with_mark(name: str, fitted: FitCounts) -> str:
-    """The name of a source as it stands beside others, with the mark if it was fitted so."""
+    """The name of a source as it stands next to others, with the mark if it was fitted so."""
     return f"{name} ({fitted.mark})" if fitted else name
 
 
 def sidecar_content(digest: str) -> bytes:
-    """Return what a file beside a camera says of the annotation it was fitted to."""
+    """Return what a file next to a camera says of the annotation it was fitted to."""
     return json.dumps({DIGEST: digest}).encode()
 
 
@@ -115,13 +115,13 @@ def folders_of(file: str) -> Iterator[str]:
 
 
 class FitDigests:
-    """Annotations that the cameras of a source were fitted to; files beside them are read once."""
+    """Annotations that the cameras of a source were fitted to; files next to them are read once."""
 
     def __init__(self, read: Callable[[str], bytes | None]) -> None:
         """As above.
 
         Args:
-            read: the content of a file of the source; None where there is none.
+            read: the content of a file of the source; None if absent.
         """
         self._read = read
         self._tables: dict[str, Mapping[str, str]] = {}
@@ -229,13 +229,13 @@ def camera_hash(data: bytes) -> str:
 
 
 class LeftOutTables:
-    """Content of such tables for the cameras beside them; each is read once."""
+    """Content of such tables for the cameras next to them; each is read once."""
 
     def __init__(self, read: Callable[[str], bytes | None]) -> None:
         """As above.
 
         Args:
-            read: the content of a file of the source; None where there is none.
+            read: the content of a file of the source; None if absent.
         """
         self._read = read
         self._tables: dict[str, tuple[Mapping[str, LeftOutResult], str]] = {}

@@ -21,7 +21,8 @@ HOMOGRAPHY_SIZE = (1280, 720)
 _LARGEST_FILE = 64 * 1024
 _TURNED = "takes the ground to the picture, not the picture to the ground"
 _CHOOSE = " (expected metres from the field's centre, or the units of the camera format)"
-# Half the length and width of the largest field, soccer's, and how far beside it a camera may look.
+# Half the length and width of the largest field, soccer's, and how far next to it a camera may
+# look.
 _BESIDE_M = 50.0
 _SEEN = np.array([52.5, 34.0]) + _BESIDE_M
 
@@ -70,7 +71,7 @@ def read_homography(
         data: the file's bytes.
         path: for error messages.
         convention: a key of `CONVENTIONS`.
-        assumed: whether nobody named it; see `camera_from_homography`.
+        assumed: whether no one named it; see `camera_from_homography`.
 
     Raises:
         CameraError: not nine finite numbers, or a matrix that cannot be inverted.
@@ -114,7 +115,7 @@ def camera_from_homography(
         units_from_image: (3, 3). world_from_units: (3, 3).
         size: (width, height) of the picture, px; the usual one.
         path: for error messages. place: likewise.
-        assumed: whether nobody said what the matrix is: one of a soccer field, and read the other
+        assumed: whether no one said what the matrix is: one of a soccer field, and read the other
             way round where it takes the ground to the picture.
 
     Raises:
@@ -233,7 +234,7 @@ _LARGEST_TEXT = 4096  # of twelve numbers
 
 
 def read_matrix_file(data: bytes, *, path: str) -> LoadedCamera:
-    """The camera of a matrix in a file that nobody named the format of.
+    """The camera of a matrix in a file that no one named the format of.
 
     Raises:
         CameraError: no matrix of a camera.

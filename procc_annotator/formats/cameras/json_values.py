@@ -186,7 +186,7 @@ class JsonValues:
         return (f"not used, though it looks like lens, pose or size: {named}",) if left else ()
 
     def size(self) -> tuple[int, int] | None:
-        """(width, height) px where the object tells it.
+        """(width, height) px where the object gives it.
 
         Raises:
             CameraError: it is no picture size.

@@ -208,7 +208,7 @@ def krt_content(
 
     Args:
         camera: in pixels of ``size``.
-        size: (width, height) px; None where nobody knows.
+        size: (width, height) px; None if unknown.
 
     Raises:
         ValueError: a parameter is not finite or a focal length zero; no reader would take the file.
@@ -242,7 +242,8 @@ PROJECTION_KEYS = ("P", "projection_matrix", "projection", "proj", "camera_proje
 
 
 def is_projection(content: object) -> bool:
-    """Return whether a decoded value is such a matrix, or an object with one and no K beside it."""
+    """Return whether a decoded value is such a matrix, or an object with one and no K next to
+    it."""
     if type(content) is dict:
         found = [content[key] for key in PROJECTION_KEYS if key in content]
         return "K" not in content and any(_is_3x4(value) or _are_twelve(value) for value in found)

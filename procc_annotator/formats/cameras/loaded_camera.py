@@ -33,11 +33,11 @@ class LoadedCamera:
         extra: keys of the file that are not part of the model, written back on saving.
         notices: remarks a person should see.
         assumed_field: name of the field whose world these pixels belong to, where the format alone
-            says so and nobody named it; empty otherwise.
+            says so and no one named it; empty otherwise.
         content: all of the file's keys and values, so that saving spells unchanged numbers alike.
-        fitted_on: `annotation_digest` of the annotation it was fitted to, where that is told.
+        fitted_on: `annotation_digest` of the annotation it was fitted to, where that is reported.
         held_out: how well the elements it was fitted to are shown by the cameras of the others,
-            where that is told.
+            where that is reported.
         size_is_usual: whether no file says ``size``, which is the usual one of the format.
     """
 
@@ -76,7 +76,7 @@ ReadRecord = Callable[[Any, str, str], LoadedCamera]
 
 @dataclass(frozen=True)
 class CameraRecord:
-    """One camera of a file, decoded but not yet looked at; place is where it stands."""
+    """One camera of a file, decoded but not yet examined; place is where it stands."""
 
     place: str
     content: Any

@@ -202,7 +202,7 @@ def _matrix(node: Any, values: JsonValues, key: str) -> list[Any]:
     if not (rows * columns == len(numbers) and rows == int(rows) and columns == int(columns)):
         problem = f"announces {rows:g} x {columns:g} numbers, found {len(numbers)}"
         raise values.error(problem, key, "the file may be cut off")
-    # A row or a column is a vector: nobody agrees on which it is.
+    # A row or a column is a vector: no one agrees on which it is.
     if min(rows, columns) <= 1:
         return numbers
     return np.array(numbers, dtype=object).reshape(-1, int(columns)).tolist()

@@ -276,7 +276,7 @@ def paired_records(
         source: where they are.
         files: frame name, as if each file were a frame's -> file to look at.
         fmt: what was asked for: ``auto``, or a name.
-        about_to_read: told of each file of poses before it is read.
+        about_to_read: called for each file of poses before it is read.
 
     Raises:
         CameraError: one of a pair is there without the other, or it was asked for and none is.

@@ -91,7 +91,7 @@ class JsonFormat:
         name, title: for the table of formats.
         one: reads a file that holds one camera; None for a format whose files hold many.
         many: the cameras of a decoded file that holds several; None where it holds one.
-        recognises: whether decoded content is of this format, for content nobody named.
+        recognises: whether decoded content is of this format, for content no one named.
         keys: by which content is recognised, for messages; empty for a format that is never
             recognised by what is in it.
     """
@@ -224,7 +224,8 @@ def json_records(data: bytes, *, path: str, name: str | None = None) -> CameraRe
 
 
 def detected_title(data: bytes, path: str) -> str:
-    """The title of the format a file of cameras is told to be by its content, as of `read_json`;
+    """The title of the format a file of cameras is reported to be by its content, as of
+    `read_json`;
     empty for any other file, damaged ones too."""
     try:
         if _is_lines(data):
@@ -357,7 +358,7 @@ FORMATS: tuple[CameraFormat, ...] = (
         for known in PAIRED_FORMATS
     ),
 )  # fmt: skip
-# What is told apart by what is in it.
+# What is distinguished by what is in it.
 _ANY_JSON = CameraFormat("auto", "by what is in it", _JSON, _JSON, read_json, json_records)
 _ANY_MATRIX = CameraFormat(
     "auto", "by its shape", _HOMOGRAPHY_SUFFIXES, _HOMOGRAPHY_SUFFIXES, read_matrix_file,

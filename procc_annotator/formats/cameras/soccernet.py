@@ -43,7 +43,7 @@ def read_camera(data: bytes, *, path: str) -> LoadedCamera:
     """Read a SoccerNet camera.
 
     Absent distortion lists are zeros; lists of the wrong length are an error. ``image_width`` and
-    ``image_height`` (or ``width``, ``height``), where present, tell the picture size the pixels
+    ``image_height`` (or ``width``, ``height``), where present, give the picture size the pixels
     belong to. Other keys are kept in ``extra``.
 
     Raises:
@@ -159,7 +159,7 @@ def is_tvcalib(content: object) -> bool:
 def tvcalib_records(data: bytes, *, path: str) -> CameraRecords:
     """The records of a file: one a line, or all in one JSON list.
 
-    A line that is no record belongs to no frame anybody knows; it is passed over with a notice.
+    A line that is no record belongs to no frame anyone knows; it is passed over with a notice.
 
     Raises:
         CameraError: no line is a record.

@@ -139,7 +139,7 @@ class LandmarksPanel(QWidget):
         column.addWidget(self.views, 1)
 
     def add_actions(self, group: QAction) -> None:
-        """Offer grouping beside the views."""
+        """Offer grouping next to the views."""
         self.group.setText(group.text())
         self.group.setToolTip(group.toolTip())
         self.group.clicked.connect(group.trigger)
@@ -347,7 +347,7 @@ def _origin(mark: Landmark) -> str:
 
 
 def _show(line: QLineEdit, text: str) -> None:
-    """Put text into a line, unless somebody is writing there."""
+    """Put text into a line, unless a person is writing there."""
     if line.text() != text and not (line.hasFocus() and line.isModified()):
         line.setText(text)
         line.setCursorPosition(0)

@@ -83,7 +83,7 @@ class ScrolledContent(QWidget):
     def minimumSizeHint(self) -> QSize:
         least = super().minimumSizeHint()
         layout = self.layout()
-        # Without a text that wraps nobody asks for the height at a width: this is all there is.
+        # Without a text that wraps no one asks for the height at a width: this is all there is.
         wraps = layout is not None and layout.hasHeightForWidth()
         return QSize(least.width(), 0) if wraps else least
 

@@ -155,7 +155,7 @@ def _symbol_pixmap(state: ElementState, colour: QColor, side: int, dpr: float) -
 
 
 def paint_symbol(painter: QPainter, rect: QRectF, state: ElementState, colour: QColor) -> None:
-    """Draw the sign of a state: tick, cross, dashed ring, dots; a dash; told apart without
+    """Draw the sign of a state: tick, cross, dashed ring, dots; a dash; distinguished without
     colour."""
     painter.save()
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)

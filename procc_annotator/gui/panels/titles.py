@@ -54,7 +54,7 @@ def _leading(group: str, titles: list[str]) -> int:
 
 
 class TitleDelegate(QStyledItemDelegate):
-    """Writes titles so that near and far, left and right can be told apart."""
+    """Writes titles so that near and far, left and right can be distinguished."""
 
     def initStyleOption(self, option: QStyleOptionViewItem, index: Index) -> None:
         super().initStyleOption(option, index)
@@ -66,7 +66,7 @@ class TitleDelegate(QStyledItemDelegate):
 
 
 def elided_title(title: str, metrics: QFontMetrics, width: int) -> str:
-    """A title in so many px: the side of the field stands first, what tells its parts apart last.
+    """A title in so many px: the side of the field stands first, what gives its parts apart last.
 
     "Right three-point far straight" becomes "Right … far straight", then "R… far straight". Other
     languages have the side anywhere: there every long word is shortened.

@@ -83,12 +83,12 @@ class CameraHand(QObject):
 
     @property
     def dragging(self) -> bool:
-        """Whether a place is carried by the mouse."""
+        """Whether a place is dragged by the mouse."""
         return self._pressed_at is not None
 
     @property
     def hint(self) -> str:
-        """What a hand can do here; empty while it is about something else."""
+        """What the user can do here; empty while it is about something else."""
         if not self.held:
             return ""
         pegs = len(self._pegs)
@@ -109,7 +109,7 @@ class CameraHand(QObject):
         return SEPARATOR.join([tr("CAMERA"), *words])
 
     def key(self, name: str, _shift: bool) -> bool:
-        """Take Escape and Undo while a place is carried, and right after; Undo also later, as long
+        """Take Escape and Undo while a place is dragged, and right after; Undo also later, as long
         as nothing was annotated since."""
         if name not in ("Escape", "Undo"):
             return False
@@ -287,7 +287,7 @@ class CameraHand(QObject):
 
     def _is_replaced(self, peg: ControlPoint) -> bool:
         """Whether a peg gives way to the place in hand: it is that one, or so near that both would
-        roll and zoom the camera by what a hand is off."""
+        roll and zoom the camera by what the user is off."""
         size, under = self._document.picture_size, self._under
         if peg is self._grabbed or under is None or size is None:
             return peg is self._grabbed

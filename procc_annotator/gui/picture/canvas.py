@@ -85,7 +85,7 @@ class Canvas(PictureView):
         self.cursor_px: tuple[float, float] | None = None
         self._hint = ""
         self._hint_soon = soon(self, self._say_hint)
-        # While the hand carries something, who only reads where it is can wait for the next frame.
+        # While the user drags something, who only reads where it is can wait for the next frame.
         self._carried_on = QTimer(self, singleShot=True, interval=_SCREEN_FRAME_MS)
         self._carried_on.timeout.connect(self._say_cursor)
         self.loupe = Loupe(self.viewport())
@@ -150,7 +150,7 @@ class Canvas(PictureView):
         self.picture_item.set_picture(self.shown.pixels, self._document.picture_size)
 
     def _explain(self, text: str) -> None:
-        """Beside the cursor, where it cannot be missed."""
+        """Next to the cursor, where it cannot be missed."""
         if self.cursor_px is not None:
             place = self.viewport().mapToGlobal(self.to_view(*self.cursor_px).toPoint())
             QToolTip.showText(place, text, self.viewport(), QRect(), _EXPLANATION_MS)

@@ -27,7 +27,7 @@ Judged = tuple[Measurement | None, FrameScore | None]
 class OtherSources(QObject):
     """Belongs to the canvas, which draws the source in front; this draws everything else.
 
-    The source in front is the active one, or the compared one while it is being looked at (a key
+    The source in front is the active one, or the compared one while it is being examined (a key
     held). In a split view the source in front has the left side, the other of the two the right.
     """
 
@@ -95,7 +95,7 @@ class OtherSources(QObject):
     # --- blinking -------------------------------------------------------------------------
 
     def hold(self) -> bool:
-        """Look at the compared source until `let_go`; False when there is none."""
+        """Look at the compared source until `let_go`; False if absent."""
         if self._document.compared is None:
             return False
         self._held_since = monotonic()

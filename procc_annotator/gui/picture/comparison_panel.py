@@ -1,4 +1,4 @@
-"""The panel beside a disagreement picture: names, field map, what the colours mean, figures."""
+"""The panel next to a disagreement picture: names, field map, what the colours mean, figures."""
 
 from __future__ import annotations
 

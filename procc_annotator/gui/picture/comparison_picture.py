@@ -1,4 +1,4 @@
-"""Pictures of two cameras' disagreement without a window: the frame, and a panel beside it."""
+"""Pictures of two cameras' disagreement without a window: the frame, and a panel next to it."""
 
 from __future__ import annotations
 

@@ -56,7 +56,7 @@ class CornerLegend(Pinned):
             signal.connect(self._soon.start)
 
     def set_wanted(self, wanted: bool) -> None:
-        """Whether somebody wants to see it."""
+        """Whether a person wants to see it."""
         self._wanted = wanted
         self._look()
 
@@ -69,7 +69,7 @@ class CornerLegend(Pinned):
 
     @Slot(object)
     def follow(self, cursor: QPointF | None) -> None:
-        """The hand is there now, viewport px: what lies under it is to be seen."""
+        """The hand is there now, viewport px: what is under it is to be seen."""
         self._hand = cursor
         if self.entries:
             self._show()

@@ -28,7 +28,7 @@ class OverlayDrawing(QObject):
 
     Attributes:
         colour_by: what colours mean.
-        count: how often it drew; tells whether something drew meanwhile.
+        count: how often it drew; states whether something drew meanwhile.
     """
 
     drawn = Signal()  # what a loupe shows may be another thing
@@ -81,7 +81,7 @@ class OverlayDrawing(QObject):
         document.store.rested.connect(self._follow_state)
         document.review.originsChanged.connect(self._refresh_origins)
         document.second.changed.connect(self.refresh)
-        # Comes beside signals that draw at once: one drawing is enough for both.
+        # Comes next to signals that draw at once: one drawing is enough for both.
         document.label_check.changed.connect(self._soon.start)
         document.camerasChanged.connect(self._refresh_others)
         document.source_frames.changed.connect(self._refresh_others)
@@ -114,7 +114,7 @@ class OverlayDrawing(QObject):
         self.refresh()
 
     def show_others(self, shown: bool) -> None:
-        """Whether visible sources are drawn beside the active one."""
+        """Whether visible sources are drawn next to the active one."""
         self._comparison.others_wanted = shown
         self.refresh()
 
@@ -182,7 +182,7 @@ class OverlayDrawing(QObject):
         self.told.emit()
 
     def _carry(self) -> None:
-        """Draw what the hand carries along; nothing else that is drawn follows from that."""
+        """Draw what the user drags; nothing else that is drawn follows from that."""
         comparison = self._comparison
         if self.hidden or comparison.split.shown or comparison.looking:
             self.refresh()  # the names of sources, with their scores

@@ -71,7 +71,7 @@ class Editor(QObject):
 
     @property
     def dragging(self) -> bool:
-        """Whether a point is carried by the mouse."""
+        """Whether a point is dragged by the mouse."""
         return self._edit.busy and self._edit.grabbed is not None
 
     @property
@@ -285,8 +285,8 @@ class Editor(QObject):
         )
 
     def _begin_on(self, seen: ToolContext) -> bool:
-        """Whether a gesture may begin: the frame can be edited, nobody else has it, and nobody
-        changed what is chosen since it was ``seen``; that is to be looked at first."""
+        """Whether a gesture may begin: the frame can be edited, no one else has it, and no one
+        changed what is chosen since it was ``seen``; that is to be examined first."""
         document = self._document
         if document.frame is None or not document.editable or not document.begin_edit():
             return False
@@ -345,7 +345,7 @@ class Editor(QObject):
         self.changed.emit()
 
     def _keep_clicks(self) -> None:
-        """Clicks under way are kept like an edit: as an element that waits for a hand."""
+        """Clicks under way are kept like an edit: as an element that waits for the user."""
         kept, snapped = None, frozenset[PointKey]()
         if self._draw.busy and (name := self._draw.class_name) is not None:
             context = self._context()
@@ -361,7 +361,7 @@ class Editor(QObject):
         return self._document.commit_edit(edit.label, edit.annotation, edit.kind, edit.snapped)
 
     def _look_under(self) -> None:
-        """What lies under the cursor, which may have changed without a move of the mouse."""
+        """What is under the cursor, which may have changed without a move of the mouse."""
         document, context = self._document, self._workable()
         looking = document.mode == "edit" or document.selected_class is None
         if context is None or self._cursor is None or not looking:

@@ -24,7 +24,7 @@ def paint_swatch(painter: QPainter, box: QRectF, signs: CursorSigns) -> None:
 
 
 def paint_magnet(painter: QPainter, box: QRectF, signs: CursorSigns) -> None:
-    """A magnet: filled on a line, an outline where there is none, crossed out where it is off."""
+    """A magnet: filled on a line, an outline if absent, crossed out where it is off."""
     found = signs.snap == "found"
     tone = QColor(tones.HALO) if signs.snap != "off" else _DIM
     painter.save()

@@ -25,7 +25,7 @@ _AWAY = (Qt.FocusReason.PopupFocusReason, Qt.FocusReason.ActiveWindowFocusReason
 
 @dataclass(frozen=True)
 class HeldKey:
-    """What a key does when it goes down, when it comes up again, and when nobody sees that."""
+    """What a key does when it goes down, when it comes up again, and when no one sees that."""
 
     down: Callable[[], None]
     up: Callable[[], None]
@@ -91,7 +91,7 @@ class HeldKeys(QObject):
         return True
 
     def _lose(self) -> None:
-        """Nobody will say when the keys that are down come up."""
+        """No one will say when the keys that are down come up."""
         down, self._down = self._down, set()
         for key in down:
             self._keys[key].lost()

@@ -158,7 +158,7 @@ def _colour(name: str) -> QColor:
 
 
 def draw_lines(painter: QPainter, lines: Array, pen: QPen) -> None:
-    """Draw (N, 4) px; the array is handed to Qt as it is (four doubles make a QLineF)."""
+    """Draw (N, 4) px; the array is passed to Qt as it is (four doubles make a QLineF)."""
     if not len(lines):
         return
     memory = np.ascontiguousarray(lines, dtype=np.float64)

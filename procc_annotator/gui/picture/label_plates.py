@@ -1,4 +1,4 @@
-"""Texts beside points of the picture, on plates that keep them readable on anything."""
+"""Texts next to points of the picture, on plates that keep them readable on anything."""
 
 from __future__ import annotations
 

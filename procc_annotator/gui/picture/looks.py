@@ -32,7 +32,7 @@ _TITLES = {
 
 
 class LookControls(QWidget):
-    """Brightness, contrast, gamma and line enhancement; `lookChanged` tells what a hand chose."""
+    """Brightness, contrast, gamma and line enhancement; `lookChanged` gives what the user chose."""
 
     lookChanged = Signal(object)  # Look
 

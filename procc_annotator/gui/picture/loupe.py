@@ -1,4 +1,4 @@
-"""A magnifier beside the cursor: the picture's own pixels, whatever the zoom of the view."""
+"""A magnifier next to the cursor: the picture's own pixels, whatever the zoom of the view."""
 
 from __future__ import annotations
 
@@ -58,7 +58,8 @@ class Loupe(QWidget):
         """Show the surroundings of a picture position.
 
         Args:
-            cursor: viewport, points; the loupe stands beside it, or is hidden when the viewport has
+            cursor: viewport, points; the loupe stands next to it, or is hidden when the viewport
+                has
                 no room for it there.
             picture_px: the middle of what is shown; pixel centres are whole numbers.
             pixels: (H, W, 4) BGRA; kept until the next call.
@@ -128,7 +129,7 @@ class Loupe(QWidget):
         painter.drawText(area, Qt.AlignmentFlag.AlignCenter, position_text(self._centre))
 
     def _paint_border(self, painter: QPainter, width: int, height: int, ratio: float) -> None:
-        """Light between two dark lines: one of them differs from whatever lies beside it."""
+        """Light between two dark lines: one of them differs from whatever lies next to it."""
         line = max(1, round(ratio))
         painter.setBrush(Qt.BrushStyle.NoBrush)
         for inset, colour in ((0, _RIM), (line, _FRAME), (2 * line, _RIM)):
@@ -140,7 +141,7 @@ class Loupe(QWidget):
 
 
 def place_beside(cursor: QPointF, size: QSize, room: QSize) -> QPoint | None:
-    """Where a box stands beside the cursor: right and below if it fits, else on the other side.
+    """Where a box stands next to the cursor: right and below if it fits, else on the other side.
 
     Args:
         cursor: in the room, points.
@@ -156,7 +157,7 @@ def place_beside(cursor: QPointF, size: QSize, room: QSize) -> QPoint | None:
     y = _beside(cursor.y(), size.height(), room.height())
     if x is None and y is None:
         return None
-    # Beside the cursor in one direction is enough.
+    # Next to the cursor in one direction is enough.
     if x is None:
         x = _within(cursor.x(), size.width(), room.width())
     if y is None:

@@ -43,7 +43,8 @@ _NO_ROWS = np.empty((0, 4))
 _NO_PLACES = np.empty((0, 2))
 
 
-# A text beside its point: the point, picture px, the text, and its plate from the point, device px.
+# A text next to its point: the point, picture px, the text, and its plate from the point, device
+# px.
 Beside = tuple[tuple[float, float], str, tuple[float, ...]]
 
 
@@ -141,7 +142,7 @@ class OverlayItem(QGraphicsItem):
             self.update(area & self._area)
 
     def place_labels(self) -> None:
-        """View or side changed: texts may have to lie elsewhere beside their points.
+        """View or side changed: texts may have to lie elsewhere next to their points.
 
         The view moves what is painted along and paints only what comes into sight.
         """
@@ -225,7 +226,7 @@ def split_layers(overlay: Overlay) -> tuple[Overlay, Overlay]:
 def changed_areas(old: Overlay, new: Overlay, scale: float) -> list[QRectF]:
     """What has to be painted again, in scene coordinates, place by place.
 
-    Groups that are the very same are not looked at.
+    Groups that are the very same are not examined.
     """
     point = 1.0 / scale
     areas: list[QRectF] = []
@@ -286,7 +287,7 @@ def _changed(was: Positions, now: Positions, same_look: bool, margin: float) -> 
 def _texts(
     labels: Labels | None,
 ) -> set[tuple[tuple[float, float], str, CursorSigns | None]]:
-    """Each text with its place and what stands beside it."""
+    """Each text with its place and what stands next to it."""
     if labels is None:
         return set()
     places = map(tuple, labels.positions.tolist())

@@ -66,7 +66,7 @@ class OverlayLayer:
             band=self._editor.band,
             origins=self._origins() if by_origin else None,
             other=document.second.annotation if document.projection_visible else None,
-            # Of the compared source nobody asked for it.
+            # Of the compared source no one asked for it.
             paint=document.painted_width.value if judged[0] is document.measurement else None,
             ellipses=tuple(document.landmarks.ellipses),
             found=document.label_check.shown,

@@ -13,7 +13,7 @@ from procc_annotator.image.pixels import DownscaledImages, PixelArray
 
 
 def image_of(pixels: PixelArray) -> QImage:
-    """A QImage that shares the memory of (H, W, 4) BGRA pixels; keep the array alive beside it."""
+    """A QImage that shares the memory of (H, W, 4) BGRA pixels; keep the array alive next to it."""
     height, width = pixels.shape[:2]
     return QImage(pixels.data, width, height, pixels.strides[0], QImage.Format.Format_RGB32)
 

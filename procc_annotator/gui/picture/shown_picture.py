@@ -35,7 +35,7 @@ class ShownPicture(QObject):
         return self._plain.value if enhanced is None else enhanced
 
     def set_picture(self, picture: PixelArray | None, *, whole: bool = True) -> None:
-        """Another frame, or a first look at it; announced by nobody, the caller shows `pixels`."""
+        """Another frame, or a first look at it; announced by no one, the caller shows `pixels`."""
         self._picture, self._whole = picture, whole
         self._enhanced.look()
 

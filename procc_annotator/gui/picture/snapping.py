@@ -56,7 +56,7 @@ class ScreenSnapper:
         """Whether there is something to look in; what was found in another picture, or with another
         camera, is forgotten."""
         document = self._document
-        # Nobody waits for the whole picture who only looks: a press does (`Canvas`).
+        # No one waits for the whole picture who only looks: a press does (`Canvas`).
         picture, fit = document.state.picture, document.live_fit.result
         size = document.picture_size
         if picture is None or size is None:

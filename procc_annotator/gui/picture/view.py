@@ -191,7 +191,7 @@ class PictureView(QGraphicsView):
         """Bring a part of the picture to the middle, as large as fits with some room around it.
 
         Never smaller than the whole picture, and not so large that one sees nothing but pixels;
-        beyond the picture's edges a rim is shown, so that what lies at an edge does not lie at that
+        beyond the picture's edges a rim is shown, so that what is at an edge does not lie at that
         of the view, and more only where the picture is smaller than the view.
         """
         room, picture = self.viewport().size(), self.picture_item.boundingRect()
@@ -245,7 +245,7 @@ class PictureView(QGraphicsView):
         self._pan_from = position
 
     def go_along(self, delta: QPointF) -> None:
-        """Show what lies so many screen px to the right and below."""
+        """Show what is so many screen px to the right and below."""
         self._scroll_by(delta)
         self._fitted = False
         self.viewChanged.emit()
@@ -279,7 +279,7 @@ class PictureView(QGraphicsView):
         super().paintEvent(event)
 
     def drawBackground(self, painter: QPainter, rect: QRectF | QRect) -> None:
-        """Fill what lies beside the picture only: the picture hides the rest."""
+        """Fill what is next to the picture only: the picture hides the rest."""
         if self.picture_item.is_empty:
             super().drawBackground(painter, rect)
             return

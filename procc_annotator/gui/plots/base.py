@@ -63,7 +63,7 @@ class Items:
 
 
 class PlotPage(QWidget, Generic[D]):
-    """One plot; whoever holds it computes its data, perhaps in another thread, and has it drawn.
+    """One plot; anyone who holds it computes its data, perhaps in another thread, and has it drawn.
 
     Class attributes:
         title: its name in the list of plots, marked by ``word``.

@@ -203,7 +203,7 @@ def _nothing_to_compare(data: Differences) -> str:
 
 @dataclass(frozen=True, eq=False)
 class Timelines:
-    """Per source (F,) JaC, NaN where there is none."""
+    """Per source (F,) JaC, NaN if absent."""
 
     values: tuple[FloatArray, ...]
 
@@ -278,7 +278,7 @@ class TimelinePage(PlotPage[Timelines]):
         return PlotData(("number", "frame", *names), (numbers, request.frames, *data.values))
 
     def frame_at(self, scene: QPointF) -> int:
-        """The frame a position of the scene belongs to, -1 beside the plot."""
+        """The frame a position of the scene belongs to, -1 next to the plot."""
         if not self.item.vb.sceneBoundingRect().contains(scene) or not self._frames:
             return -1
         number = round(float(self.item.vb.mapSceneToView(scene).x()))

@@ -118,7 +118,7 @@ class HistogramPage(PlotPage[ErrorBars]):
 class RadialPlot:
     """Per source: its points, their errors by radius, and which of them are painted.
 
-    ``top``: px, all but one in a hundred errors lie below, and all medians.
+    ``top``: px, all but one in a hundred errors are below, and all medians.
     """
 
     points: tuple[Points, ...]

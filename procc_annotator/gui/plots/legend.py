@@ -1,4 +1,4 @@
-"""The names of the plotted sources beside their lines."""
+"""The names of the plotted sources next to their lines."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _SYMBOL = 8.0  # logical px
 
 
 class Legend(QWidget):
-    """The sources' names beside their lines and symbols, wrapped to the width there is."""
+    """The sources' names next to their lines and symbols, wrapped to the width there is."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)

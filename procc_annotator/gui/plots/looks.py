@@ -8,7 +8,7 @@ from PySide6.QtGui import QPalette, QPen
 from procc_annotator.gui.plots.request import PlottedSource
 from procc_annotator.gui.theme import readable
 
-# Sources are told apart without colour, too.
+# Sources are distinguished without colour, too.
 _DASHES: tuple[tuple[float, ...], ...] = ((), (6, 3), (2, 2), (8, 2, 2, 2), (12, 4), (4, 2, 1, 2))
 _SYMBOLS = ("o", "s", "t", "d", "+", "x")
 

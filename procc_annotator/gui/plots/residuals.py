@@ -46,7 +46,7 @@ class Vectors:
 
 
 class VectorsPage(PlotPage[Vectors]):
-    """Where in the picture the projection lies beside the clicks, and which way."""
+    """Where in the picture the projection lies next to the clicks, and which way."""
 
     title = word("Residuals over the picture")
     by_class = True
@@ -169,7 +169,7 @@ class Directions:
 
 
 class DirectionsPage(PlotPage[Directions]):
-    """All residuals from one centre: a cloud beside the cross is a bias."""
+    """All residuals from one centre: a cloud next to the cross is a bias."""
 
     title = word("Residuals, by direction")
     by_class = True

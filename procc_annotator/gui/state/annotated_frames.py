@@ -1,4 +1,4 @@
-"""Which frames of the open dataset are annotated, read beside and kept up."""
+"""Which frames of the open dataset are annotated, read next to and kept up."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from procc_annotator.gui.state.store import Store
 
 
 class AnnotatedIndices(QObject):
-    """Their indices, once somebody wants them. A frame that cannot be read counts as annotated:
-    nobody may write over it."""
+    """Their indices, once a person wants them. A frame that cannot be read counts as annotated:
+    no one may write over it."""
 
     changed = Signal()
 
@@ -33,7 +33,7 @@ class AnnotatedIndices(QObject):
         signals.framesEdited.connect(self._note)
 
     def set_wanted(self, wanted: bool) -> None:
-        """Whether somebody wants them from now on."""
+        """Whether a person wants them from now on."""
         self._read.set_wanted(wanted)
 
     @property
@@ -77,7 +77,7 @@ class AnnotatedIndices(QObject):
 
 
 def is_annotated(workspace: Workspace, index: int) -> bool:
-    """Whether a frame has an annotation, be it one that cannot be read."""
+    """Whether a frame has an annotation, whether one that cannot be read."""
     try:
         return workspace.annotated_count(index) > 0
     except InputError:

@@ -1,4 +1,4 @@
-"""The label check of many frames, beside the window's work."""
+"""The label check of many frames, next to the window's work."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ class BackgroundCheck(QObject):
             frames: which of them.
             field: its elements.
             model: of the cameras that are fitted.
-            together: whether to look at what only all of them tell.
+            together: whether to look at what only all of them say.
         """
         self.stop()
 
@@ -89,7 +89,7 @@ class BackgroundCheck(QObject):
             self.progressed.emit(0, 0)
 
     def close(self) -> None:
-        """Check no more, and tell nothing."""
+        """Check no more, and say nothing."""
         self._work.cancel()
 
     def _finish(self, answer: _Answer) -> None:
@@ -161,7 +161,7 @@ class _Walk:
             self._control.progress(self._passed + self._answered, len(self._frames))
 
     def told_by_set(self, field: Field) -> dict[str, FrameCheck]:
-        """The checks that get a finding once the frames are looked at together."""
+        """The checks that get a finding once the frames are examined together."""
         index = self._workspace.index
         return with_set_findings(
             self._checks, field, lambda name: self._workspace.read(index[name])

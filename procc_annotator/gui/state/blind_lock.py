@@ -43,13 +43,13 @@ class BlindLock(QObject):
 
     @property
     def reason(self) -> str:
-        """Who locked the dataset and when, in words; empty when nobody did. It may begin with a
+        """Who locked the dataset and when, in words; empty when no one did. It may begin with a
         name, which is written as its owner writes it."""
         return self._said(lock) if (lock := self.lock) is not None else ""
 
     @property
     def no_fit(self) -> str:
-        """Why there is no live fit whatever somebody wants; empty when there may be one."""
+        """Why there is no live fit whatever a person wants; empty when there may be one."""
         if not (reason := self.reason):
             return ""
         return tr("{reason}: there is no live fit in it", reason=reason)

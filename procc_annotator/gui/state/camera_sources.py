@@ -19,12 +19,12 @@ from procc_annotator.translation import tr
 
 
 class CameraSource:
-    """One of the camera sets a dataset is looked at with; belongs to the interface thread.
+    """One of the camera sets a dataset is examined with; belongs to the interface thread.
 
     Attributes:
         camera_set: the cameras by frame; another object once one of them changed.
         colour: of its wireframe, its curves and its row, ``#rrggbb``.
-        visible: whether it is drawn beside the active source.
+        visible: whether it is drawn next to the active source.
         audits: frame name -> how it does there, of the frames audited so far that have both a
             camera and an annotation file; changed by `take` and `clear` only.
         problems: frame name -> why its camera cannot be used, of the frames audited so far.
@@ -98,8 +98,8 @@ class CameraSource:
             self.problems[frame] = problem
 
     def to_look_at(self, frames: Iterable[str]) -> list[str]:
-        """Those of some frames that were not looked at. Fits come with a look at the frame itself,
-        so that there is nothing to wait for where there is none."""
+        """Those of some frames that were not examined. Fits come with a look at the frame itself,
+        so that there is nothing to wait for if absent."""
         there = self.camera_set.frames
         fitted = self.files is None
         return [f for f in frames if f not in self._seen and (f in there or not fitted)]
@@ -141,7 +141,7 @@ def free_colour(sources: Sequence[CameraSource]) -> str:
 
 
 def free_name(wanted: str, sources: Sequence[CameraSource]) -> str:
-    """A name nobody has: as wanted, or with a number behind it. The fit's and the track's are
+    """A name no one has: as wanted, or with a number behind it. The fit's and the track's are
     never free."""
     taken = {FIT_NAME, TRACK_NAME, *(source.name for source in sources)}
     name, number = wanted, 1

@@ -1,4 +1,4 @@
-"""Which frames' labels are checked beside the window's work: the whole set, and edited ones."""
+"""Which frames' labels are checked next to the window's work: the whole set, and edited ones."""
 
 from __future__ import annotations
 

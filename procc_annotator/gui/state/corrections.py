@@ -1,4 +1,4 @@
-"""Cameras that somebody corrected by hand, frame by frame, and what became of them on paint."""
+"""Cameras that a person corrected by hand, frame by frame, and what became of them on paint."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ class Corrections(QObject):
 
     @property
     def here(self) -> CameraCorrection | None:
-        """That of the frame on screen; None where there is none, and while it is to be hidden."""
+        """That of the frame on screen; None if absent, and while it is to be hidden."""
         state = self._store.state
         if state.frame_name is None or not self._proposals.allowed:
             return None

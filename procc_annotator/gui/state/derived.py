@@ -79,15 +79,15 @@ class Derived(QObject, Generic[T]):
         Args:
             inputs: what to give to ``compute``; None: there is nothing to work out; a text: neither
                 is there, and this is why.
-            compute: from any thread if it works beside; may raise `ProccError`.
-            where: where, and when that is told.
-            wanted: whether somebody wants it from the beginning.
+            compute: from any thread if it works next to; may raise `ProccError`.
+            where: where, and when that is reported.
+            wanted: whether a person wants it from the beginning.
             after: signals after which the inputs may be others.
             kept: how many answers are kept, for inputs that come back.
             kept_within: they are forgotten once this is another one at a look: what is large may
                 live no longer than what it is of.
             stoppable: ``compute`` takes ``go_on`` too, a function that raises `Stopped` once
-                nobody wants the answer.
+                no one wants the answer.
             urgent: it takes a second at most (see `run_in_background`).
             patience: ms to wait before the background begins, by the inputs.
         """
@@ -112,14 +112,14 @@ class Derived(QObject, Generic[T]):
 
     @property
     def value(self) -> T | None:
-        """Of the present inputs; None while it is worked out, and where there is none."""
+        """Of the present inputs; None while it is worked out, and if absent."""
         answer = self._answer(self._now())
         return None if answer is None else answer.value
 
     @property
     def problem(self) -> str:
         """Why there is no value; empty where there is one, while it is worked out, and where
-        nobody wants it."""
+        no one wants it."""
         now = self._now()
         if isinstance(now, str):
             return now
@@ -138,7 +138,7 @@ class Derived(QObject, Generic[T]):
         return None if answer is None else answer.value
 
     def answered(self, *inputs: object) -> bool:
-        """Whether some inputs were worked out, be it to nothing, and that is kept."""
+        """Whether some inputs were worked out, whether to nothing, and that is kept."""
         return self._known(inputs) is not None
 
     @property
@@ -148,11 +148,11 @@ class Derived(QObject, Generic[T]):
 
     @property
     def wanted(self) -> bool:
-        """Whether somebody wants it; nothing is worked out otherwise."""
+        """Whether a person wants it; nothing is worked out otherwise."""
         return self._wanted
 
     def set_wanted(self, wanted: bool) -> None:
-        """Whether somebody wants it from now on."""
+        """Whether a person wants it from now on."""
         if wanted != self._wanted:
             self._wanted, self._told = wanted, ""
             before = self._asked.newest
@@ -184,7 +184,7 @@ class Derived(QObject, Generic[T]):
         self._later.start()
 
     def try_again(self) -> None:
-        """As `look`; what failed is tried anew, and only told if it fails otherwise."""
+        """As `look`; what failed is tried anew, and only reported if it fails otherwise."""
         self.forget(failures_only=True)
         self.look()
         if self._where is Where.BESIDE:

@@ -50,7 +50,7 @@ class Compared:
 
 
 class DisagreementWatch(Derived[Compared]):
-    """The disagreement in the frame on screen, once somebody wants to see it."""
+    """The disagreement in the frame on screen, once a person wants to see it."""
 
     def __init__(self, store: Store, signals: Signals, source_frames: SourceFrames) -> None:
         super().__init__(
@@ -70,7 +70,7 @@ class DisagreementWatch(Derived[Compared]):
 
     @property
     def problem(self) -> str:
-        """Why there is nothing to be shown, or little, although somebody wants to see it."""
+        """Why there is nothing to be shown, or little, although a person wants to see it."""
         if problem := super().problem:
             return problem
         found = self.value

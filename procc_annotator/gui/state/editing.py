@@ -107,7 +107,7 @@ class Editing(QObject):
         return True
 
     def keep_clicks(self, drawn: Polyline | None, snapped: frozenset[PointKey]) -> None:
-        """Keep what is being drawn beside the file, where it outlives the program; None: nothing
+        """Keep what is being drawn next to the file, where it outlives the program; None: nothing
         is."""
         state = self._store.state
         if state.workspace is None or state.frame is None or state.why_broken:
@@ -137,7 +137,8 @@ class Editing(QObject):
 
         Args:
             label: of the step in the history.
-            change: given the newest annotation; raises `UsageError` (which is told) where the edit
+            change: given the newest annotation; raises `UsageError` (which is reported) where
+                the edit
                 makes no sense any more.
             kind: how new points came to be.
         """
@@ -202,7 +203,7 @@ class Editing(QObject):
 
     def look_at_frame(self) -> None:
         """Follow the file of the frame on screen if others wrote it. A gesture under way goes on,
-        and what is not saved yet stays: saving then tells that both differ."""
+        and what is not saved yet stays: saving then says that both differ."""
         state = self._store.state
         workspace, index = state.workspace, state.frame_index
         if workspace is None or state.frame is None or state.preview is not None:
@@ -298,7 +299,8 @@ class Editing(QObject):
             say(self._store, "; ".join(filter(None, (done, said))))
 
     def _would_take_away(self, workspace: Workspace) -> bool:
-        """Whether undo would take away what somebody else saved, and was not told so before: it
+        """Whether undo would take away what another person saved, and was not reported so
+        before: it
         is their work, and who presses the key means a step of their own."""
         history = workspace.state(self._store.state.frame_index).history
         if history.undo_label != SAVED_ELSEWHERE or self._warned_of is history.current:
@@ -330,7 +332,7 @@ class Editing(QObject):
             self._auditing.frame_edited()
 
     def _acquire(self) -> bool:
-        """Whether the frame is this window's: whoever had it may have left it by now."""
+        """Whether the frame is this window's: anyone who had it may have left it by now."""
         owned = self.presence.acquire()
         self._store.set(holder=self.presence.holder)
         return owned

@@ -1,4 +1,4 @@
-"""Which field a dataset shows: as it says, as its classes tell, and as its file is written anew."""
+"""Which field a dataset shows: as it says, as its classes say, and as its file is written anew."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class FieldChoice(QObject):
 
     Attributes:
         mismatch: what is to say of the classes of the frame on screen; None where the field fits.
-        question: the field whose classes a dataset has that does not say what it shows; somebody
+        question: the field whose classes a dataset has that does not say what it shows; a person
             is to say whether it is that one. None where there is nothing to ask.
         problem: why the dataset's own file cannot be used as it is; the last good field stays.
         own_files: descriptions of the user's own, which may fit where no shipped field does.
@@ -108,7 +108,8 @@ class FieldChoice(QObject):
         return shown
 
     def choose(self, source: str | Path) -> None:
-        """Show another field from now on, and let the dataset remember it; told where it cannot be
+        """Show another field from now on, and let the dataset remember it; reported where it
+        cannot be
         used.
 
         Args:
@@ -145,7 +146,7 @@ class FieldChoice(QObject):
     def resize(
         self, dimensions: Mapping[str, float], *, lines: str | None = None, keep: bool = True
     ) -> None:
-        """Show the field with other dimensions from now on; told where it cannot have them.
+        """Show the field with other dimensions from now on; reported where it cannot have them.
 
         Args:
             dimensions: metres, by name; those that are not named are nominal.
@@ -170,7 +171,8 @@ class FieldChoice(QObject):
         self._start("size", work, take)
 
     def read_again(self) -> None:
-        """Read the user's own file again; what is wrong with it is told, and the field stays."""
+        """Read the user's own file again; what is wrong with it is reported, and the field
+        stays."""
         if (path := self._watch.path) is None:
             return
         field, database = self._store.state.field, self._review.database
@@ -296,7 +298,7 @@ class FieldChoice(QObject):
             return
         self._watch.watch(own_source(self._store.state.field))
 
-    # --- what the classes tell ---
+    # --- what the classes say ---
 
     def _begin(self) -> None:
         """Another dataset is open: if it does not say which field it shows, its classes may."""

@@ -1,4 +1,4 @@
-"""The live fit as a camera source beside those from files."""
+"""The live fit as a camera source next to those from files."""
 
 from __future__ import annotations
 
@@ -154,7 +154,7 @@ class FitSource(QObject):
             self._sources.show_source_again(self.source)
 
     def _note_choice(self) -> None:
-        """Whoever chooses another source, or this one, means it to stay so."""
+        """Anyone who chooses another source, or this one, means it to stay so."""
         was_listed, judged = self._seen
         self._seen = now_listed, active = self.listed, self._store.state.active
         if was_listed and now_listed and active is not judged:

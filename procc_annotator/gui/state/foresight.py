@@ -68,7 +68,7 @@ class Foresight(QObject):
 
     @property
     def wanted(self) -> bool:
-        """Whether there is a camera to go by, or somebody wants one."""
+        """Whether there is a camera to go by, or a person wants one."""
         return self._live_fit.wanted or self.found is not None
 
     @property
@@ -90,7 +90,7 @@ class Foresight(QObject):
 
     @property
     def insight(self) -> FrameAnalysis | None:
-        """What the camera tells; None while that is worked out, or to be hidden."""
+        """What the camera says; None while that is worked out, or to be hidden."""
         stand_in = self._stand_in.value
         if stand_in is not None and stand_in.fit.camera is not None:
             return stand_in
@@ -98,7 +98,7 @@ class Foresight(QObject):
 
     @property
     def doubt(self) -> str:
-        """Why the camera that stands in should be looked at first; empty where it is sure."""
+        """Why the camera that stands in should be examined first; empty where it is sure."""
         if (corrected := self._corrections.here) is not None:
             return corrected.why_not
         if (frame := self._track.here) is not None and self._track.fit_here is not None:

@@ -69,7 +69,7 @@ class FrameWalk(QObject):
             self._outside.look()
 
     def come_to(self, index: int) -> None:
-        """As `go_to`, once the picture is decoded, so that a hand that draws along many frames
+        """As `go_to`, once the picture is decoded, so that the user that draws along many frames
         waits for none of them: of those asked for meanwhile only the last is come to."""
         workspace = self._store.state.workspace
         if workspace is None or not 0 <= index < len(workspace.frames):
@@ -91,7 +91,7 @@ class FrameWalk(QObject):
         )
 
     def stay(self) -> None:
-        """Give up the frame that is still to be come to: somebody went elsewhere, or stays."""
+        """Give up the frame that is still to be come to: a person went elsewhere, or stays."""
         self._aim = -1
         self._bringing.cancel()
 
@@ -182,7 +182,7 @@ class FrameWalk(QObject):
     # --- inside ---
 
     def _look_at(self, path: Path) -> dict[str, object]:
-        """The picture; where that is to be decoded, a large one is looked at in half its size
+        """The picture; where that is to be decoded, a large one is examined in half its size
         first.
 
         Raises:

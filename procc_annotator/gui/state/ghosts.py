@@ -75,7 +75,7 @@ class Ghosts(QObject):
 
     @property
     def wanted(self) -> bool:
-        """Whether somebody wants to see ghosts."""
+        """Whether a person wants to see ghosts."""
         return self._wanted
 
     def set_wanted(self, wanted: bool) -> None:
@@ -92,7 +92,7 @@ class Ghosts(QObject):
     @property
     def known(self) -> tuple[Ghost, ...]:
         """The ghosts of the annotation on screen, in the order of the field; none while they are
-        worked out, and none that somebody said cannot be seen."""
+        worked out, and none that a person said cannot be seen."""
         insight = self.insight
         return self._in_order(insight.ghosts) if insight is not None else ()
 
@@ -126,7 +126,7 @@ class Ghosts(QObject):
 
     @property
     def suggesting(self) -> bool:
-        """Whether somebody wants to be told what to annotate next, and may be."""
+        """Whether a person wants to be reported what to annotate next, and may be."""
         return self._suggesting and self._foresight.wanted and self._foresight.allowed
 
     def set_suggesting(self, suggesting: bool) -> None:
@@ -170,7 +170,7 @@ class Ghosts(QObject):
     @property
     def gains(self) -> Mapping[str, float]:
         """What annotating the classes that are missing would bring, px; empty where none of it is
-        worth a word, or nobody wants to hear of it."""
+        worth a word, or no one wants to hear of it."""
         if not self.suggesting or self._latest is None:
             return {}
         off = self._hidden | self._there | _with_points(self._latest.annotation)
@@ -180,7 +180,7 @@ class Ghosts(QObject):
 
     @property
     def out_of_sight(self) -> frozenset[str]:
-        """The classes that are not in this picture: the camera shows them elsewhere, or somebody
+        """The classes that are not in this picture: the camera shows them elsewhere, or a person
         said so."""
         latest = self._latest
         shown = latest.out_of_sight(self._store.state.field) if latest is not None else frozenset()
@@ -195,7 +195,7 @@ class Ghosts(QObject):
 
     @property
     def current(self) -> Ghost | None:
-        """The ghost that is looked at; None without a walk, and while a fit is worked out."""
+        """The ghost that is examined; None without a walk, and while a fit is worked out."""
         return self.named(self._at) if self._walking else None
 
     def named(self, name: str | None) -> Ghost | None:
@@ -289,7 +289,7 @@ class Ghosts(QObject):
         self._stepped = True
 
     def _look_once(self) -> None:
-        """All that changed together was told."""
+        """All that changed together was reported."""
         if self._stepped:
             self._look()
 

@@ -1,4 +1,4 @@
-"""Findings of the label check that somebody looked at and let be, in this window or another one."""
+"""Findings of the label check that a person examined and let be, in this window or another one."""
 
 from __future__ import annotations
 

@@ -13,7 +13,7 @@ from procc_annotator.metrics.setup import EvaluationSetup
 
 
 class Judge:
-    """Measures the annotation on screen against the active camera when somebody asks, and again
+    """Measures the annotation on screen against the active camera when a person asks, and again
     only if need be."""
 
     def __init__(self, store: Store, source_frames: SourceFrames) -> None:
@@ -78,7 +78,7 @@ class Judge:
 
 
 class SecondOpinion:
-    """How a camera agrees with the clicks, measured when somebody asks."""
+    """How a camera agrees with the clicks, measured when a person asks."""
 
     def __init__(self) -> None:
         self._asked: tuple[object, ...] = ()

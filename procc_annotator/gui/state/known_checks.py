@@ -21,7 +21,7 @@ class KnownChecks:
     def __init__(self, store: Store, ignored: IgnoredFindings) -> None:
         self._store, self._ignored = store, ignored
         self._frames: dict[str, FrameCheck] = {}
-        # Frame -> what the set tells of it, and the content it holds for.
+        # Frame -> what the set reports it, and the content it holds for.
         self._told_by_set: dict[str, tuple[str, StoredFinding]] = {}
         self._in_set: tuple[tuple[str, StoredFinding], ...] | None = None  # until anything changes
 
@@ -103,7 +103,7 @@ class KnownChecks:
         return self._frames.pop(frame, None) is not None
 
     def keep_told(self, checks: Mapping[str, FrameCheck]) -> None:
-        """Keep what only the set tells, beside what is found anew whenever a frame is shown."""
+        """Keep what only the set says, next to what is found anew whenever a frame is shown."""
         self._told_by_set = {
             name: (checked.content, found)
             for name, checked in checks.items()

@@ -78,7 +78,7 @@ class LabelCheck(QObject):
         self._without_fit = Derived(self._to_check, _check, Where.BESIDE, self)
         self._with_fit = Derived(self._fitted, _remembered, Where.AT_ONCE, self, kept=_KEPT)
         self._content = Derived(self._annotation, content_of, Where.AT_ONCE, self)
-        # Of the frame on screen, remembered already: what its clicks tell, what its picture shows.
+        # Of the frame on screen, remembered already: what its clicks say, what its picture shows.
         self._taken: tuple[FrameAnalysis, Evidence | None] | None = None
         self._told: tuple[object, ...] = ()
         self._look_soon = soon(self, self.look)
@@ -123,7 +123,7 @@ class LabelCheck(QObject):
 
     @property
     def working(self) -> bool:
-        """Whether the frame on screen is still looked at, as it is now: more may be found."""
+        """Whether the frame on screen is still examined, as it is now: more may be found."""
         if self._store.state.frame_name is None:
             return False
         return (self.fit_shown and self._live_fit.working) or self._without_fit.working
@@ -183,7 +183,7 @@ class LabelCheck(QObject):
         content = self._content.value
         kept = self.known.check_of(name)
         if kept is not None and kept.content != content:
-            # Signs of elements that nobody touched stay until more is known.
+            # Signs of elements that no one touched stay until more is known.
             left = still_valid(kept, annotation)
             self.known.keep(name, left)
             if left.found != kept.found:
@@ -198,7 +198,7 @@ class LabelCheck(QObject):
         return kept is not None and kept.with_paint and self._paint.working
 
     def _say_bent(self, before: FrameCheck) -> None:
-        """What was clicked just now and lies beside its bent paint spoils whatever follows."""
+        """What was clicked just now and lies next to its bent paint spoils whatever follows."""
         known = {found.key for found in before.found}
         for found in self.shown:
             if found.finding.rule is Rule.BESIDE_PAINT and found.key not in known:
@@ -206,7 +206,7 @@ class LabelCheck(QObject):
                 notify(self._store, BENT, tr(found.finding.reason))
 
     def _fitted(self) -> Inputs | None:
-        """The frame on screen, with its picture as soon as that was looked at."""
+        """The frame on screen, with its picture as soon as that was examined."""
         insight = self._live_fit.insight
         field = self._judge.frame_setup.field
         return None if insight is None else (insight, self._paint.value, field)

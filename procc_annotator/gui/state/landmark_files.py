@@ -45,7 +45,7 @@ class LandmarkFiles(QObject):
             self.read_again()
 
     def read_again(self) -> None:
-        """Read both files, in the background, whoever wrote them."""
+        """Read both files, in the background, anyone who wrote them."""
         self._writes += 1
         self._found.look()
 

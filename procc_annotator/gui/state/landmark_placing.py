@@ -123,7 +123,7 @@ class LandmarkPlacing(QObject):
 
         def placed() -> LandmarkFile:
             nonlocal deleted
-            # Somebody else may have deleted it meanwhile; a place would bring it back.
+            # Another person may have deleted it meanwhile; a place would bring it back.
             deleted = name not in landmarks_by_name(landmarks.file.landmarks)
             return landmarks.file if deleted else with_positions(landmarks.file, found)
 

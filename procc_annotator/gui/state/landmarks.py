@@ -128,7 +128,7 @@ class Landmarks(QObject):
         )
 
     def survey(self, name: str, place: str) -> bool:
-        """Give a landmark the place that somebody measured: ``x, y, z``, metres."""
+        """Give a landmark the place that a person measured: ``x, y, z``, metres."""
 
         def edit() -> LandmarkFile:
             position: Vector = dataset_landmarks.parse_position(place)

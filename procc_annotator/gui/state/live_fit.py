@@ -54,11 +54,11 @@ class LiveFit(Derived[Fitted]):
 
     A gesture is fitted once it has ended: a fit holds the interpreter for milliseconds at a time,
     which a drag would feel; and a point is best dragged against what all clicks said before. A
-    frame is fitted once somebody stays on it, an edit at once.
+    frame is fitted once a person stays on it, an edit at once.
 
     Attributes:
         model: one of `MODELS`; auto takes the simplest that the clicks support.
-        chosen: whether somebody wants a fit, be the dataset locked or not.
+        chosen: whether a person wants a fit, be the dataset locked or not.
     """
 
     def __init__(
@@ -99,7 +99,7 @@ class LiveFit(Derived[Fitted]):
 
     @property
     def wanted(self) -> bool:
-        """Whether the fit is on: somebody wants one, and the dataset is not locked to blind
+        """Whether the fit is on: a person wants one, and the dataset is not locked to blind
         mode, where nothing that follows from the clicks may come to guide them."""
         return self.chosen and self._blind_lock.lock is None
 
@@ -110,7 +110,7 @@ class LiveFit(Derived[Fitted]):
 
     @property
     def insight(self) -> FrameAnalysis | None:
-        """What the annotation on screen tells; None while that is worked out, or to be hidden."""
+        """What the annotation on screen says; None while that is worked out, or to be hidden."""
         return found.insight if (found := self.value) is not None else None
 
     @property

@@ -30,7 +30,7 @@ class EditedFrames:
         edited: those that are, and are saved.
         left: (index, why) of those that were left as they were.
         unsaved: (index, why) of those that could not be saved.
-        waiting: how many nobody came to: it was stopped.
+        waiting: how many no one came to: it was stopped.
     """
 
     total: int = 0
@@ -79,7 +79,7 @@ class ManyEdits(QObject):
         self._next.start()
 
     def stop(self) -> None:
-        """Edit no further frame; what is edited is saved, and told."""
+        """Edit no further frame; what is edited is saved, and reported."""
         if self._outcome is not None:
             self._next.stop()
             self._stopped = True
@@ -88,7 +88,7 @@ class ManyEdits(QObject):
             self._editing.saver.settle()
 
     def forget(self) -> None:
-        """Edit no further frame and tell nothing: the dataset or the window closes."""
+        """Edit no further frame and say nothing: the dataset or the window closes."""
         self._next.stop()
         self._outcome = None
 

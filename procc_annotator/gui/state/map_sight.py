@@ -21,7 +21,7 @@ class MapSight(QObject):
 
     While the next one is worked out the sight before stays, so that the map does not flicker with
     every click. A frame without a camera has nothing in sight; its map stays turned as it was, for
-    cameras of one set stand on one side. In blind mode nothing of it is told.
+    cameras of one set stand on one side. In blind mode nothing of it is reported.
     """
 
     changed = Signal()

@@ -1,4 +1,4 @@
-"""What is said to the user: lines that are told once, and notices that hold until withdrawn."""
+"""What is said to the user: lines that are reported once, and notices that hold until withdrawn."""
 
 from __future__ import annotations
 

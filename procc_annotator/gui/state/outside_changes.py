@@ -36,7 +36,7 @@ class _Newer:
 
 
 class OutsideChanges(QObject):
-    """Looks at the files of the set when somebody asks, and watches that of the frame on screen."""
+    """Looks at the files of the set when a person asks, and watches that of the frame on screen."""
 
     def __init__(
         self, store: Store, signals: Signals, editing: Editing, sources: Sources, auditing: Auditing

@@ -1,4 +1,4 @@
-"""What the picture on screen shows of paint under its annotation, worked out beside."""
+"""What the picture on screen shows of paint under its annotation, worked out next to."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ _KEPT = 8
 
 class PaintWatch(Derived[Evidence]):
     """Of the picture alone, so that blind mode may see it; an element that did not change is not
-    looked at again.
+    examined again.
 
     Attributes:
-        shown: whether somebody wants to see it beside the annotation; findings go by it anyway.
+        shown: whether a person wants to see it next to the annotation; findings go by it anyway.
     """
 
     def __init__(self, store: Store, signals: Signals) -> None:
@@ -45,7 +45,7 @@ class PaintWatch(Derived[Evidence]):
         self._before: tuple[tuple[object, ...], Evidence] | None = None  # picture and field
 
     def set_shown(self, shown: bool) -> None:
-        """Draw it beside the annotation, or do not."""
+        """Draw it next to the annotation, or do not."""
         if shown != self.shown:
             self.shown = shown
             self.changed.emit()

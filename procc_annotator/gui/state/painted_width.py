@@ -1,4 +1,4 @@
-"""Where the camera that is judged shows the paint of the field's lines, worked out beside."""
+"""Where the camera that is judged shows the paint of the field's lines, worked out next to."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from procc_annotator.translation import tr
 
 
 class PaintedWidth(Derived[ProjectedField]):
-    """The borders of painted lines, once somebody wants to see them."""
+    """The borders of painted lines, once a person wants to see them."""
 
     def __init__(self, store: Store, signals: Signals, judge: Judge) -> None:
         super().__init__(self._made_of, _project, Where.BESIDE, store, wanted=False)

@@ -1,4 +1,4 @@
-"""Who is editing which frame: locks of the frame on screen, kept alive and looked at again."""
+"""Who is editing which frame: locks of the frame on screen, kept alive and examined again."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ class Presence(QObject):
         self.holder = self._look()
 
     def acquire(self) -> bool:
-        """Take the frame on screen for editing; False when somebody else has it.
+        """Take the frame on screen for editing; False when another person has it.
 
         Where it was not `still_owned`, its file may be newer by now: nothing here reads it again.
         """
@@ -77,7 +77,7 @@ class Presence(QObject):
         return self._owned
 
     def still_owned(self) -> bool:
-        """As `owned`, after one look whether somebody cleared the lock away: then it is not."""
+        """As `owned`, after one look whether a person cleared the lock away: then it is not."""
         if self._locks is None or self._frame is None or not self._owned:
             return self._owned
         if not self._locks.is_there(self._frame):
@@ -93,7 +93,7 @@ class Presence(QObject):
             self.freed.emit()
 
     def look(self) -> None:
-        """See whether somebody else took or left the frame on screen."""
+        """See whether another person took or left the frame on screen."""
         if self._owned:
             return
         before, self.holder = self.holder, self._look()
@@ -128,5 +128,5 @@ class Presence(QObject):
 
 
 def _who(holder: LockHolder | None) -> tuple[str, str, float] | None:
-    """Somebody, however long ago they were heard of."""
+    """A person, however long ago they were heard of."""
     return None if holder is None else (holder.author, holder.host, holder.since)

@@ -1,4 +1,4 @@
-"""Cameras proposed for frames without annotation, from their pictures alone, worked out beside."""
+"""Cameras proposed for frames without annotation, from their pictures alone, worked out next to."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _NEIGHBOURS = (1, -1)  # looked at once nothing is left to do for the frame on s
 
 
 class Proposals(QObject):
-    """Looks at the frame on screen if nothing is annotated there, then at those beside it.
+    """Looks at the frame on screen if nothing is annotated there, then at those next to it.
 
     The answer is that of the picture alone: it does not depend on what was opened before.
     Nothing of it is ever saved: what a person accepts is an edit like any other. In blind mode, and
@@ -64,7 +64,7 @@ class Proposals(QObject):
 
     @property
     def wanted(self) -> bool:
-        """Whether somebody wants cameras to be proposed."""
+        """Whether a person wants cameras to be proposed."""
         return self._wanted
 
     def set_wanted(self, wanted: bool) -> None:
@@ -94,7 +94,7 @@ class Proposals(QObject):
 
     @property
     def working(self) -> bool:
-        """Whether the frame on screen is looked at, or about to be."""
+        """Whether the frame on screen is examined, or about to be."""
         state = self._store.state
         return self._is_asked(state.frame_index) and not self._derived.answered(
             state.frame, state.field
@@ -107,7 +107,7 @@ class Proposals(QObject):
     # --- inside ---
 
     def _next(self) -> Inputs | None:
-        """The first of the frames that should be looked at and were not."""
+        """The first of the frames that should be examined and were not."""
         state = self._store.state
         if state.workspace is None or state.picture is None:
             return None
@@ -126,7 +126,7 @@ class Proposals(QObject):
         yield from (i for i in (here, *(here + step for step in _NEIGHBOURS)) if 0 <= i < count)
 
     def _is_asked(self, index: int) -> bool:
-        """Whether a camera should be proposed for a frame: nobody annotated it."""
+        """Whether a camera should be proposed for a frame: no one annotated it."""
         state = self._store.state
         workspace = state.workspace
         if workspace is None or index < 0 or not self._wanted or self._blind_lock.lock is not None:

@@ -113,7 +113,7 @@ class ReviewState(QObject):
 
     def touched(self, frame: str, before: FrameAnnotation, after: FrameAnnotation) -> str:
         """The annotation changed: the frame is in progress again, or what it was if this took the
-        change back; what to tell the annotator, if much. Its time so far is written down."""
+        change back; what to give the annotator, if much. Its time so far is written down."""
         self._write_time()
         was = self.status(frame)
         earlier, annotation = self._before_edits.get(frame, (was, None))
@@ -186,7 +186,7 @@ class ReviewState(QObject):
     # --- verdicts -----------------------------------------------------------------------------
 
     def verdict(self, frame: str, source: str, place: str) -> Verdict | None:
-        """Whose fault a frame's score is under the camera source at a place, if somebody said so;
+        """Whose fault a frame's score is under the camera source at a place, if a person said so;
         what an older database says of its name holds unless something else was said."""
         if self.database is None:
             return None
@@ -214,7 +214,7 @@ class ReviewState(QObject):
     # --- elements not visible, and settings ---------------------------------------------------
 
     def not_visible(self, frame: str) -> frozenset[str]:
-        """The classes of the elements that somebody said cannot be seen in a frame."""
+        """The classes of the elements that a person said cannot be seen in a frame."""
         return self.database.not_visible(frame) if self.database is not None else frozenset()
 
     def set_not_visible(self, frame: str, class_name: str, hidden: bool) -> None:
@@ -332,7 +332,7 @@ class ReviewState(QObject):
 
     def _collect(self) -> None:
         """The same with what was found meanwhile: what waits for the next look is outdated by
-        then, as long as somebody works here."""
+        then, as long as a person works here."""
         if self.database is not None:
             self._take_over(self.database, self.database.collect)
 

@@ -30,11 +30,13 @@ class _Writing:
 class Saver(QObject):
     """Writes frames of a workspace and remembers which could not be written.
 
-    The disk is waited for behind the interface's thread, by one write at a time. Whoever leaves a
+    The disk is waited for behind the interface's thread, by one write at a time. Anyone who
+    leaves a
     frame, looks at its file or gives it to others settles what is under way first.
 
-    A frame that failed stays dirty and is tried again every few seconds; its reason is told once,
-    until it changes. A frame whose file somebody else changed waits for a decision instead.
+    A frame that failed stays dirty and is tried again every few seconds; its reason is reported
+    once,
+    until it changes. A frame whose file another person changed waits for a decision instead.
     """
 
     changed = Signal()  # which frames are not on disk
@@ -171,7 +173,7 @@ class Saver(QObject):
         """Whether a frame is to be written; if not, whatever failed before is over."""
         if self._workspace is None or self._workspace.state(index).dirty:
             return self._workspace is not None
-        # Undone until it is what was saved last; somebody may have changed the file since.
+        # Undone until it is what was saved last; a person may have changed the file since.
         decided = self.conflict(index) is None or self._workspace.knows_file(index)
         if decided and self._problems.pop(index, None) is not None:
             self.changed.emit()
@@ -187,7 +189,7 @@ class Saver(QObject):
             self._writing = None
             for written in results:
                 workspace.note_saved(written)
-            # Whoever hears of one may look at the others, too.
+            # Anyone who hears of one may look at the others, too.
             for written in results:
                 if written.error is None:
                     self._note_kept(written.save.index)
@@ -199,7 +201,7 @@ class Saver(QObject):
                 self._write_again()
 
         def give_up(text: str) -> None:
-            # Which of them were written nobody knows. All stay dirty: the next try finds out.
+            # Which of them were written no one knows. All stay dirty: the next try finds out.
             error = tr("not saved: {why}", why=text)
             take([SaveResult(p, SaveError(f"{p.path}: {error}"), unsure=True) for p in batch])
 

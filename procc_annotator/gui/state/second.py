@@ -1,4 +1,4 @@
-"""A second annotator's folder beside the dataset: drawn, and compared class by class."""
+"""A second annotator's folder next to the dataset: drawn, and compared class by class."""
 
 from __future__ import annotations
 
@@ -29,11 +29,11 @@ _Read = tuple[FileSource, AnnotationFiles]
 
 
 class SecondAnnotator(QObject):
-    """What somebody else clicked in the same frames.
+    """What another person clicked in the same frames.
 
     Attributes:
-        annotation: theirs of the frame on screen; None where there is none, or none to be read.
-        error: why the frame's file could not be read; empty where it could, or where there is none.
+        annotation: theirs of the frame on screen; None if absent, or none to be read.
+        error: why the frame's file could not be read; empty where it could, or if absent.
     """
 
     changed = Signal()

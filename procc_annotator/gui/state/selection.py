@@ -24,7 +24,7 @@ class Selecting:
         chosen = self._store.state.selection
         stays = chosen.point is not None and chosen.point[0] == class_name
         if class_name == chosen.class_name or stays:
-            # Whoever chooses means what was chosen, not what was finished before.
+            # Anyone who chooses means what was chosen, not what was finished before.
             chosen = replace(chosen, class_name=class_name, last_finished=None, continues=continues)
         else:
             chosen = ChosenElement(class_name, continues=continues)
@@ -58,7 +58,7 @@ class Selecting:
         self._store.set(selection=replace(self._store.state.selection, last_finished=class_name))
 
     def hover_class(self, class_name: str | None) -> None:
-        """Tell every widget which element the cursor is on."""
+        """Report every widget which element the cursor is on."""
         self._store.set(hovered_class=class_name)
 
     def set_mode(self, mode: Mode) -> None:

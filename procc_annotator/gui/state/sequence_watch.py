@@ -1,4 +1,4 @@
-"""Whether the frames of the open dataset follow one another, found out beside."""
+"""Whether the frames of the open dataset follow one another, found out next to."""
 
 from __future__ import annotations
 

@@ -39,7 +39,7 @@ def edit_frame(
 ) -> str:
     """Change what is annotated in a frame; undo and versions keep what was there.
 
-    The frame is locked then: whoever calls this saves it and gives it back
+    The frame is locked then: anyone who calls this saves it and gives it back
     (``editing.presence.give_back``).
 
     Args:

@@ -122,7 +122,7 @@ class SetScores(QObject):
         setup: EvaluationSetup,
         tau: float,
     ) -> None:
-        """Audit in the background what was not looked at yet.
+        """Audit in the background what was not examined yet.
 
         Args:
             sources: in the order they are to be done.

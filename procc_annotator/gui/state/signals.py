@@ -1,4 +1,5 @@
-"""What of the state became another, as signals of one subject each; told from this one place.
+"""What of the state became another, as signals of one subject each; distinguished from this one
+place.
 
 ==================  ===============================================================================
 datasetChanged      another dataset (or none); `frameChanged` follows
@@ -41,7 +42,7 @@ from procc_annotator.gui.state.state import State, same
 
 
 class Signals(QObject):
-    """Compares the state before with the state after and tells what differs."""
+    """Compares the state before with the state after and gives what differs."""
 
     datasetChanged = Signal()
     frameChanged = Signal()

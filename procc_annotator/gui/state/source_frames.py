@@ -27,7 +27,7 @@ class SourceFrame:
     """A source's camera for one frame, or why there is none.
 
     Attributes:
-        camera: px of the evaluation size; None where there is none to be used.
+        camera: px of the evaluation size; None if absent to be used.
         model: of the camera, for people.
         projected: what the camera shows of the field.
         notice: what to know about it (scaled from another size, missing).
@@ -70,7 +70,7 @@ _FEWEST = 16  # frames of sources that are kept
 
 
 class SourceFrames(QObject):
-    """Keeps what the sources show of the frame on screen and of those beside it.
+    """Keeps what the sources show of the frame on screen and of those next to it.
 
     Stepping through the frames and switching the active source then read and project nothing.
     """

@@ -167,7 +167,7 @@ class Sources(QObject):
         self._show_looks()
 
     def set_source_visible(self, source: CameraSource, visible: bool) -> None:
-        """Whether a source is drawn beside the active one."""
+        """Whether a source is drawn next to the active one."""
         source.visible = visible
         self._show_looks()
 
@@ -186,7 +186,7 @@ class Sources(QObject):
         """List these sources and judge against one of them."""
         state = self._store.state
         choice, before = state.compared_choice, state.active
-        # Two that are compared change places; somebody's choice of a third one stays.
+        # Two that are compared change places; a person's choice of a third one stays.
         stays = choice[1] and state.compared is not active
         if before is not None and before is not active and not stays:
             choice = (before, choice[1])

@@ -45,7 +45,7 @@ class ChosenElement:
         point: the one point, or the first of several.
         points: those that are chosen together; empty for one or none.
         last_finished: the element finished on this frame before the next one was offered.
-        continues: whether clicks add to the points the element has: a hand chose it with these.
+        continues: whether clicks add to the points the element has: the user chose it with these.
     """
 
     class_name: str | None = None
@@ -57,7 +57,7 @@ class ChosenElement:
 
 @dataclass(frozen=True, slots=True)
 class HandOptions:
-    """How a hand works: what clicks do."""
+    """How the user works: what clicks do."""
 
     snapping: bool = True
     pinned: bool = True
@@ -90,11 +90,11 @@ class State:
             is shown now, at the same places.
         active: the source that is judged.
         compared_choice: the source that was active before or was chosen to be compared with, and
-            whether somebody chose it.
+            whether a person chose it.
         blind: whether nothing of a camera is shown before a frame is committed.
         blind_lock: the lock of the dataset to blind mode, if it has one.
         committed: the frames whose clicks were declared final.
-        corrected: frame name -> its camera as somebody dragged it; nothing of it is in a file.
+        corrected: frame name -> its camera as a person dragged it; nothing of it is in a file.
         keymap: the keys of one's own.
         author: whose name points, comments and versions bear.
         notices: lines that are so until they are withdrawn.
@@ -169,14 +169,14 @@ class State:
 
     @property
     def picture_size(self) -> tuple[int, int] | None:
-        """(width, height) of the picture on screen in px; None when there is none."""
+        """(width, height) of the picture on screen in px; None if absent."""
         if self.picture is None:
             return None if self.half is None else self.half.size
         return self.picture.shape[1], self.picture.shape[0]
 
     @property
     def why_broken(self) -> str:
-        """Why nobody can edit the frame on screen; empty when somebody can."""
+        """Why no one can edit the frame on screen; empty when a person can."""
         return self.damage or self.picture_error
 
     @property

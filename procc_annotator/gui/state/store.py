@@ -28,7 +28,7 @@ class _Reach(Protocol):
 
 
 class _Watch:
-    """Calls somebody whenever what they select of the state is another thing than before."""
+    """Calls a person whenever what they select of the state is another thing than before."""
 
     def __init__(
         self, select: Callable[[State], Any], then: Callable[[Any], object], state: State
@@ -55,11 +55,13 @@ class _Watch:
 
 
 class Store(QObject):
-    """Holds the state. It is replaced as a whole, by commands, and told step by step.
+    """Holds the state. It is replaced as a whole, by commands, and reported step by step.
 
-    A change that is made while another one is told is there at once, but told after that one: every
-    listener sees every step, and all see them in the same order. Who watches is told once of all
-    steps that follow from one another; of what a hand carries, after that was painted.
+    A change that is made while another one is reported is there at once, but reported after that
+        one: every
+    listener sees every step, and all see them in the same order. Who watches is reported once of
+    all
+    steps that follow from one another; of what the user drags, after that was painted.
     """
 
     changed = Signal(object, object)  # the state before, the state after
@@ -82,12 +84,13 @@ class Store(QObject):
 
     @property
     def busy(self) -> bool:
-        """Whether something is still to be told."""
+        """Whether something is still to be reported."""
         return self._telling or self._begun is not None
 
     @contextmanager
     def together(self) -> Iterator[None]:
-        """What is changed within is there at once, and told as one step at its end, but for lines
+        """What is changed within is there at once, and reported as one step at its end, but for
+        lines
         that are said: each is a step of its own to those who listen to `changed`."""
         if self.busy:
             yield
@@ -100,7 +103,7 @@ class Store(QObject):
             self._tell()
 
     def set(self, **changes: Any) -> None:
-        """Replace fields of the state; nothing is told where nothing differs.
+        """Replace fields of the state; nothing is reported where nothing differs.
 
         Args:
             changes: the new values, by the names of the fields of `State`.
@@ -122,7 +125,7 @@ class Store(QObject):
         self._state = replace(before, **other)
 
     def watch(self, select: Callable[[State], T], then: Callable[[T], object]) -> None:
-        """Have somebody called whenever what is selected differs, until their owner is gone.
+        """Have a person called whenever what is selected differs, until their owner is gone.
 
         Args:
             select: a pure function of the state, cheap enough for every move of the mouse.
@@ -132,13 +135,13 @@ class Store(QObject):
         self._watches.append(_Watch(select, then, self._state))
 
     def _end_step(self) -> None:
-        """What changed together is a step to be told."""
+        """What changed together is a step to be reported."""
         if self._begun is not None and self._begun is not self._state:
             self._steps.append((self._begun, self._state))
         self._begun = None
 
     def _tell(self) -> None:
-        """Tell every step; where somebody who is told fails, all others hear of it first."""
+        """Report every step; where a person who is reported fails, all others hear of it first."""
         self._telling = True
         with ExitStack() as at_last:
             at_last.callback(self._rest)

@@ -48,7 +48,7 @@ class Terms(QObject):
             self._store.set(setup=other)
 
     def set_noise_floor(self, floor: tuple[float, float] | None) -> None:
-        """Median and 95 % of the distances between two annotators, px; shown beside tau."""
+        """Median and 95 % of the distances between two annotators, px; shown next to tau."""
         self._store.set(noise_floor=floor)
 
     def set_sized_field(self, field: Field, *, keep: bool = True) -> None:

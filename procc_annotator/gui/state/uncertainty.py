@@ -76,7 +76,7 @@ def know_ground(fit: FitResult, field: Field) -> KnownGround:
 
 
 class UncertaintyWatch(Derived[KnownGround]):
-    """The map of the live fit, once somebody wants to see it."""
+    """The map of the live fit, once a person wants to see it."""
 
     def __init__(
         self,
@@ -105,7 +105,7 @@ class UncertaintyWatch(Derived[KnownGround]):
 
     @property
     def problem(self) -> str:
-        """Why there is nothing to be shown, or little, although somebody wants to see it."""
+        """Why there is nothing to be shown, or little, although a person wants to see it."""
         if problem := super().problem:
             return problem
         found = self.value
@@ -113,7 +113,7 @@ class UncertaintyWatch(Derived[KnownGround]):
         return tr("The fitted camera sees no part of the field.") if nothing else ""
 
     def set_wanted(self, wanted: bool) -> None:
-        """Whether somebody wants to see it; it takes the place of the disagreement."""
+        """Whether a person wants to see it; it takes the place of the disagreement."""
         if wanted:
             self._disagreement.set_wanted(False)
         super().set_wanted(wanted)

@@ -1,4 +1,4 @@
-"""Where the frames of a sequence lie along a strip: all of them, or those somebody zoomed to."""
+"""Where the frames of a sequence lie along a strip: all of them, or those a person zoomed to."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ class Axis:
         return self.x_of(number + 0.5)
 
     def number_at(self, x: float) -> int:
-        """The frame at a place, px; the nearest one beside the strip."""
+        """The frame at a place, px; the nearest one next to the strip."""
         number = int((x / self.per_frame) + self.begin)
         return min(max(number, self.first), self.last)
 

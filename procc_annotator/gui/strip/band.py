@@ -28,10 +28,10 @@ class Band:
     """What is known of the frames of a sequence, by number from the first.
 
     Attributes:
-        coverage: (n,) share of the lines on paint, 0 to 1; 0 for a lost frame, NaN where nobody
+        coverage: (n,) share of the lines on paint, 0 to 1; 0 for a lost frame, NaN where no one
             looked.
         distance: (n,) of the paint from the lines as a share of what is still sure, 0 to 1.
-        doubtful: (n,) whether somebody should look.
+        doubtful: (n,) whether a person should look.
         lost: (n,) whether there is no camera.
     """
 
@@ -42,7 +42,7 @@ class Band:
 
     @classmethod
     def unknown(cls, count: int) -> Band:
-        """Nobody looked at any frame."""
+        """No one examined any frame."""
         off = np.zeros(count, dtype=bool)
         return cls(np.full(count, np.nan), np.zeros(count), off, off.copy())
 

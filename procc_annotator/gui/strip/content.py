@@ -26,7 +26,7 @@ class StripContent(QObject):
         sequence: the frames; None while nothing is open that has an order in time.
         band: what is known of each frame's camera.
         anchors: (n,) numbers of annotated frames, ascending.
-        dragged: those of frames whose camera somebody dragged, ascending.
+        dragged: those of frames whose camera a person dragged, ascending.
         statuses: number -> status, of the frames that were touched.
     """
 

@@ -64,7 +64,7 @@ class Filmstrip(QTableView):
             header.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         self._size_cells()
         self.clicked.connect(self._go)
-        # After the picture was painted: nobody looks here first.
+        # After the picture was painted: no one looks here first.
         self._soon = soon(self, self._follow)
         document.frameChanged.connect(self._soon.start)
         self._rows.modelReset.connect(self._soon.start)

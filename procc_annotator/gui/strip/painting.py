@@ -76,9 +76,9 @@ def paint_strip(
         painter: on something of the strip's size.
         content: what is shown.
         axis: which frames are in sight, along the area's width.
-        area: without the room beside the frames.
+        area: without the room next to the frames.
         colours: of the window.
-        stretch: first and last number that somebody marked.
+        stretch: first and last number that a person marked.
     """
     rows = strip_rows(painter.fontMetrics())
     painter.fillRect(painter.viewport(), colours.color(QPalette.ColorRole.Window))
@@ -161,7 +161,7 @@ def _paint_stretch(
 def _paint_frames(
     painter: QPainter, content: StripContent, axis: Axis, rows: Rows, colours: QPalette
 ) -> None:
-    """Ticks below the frames of the dataset, unless they are too many to be told apart."""
+    """Ticks below the frames of the dataset, unless they are too many to be distinguished."""
     sequence = content.sequence
     if sequence is None or len(sequence.numbers) == sequence.count:
         return

@@ -1,5 +1,5 @@
 """When a strip is there, and which: that of the shot for frames that follow one another, small
-pictures for others; neither comes while a hand works.
+pictures for others; neither comes while the user works.
 
 It takes room from the picture, which must not move under a click: found out late, it waits for the
 next frame unless nothing was begun in this one.
@@ -40,7 +40,7 @@ class StripPlace(QObject):
 
     @property
     def wanted(self) -> bool:
-        """Whether somebody wants it where there is one."""
+        """Whether a person wants it where there is one."""
         return self._wanted
 
     def set_wanted(self, wanted: bool) -> None:

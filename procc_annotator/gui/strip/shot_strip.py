@@ -90,7 +90,7 @@ class ShotStrip(QWidget):
         )
 
     def show_tasks(self, *tasks: StripTask) -> None:
-        """Say how far these are, and tell them which stretch is marked."""
+        """Say how far these are, and give them which stretch is marked."""
         self._tasks = tasks
         for task in tasks:
             task.marked = lambda: self.stretch
@@ -109,7 +109,7 @@ class ShotStrip(QWidget):
 
     @property
     def number(self) -> int | None:
-        """The frame on screen, or the one that a hand drags to."""
+        """The frame on screen, or the one that the user drags to."""
         sequence, index = self.content.sequence, self._document.frame_index
         if self._aim is not None or sequence is None:
             return self._aim
@@ -201,7 +201,7 @@ class ShotStrip(QWidget):
         self.update()
 
     def _go_by_key(self, number: int, far: int, *, marking: bool) -> None:
-        """So many frames on; what is gone over is marked where somebody marks."""
+        """So many frames on; what is gone over is marked where a person marks."""
         sequence = self.content.sequence
         assert sequence is not None
         index = min(max(sequence.nearest(number) + far, 0), len(sequence.numbers) - 1)

@@ -1,4 +1,4 @@
-"""Rows of frames laid beside each other: the same frames, a column for each."""
+"""Rows of frames laid next to each other: the same frames, a column for each."""
 
 from __future__ import annotations
 

@@ -12,7 +12,7 @@ from procc_annotator.gui.state.document import Document
 
 
 class TaskDialog(Protocol):
-    """What every such dialog can be told."""
+    """What every such dialog can be reported."""
 
     def set_running(self, running: bool) -> None:
         """Whether the work goes on."""
@@ -36,7 +36,7 @@ class DialogTask(QObject):
         Args:
             document: whose dataset the dialog is about.
             parent: the dialog's.
-            urgent: a hand waits for the work, which takes a second at most.
+            urgent: the user waits for the work, which takes a second at most.
         """
         super().__init__(parent)
         self._document = document

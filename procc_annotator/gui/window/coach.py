@@ -1,4 +1,4 @@
-"""The first three steps, told over the real picture, each until it was done once."""
+"""The first three steps, reported over the real picture, each until it was done once."""
 
 from __future__ import annotations
 
@@ -25,13 +25,13 @@ _TAKEN = (OriginKind.SUGGESTED, OriginKind.ACCEPTED)  # what the camera expected
 
 
 class Coach(QObject):
-    """Watches what is done; what was done is ticked, and after the third step it goes for ever.
+    """Watches what is done; what was done is ticked, and after the third step it goes permanently.
 
     Attributes:
         steps: what is to be done, in words.
         done: which of them were.
-        card: what tells them; it lets the mouse through.
-        close_button: puts it away for ever.
+        card: what gives them; it lets the mouse through.
+        close_button: puts it away permanently.
     """
 
     def __init__(
@@ -61,7 +61,7 @@ class Coach(QObject):
         )
 
     def begin(self) -> None:
-        """Tell the steps, unless they were done before."""
+        """Report the steps, unless they were done before."""
         if self._going or self._settings.get(COACHED):
             return
         self._going = True
@@ -74,7 +74,7 @@ class Coach(QObject):
         self._begin_frame()
 
     def end(self) -> None:
-        """Put it away for ever."""
+        """Put it away permanently."""
         self._going = False
         self._settings.set(COACHED, True)
         self._show()

@@ -39,7 +39,7 @@ class Commands:
     # --- stepping and choosing ------------------------------------------------------------
 
     def take_tool(self, mode: Mode) -> None:
-        """Draw or edit from now on, with the hand that moves the picture put away."""
+        """Draw or edit from now on, with the hand that moves the picture dismissed."""
         self._canvas.set_pan(False)
         self._document.set_mode(mode)
 
@@ -107,7 +107,7 @@ class Commands:
         self._dialog.open_at(key)
 
     def show_guide(self) -> None:
-        """Open the user guide beside the window, or bring it to the front."""
+        """Open the user guide next to the window, or bring it to the front."""
         folder = guide_folder()
         if folder is None:
             text = tr("this installation came without its user guide")

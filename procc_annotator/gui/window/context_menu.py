@@ -202,7 +202,7 @@ def class_menu(
         title: of the menu, as in "Change class to".
         first: class names offered at the top, best first; they may be unknown to the field.
         disabled: class names that cannot be chosen now; they stay where they are, in grey.
-        keymap: whose keys stand beside the names.
+        keymap: whose keys stand next to the names.
         chosen: called with the class name of the chosen entry.
 
     Returns:

@@ -1,6 +1,6 @@
 """The docks around the picture: which there are, how they are arranged, hidden and remembered.
 
-Those that are for one kind of work make a desk; one desk is in sight at a time, beside the frames
+Those that are for one kind of work make a desk; one desk is in sight at a time, next to the frames
 and the field map, which belong to every work.
 """
 
@@ -57,7 +57,7 @@ class DeskLook:
         open: its docks that are not closed.
         front: the one in front of its tabs.
         width, map_height: of the column and of the field map above it, px; 0 where it is not shown.
-        drawer_height: of what lies below the picture, px; 0 where it was not seen yet.
+        drawer_height: of what is below the picture, px; 0 where it was not seen yet.
     """
 
     open: tuple[str, ...]
@@ -80,7 +80,7 @@ class Docks:
     Attributes:
         by_name: one for each panel.
         desk: the one in sight.
-        turned: told which desk is in sight after another was.
+        turned: reported which desk is in sight after another was.
     """
 
     def __init__(self, window: QMainWindow, panels: Mapping[str, QWidget]) -> None:
@@ -105,7 +105,7 @@ class Docks:
         """The layout the window starts with."""
         window, docks = self._window, self.by_name
         window.setDockNestingEnabled(True)
-        # The drawer is as wide as the picture, and leaves the columns beside it their height.
+        # The drawer is as wide as the picture, and leaves the columns next to it their height.
         window.setCorner(Qt.Corner.BottomLeftCorner, _LEFT)
         window.setCorner(Qt.Corner.BottomRightCorner, _RIGHT)
         for name, dock in docks.items():
@@ -256,7 +256,7 @@ class Docks:
 
 
 def _nobody(_: str) -> None:
-    """Nobody is told yet."""
+    """No one is reported yet."""
 
 
 def _first_look(desk: str) -> DeskLook:

@@ -36,7 +36,7 @@ def guide_folder() -> Path | None:
 
 
 class Guide(QDialog):
-    """Pages with their headings beside them, and a line that finds words in a page."""
+    """Pages with their headings next to them, and a line that finds words in a page."""
 
     def __init__(self, folder: Path, parent: QWidget) -> None:
         super().__init__(parent)

@@ -43,7 +43,7 @@ class IconButton(QToolButton):
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
 
     def show_action(self, action: QAction, key_of: QAction | None = None, key: str = "") -> None:
-        """Do what an action does, and tell what it is called.
+        """Do what an action does, and give what it is called.
 
         Args:
             action: what a click triggers.
@@ -59,7 +59,7 @@ class IconButton(QToolButton):
         self._take_keys()
 
     def key_text(self) -> str:
-        """The key that is shown; "" where there is none."""
+        """The key that is shown; "" if absent."""
         return self._key
 
     def set_with_key(self, with_key: bool) -> None:

@@ -1,4 +1,4 @@
-"""The keyboard goes back to the picture once something beside it has been said."""
+"""The keyboard goes back to the picture once something next to it has been said."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _NAMES = {
 class KeysBack(QObject):
     """Routes keys to the picture.
 
-    A click beside the picture gives the keyboard to text only: whatever else is clicked leaves the
+    A click next to the picture gives the keyboard to text only: whatever else is clicked leaves the
     picture the keys that the status bar names. A number is taken by Enter and put back by Escape;
     a list is left by either. While a polyline is being clicked its keys mean it wherever nothing is
     typed.

@@ -45,7 +45,7 @@ class Options:
         self._settings, self._document = settings, document
         self._action = action
         self._places = _places(document, canvas)
-        # A locked dataset may hold what somebody chose for all of them.
+        # A locked dataset may hold what a person chose for all of them.
         self._chosen: Mapping[str, Callable[[], bool]] = {
             "blind": lambda: document.blind_lock.wanted,
             "live_fit": lambda: document.live_fit.chosen,

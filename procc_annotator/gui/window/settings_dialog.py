@@ -139,7 +139,7 @@ class SettingRow(QWidget):
 
 
 class SettingsDialog(QDialog):
-    """Stays open beside the window; what is changed holds at once."""
+    """Stays open next to the window; what is changed holds at once."""
 
     keysWanted = Signal()
 
@@ -222,7 +222,7 @@ class SettingsDialog(QDialog):
         row.editor.setFocus(Qt.FocusReason.OtherFocusReason)
 
     def refresh(self) -> None:
-        """Show what holds now, whoever changed it."""
+        """Show what holds now, anyone who changed it."""
         for row in self.rows:
             row.refresh()
 

@@ -110,7 +110,7 @@ class WordsButton(QToolButton):
         return self.fontMetrics().horizontalAdvance("▾ ") if self.menu() is not None else 0
 
     def _beside(self) -> int:
-        """What is beside the words, px."""
+        """What is next to the words, px."""
         return self.fontMetrics().height() + 3 * _PAD + self._arrow()
 
 
@@ -169,7 +169,7 @@ class TopBar(QToolBar):
         self.position = SteadyLabel()
         self.position.setObjectName("framePosition")
         self.position.setFont(fixed_width(self.position.font()))
-        # Nothing beside it moves when it changes.
+        # Nothing next to it moves when it changes.
         words, advance = (tr(s.value) for s in Status), self.fontMetrics().horizontalAdvance
         self.status = SteadyLabel(max(words, key=advance))
         self.status.setObjectName("frameStatus")

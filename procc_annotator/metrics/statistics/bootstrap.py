@@ -31,7 +31,7 @@ class BootstrapSettings:
     Attributes:
         count: how many sets are drawn, or labels exchanged.
         seed: the same one draws the same sets.
-        level: of intervals; what lies outside is beyond chance.
+        level: of intervals; what is outside is beyond chance.
     """
 
     count: int = 10_000

@@ -165,7 +165,7 @@ def _interval_from_resamples(
 
 @dataclass(frozen=True, eq=False)
 class CurveBand:
-    """A curve over T thresholds with its band; NaN where there is none.
+    """A curve over T thresholds with its band; NaN if absent.
 
     Attributes:
         values: (T,) the curve.
@@ -179,7 +179,7 @@ class CurveBand:
 
     @property
     def beyond_chance(self) -> FloatArray:
-        """(T,) 1 where the whole band lies above 0, -1 where it lies below, else 0."""
+        """(T,) 1 where the whole band lies above 0, -1 where it is below, else 0."""
         return np.where(self.low > 0, 1.0, np.where(self.high < 0, -1.0, 0.0))
 
 
@@ -220,7 +220,7 @@ def quantile_confidence_interval(
         values: (n,) e.g. distances in px.
         frames: (n,) number of the frame that each belongs to.
         clusters: (F,) number of each frame's cluster, from 0 on.
-        share: of the values that lie below the quantile.
+        share: of the values that are below the quantile.
         draws: says the level; nothing is drawn.
     """
     if not len(values):

@@ -32,7 +32,7 @@ class PairedDifference:
     """The figure of one source less that of another, on the frames both have.
 
     Attributes:
-        value: the difference, in the unit of the figure; None where there is none.
+        value: the difference, in the unit of the figure; None if absent.
         interval: of it; None with fewer than two clusters.
         deviation: its standard deviation; None where there is no interval.
         p: the share of exchanges of the two sources that differ as much (permutation test).
@@ -171,7 +171,7 @@ def permutation_p_values(
     exact = len(half) <= math.log2(draws.count)
     for signs in _all_sign_flips(len(half)) if exact else _random_sign_flips(len(half), draws):
         found = differences(signs @ half)
-        # Where an exchange leaves one source nothing, it tells of no difference and of none less.
+        # Where an exchange leaves one source nothing, it reports no difference and of none less.
         reached += (~(found < least)).sum(axis=0)
         tried += len(signs)
     shares = reached / tried if exact else (1 + reached) / (1 + tried)
@@ -210,7 +210,7 @@ def significant_ranks(
 def significantly_best(
     count: int, differences: Mapping[tuple[int, int], PairedDifference], better: int
 ) -> int | None:
-    """The source that is better than every other beyond chance; None if there is none."""
+    """The source that is better than every other beyond chance; None if absent."""
     for one in range(count):
         against = [
             (found, better if a == one else -better)

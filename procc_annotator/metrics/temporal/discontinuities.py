@@ -82,7 +82,7 @@ def find_discontinuities(
     Args:
         cameras: (n,) in px of ``size``, None for a frame without one.
         numbers: (n,) of the frames, ascending.
-        points_world: (P, 3) metres that are looked at.
+        points_world: (P, 3) metres that are examined.
         size: (width, height) px.
         steady: of the same cameras.
     """
@@ -126,7 +126,7 @@ class _ShotProjections:
 
     def off_px(self, before: int, after: int) -> float:
         """Return how far frame ``after`` lies from where the steps around lead from ``before``, px,
-        as the error of one frame; infinite where nobody can tell."""
+        as the error of one frame; infinite if undecidable."""
         steps = [(before - 1, before), (after, after + 1)]
         around = [s for s in steps if s[0] >= 0 and s[1] < len(self.cameras) and self._follow(*s)]
         a, b = self._shown(before), self._shown(after)
@@ -168,7 +168,7 @@ class _ShotProjections:
 def _find_jumps(
     shot: _ShotProjections, runs: list[tuple[int, int]], steady: ShotJitter
 ) -> tuple[Jump, ...]:
-    """Each run of unsteady frames begins and ends beside a leap; two may be one there and back."""
+    """Each run of unsteady frames begins and ends next to a leap; two may be one there and back."""
     found = []
     number = 0
     while number < len(runs):

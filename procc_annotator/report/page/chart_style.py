@@ -79,7 +79,7 @@ def draw_chart(
     """Draw a chart.
 
     Args:
-        number: tells the ids of the page's charts apart.
+        number: gives the ids of the page's charts apart.
         title, text: see `Chart`; the title is also what a screen reader says.
         height_in: inches; the width is that of the page.
         draw: puts axes on an empty figure, laid out by constraint.
@@ -91,14 +91,14 @@ def draw_chart(
     from matplotlib.backends.backend_svg import FigureCanvasSVG
     from matplotlib.figure import Figure
 
-    # The settings of whoever runs this must not change the report.
+    # The settings of anyone who runs this must not change the report.
     settings: Any = {
         key: value
         for key, value in matplotlib.rcParamsDefault.items()
         if not key.startswith("backend")
     }
     with warnings.catch_warnings(), matplotlib.rc_context(settings | _SETTINGS):
-        # Names in scripts its own font lacks: whoever shows the page has a font for them.
+        # Names in scripts its own font lacks: anyone who shows the page has a font for them.
         warnings.filterwarnings("ignore", message="Glyph")
         figure = Figure(figsize=(WIDTH_IN, height_in), dpi=72, layout="constrained")
         canvas: Any = FigureCanvasSVG(figure)
@@ -116,7 +116,7 @@ def draw_chart(
 @lru_cache(maxsize=1)
 def _load_undocumented() -> None:
     """Load matplotlib without the docstrings of setters that it puts together for every artist: a
-    third of what loading it takes, and nobody reads them here."""
+    third of what loading it takes, and no one reads them here."""
     import matplotlib.artist as artists
 
     written = artists.kwdoc

@@ -137,7 +137,7 @@ class Page:
     Attributes:
         charts: in their order.
         worst: source -> pictures of its worst frames, the worst first.
-        lot: frame -> pictures of a frame drawn by lot, one a source.
+        lot: frame -> pictures of a frame drawn at random, one a source.
         pairs: disagreement of pairs of sources, with pictures.
         pair_tables: their tables.
         over_time, over_time_charts: how steady sources are over their shots, where that was asked.

@@ -64,7 +64,7 @@ class ChosenFrames:
 
     Attributes:
         worst: source -> its worst frames, the worst first.
-        random: frames drawn by lot, in natural order; every source is shown for them.
+        random: frames drawn at random, in natural order; every source is shown for them.
     """
 
     worst: Mapping[str, tuple[str, ...]]
@@ -77,11 +77,11 @@ class ChosenFrames:
 
 
 def choose_frames(report: AuditReport, worst: int, lot: int, seed: int) -> ChosenFrames:
-    """The worst frames of every source, and some drawn by lot from all that have a score.
+    """The worst frames of every source, and some drawn at random from all that have a score.
 
     Args:
         worst: frames a source: lowest JaC first, among equals the largest mean error.
-        lot: frames drawn by lot; the same for the same set and seed.
+        lot: frames drawn at random; the same for the same set and seed.
         seed: of the lot.
     """
     scored = [name for name in report.frames if any(name in s.audits for s in report.evaluated)]

@@ -56,7 +56,7 @@ class ReportRequest:
 
     Attributes:
         title, date: at its head.
-        worst: frames a source to draw; lot: frames to draw by lot, with ``seed``.
+        worst: frames a source to draw; lot: frames to draw at random, with ``seed``.
         disagreement: pairs of sources; pictures: how many of each.
         reference: the source that the metrics of earlier papers take as true; empty for none.
         manifest: name of the run manifest; empty for none.

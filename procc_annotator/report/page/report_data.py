@@ -31,7 +31,7 @@ from procc_annotator.report.scores.inference import (
     statistical_result,
 )
 
-# Colours, dashes and markers tell so many lines apart, and a page holds as many pictures.
+# Colours, dashes and markers say so many lines apart, and a page holds as many pictures.
 MOST_DETAILED = 12
 
 
@@ -129,7 +129,7 @@ class ReportedSource:
 
     @property
     def marked_name(self) -> str:
-        """Its name as tables and charts tell it beside others."""
+        """Its name as tables and charts give it next to others."""
         return name_with_mark(self.name, self.fitted)
 
     @cached_property
@@ -248,7 +248,7 @@ def _no_progress(
 
 @dataclass(frozen=True, slots=True)
 class ReportWork:
-    """Means of evaluating frames: who shares the work (None: nobody), who watches, and how points
+    """Means of evaluating frames: who shares the work (None: no one), who watches, and how points
     are moved where it is asked what clicks leave open."""
 
     executor: Executor | None = None

@@ -49,7 +49,7 @@ def export_provenance(
     """Write how every point of the annotated frames came to be; see `provenance_json`.
 
     Args:
-        only: names of frames, where nothing is to be told of others.
+        only: names of frames, where nothing is to be reported of others.
 
     Raises:
         InputError: the database cannot be read, as once another dataset was opened.
@@ -142,7 +142,7 @@ class ReleaseDescription:
         version: of this release. date: ``2026-05-01``.
         licence: SPDX identifier or URL; empty where none is given.
         creators: who made it.
-        url: where it is found; empty where nobody says.
+        url: where it is found; empty where no one says.
         description: a paragraph.
         citation: BibTeX; empty for none.
     """
@@ -175,7 +175,7 @@ class ReleasedFrame:
 
     Attributes:
         data: its annotation file as it is.
-        picture: None where there is none.
+        picture: None if absent.
     """
 
     name: str
@@ -203,7 +203,7 @@ class Release:
     Attributes:
         frames: in natural order.
         field: the elements; fingerprint: see `field.load`.
-        findings: of the label check that are still open, by severity; None where nobody looked.
+        findings: of the label check that are still open, by severity; None where no one looked.
         agreement: in words; empty without a second annotator.
         provenance: origin -> number of points; None where nothing is known of them.
         with_pictures: whether they are passed on.

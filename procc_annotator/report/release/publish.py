@@ -181,7 +181,7 @@ def _own_files(release: Release) -> set[str]:
 
 
 def _files_of_release(folder: Path) -> set[str]:
-    """The same of a release that was written to a folder; nothing where there is none."""
+    """The same of a release that was written to a folder; nothing if absent."""
     if not (folder / RELEASE_FILE).exists():
         return set()
     frames = _read_release(folder).frames

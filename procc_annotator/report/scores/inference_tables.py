@@ -72,7 +72,7 @@ def inference_tables(
     *,
     power: bool = False,
 ) -> list[MetricTable]:
-    """Everything that can be told of some sources; of a single one there is nothing to compare.
+    """Everything that can be reported of some sources; of a single one there is nothing to compare.
 
     Args:
         summaries: the figures of each source, by threshold.
@@ -163,7 +163,7 @@ def verdict(found: PairedDifference) -> str:
 
 
 def ranks_table(certainty: Inference, described: str) -> MetricTable:
-    """The place of each source at each threshold, shared where the data cannot tell."""
+    """The place of each source at each threshold, shared where the data cannot say."""
     columns = [Column("source", "source")]
     for tau in certainty.thresholds:
         group = f"at {tau:g} px"

@@ -293,7 +293,7 @@ def summary_entry(summary: SetSummary) -> dict[str, Any]:
 class JsonScores:
     """``{"protocol", "field", "size", "thresholds", "images": [...], "summary": {...}}``.
 
-    The field is told by `field_terms`.
+    The field is given by `field_terms`.
 
     Where several evaluations share a file, each begins with its ``names``: set and method.
 
@@ -368,7 +368,7 @@ class JsonList:
         self._separator = b","
 
     def end(self, more: Mapping[str, Any] | None = None) -> None:
-        """That was all, but for what is told of the evaluations together."""
+        """That was all, but for what is reported of the evaluations together."""
         self._stream.write(b"]" + _more(more) + b"}\n")
 
 

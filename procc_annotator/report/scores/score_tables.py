@@ -61,7 +61,7 @@ class FrameRow:
     @classmethod
     def of(cls, name: str, score: FrameScore) -> FrameRow:
         """The row of a scored frame; its worst element is the one with the farthest point, by the
-        labels that errors are told of."""
+        labels that errors are reported of."""
         element, distance = _farthest(score.read)
         return cls(
             name,
@@ -191,7 +191,7 @@ class EvaluationRow:
     """One evaluation, or a part of its frames, in a table of several.
 
     Attributes:
-        names: what tells it from the others, one a heading.
+        names: what distinguishes it from the others, one a heading.
         described: what its figures were computed with.
     """
 

@@ -73,7 +73,7 @@ class RequestedOutputs:
     Attributes:
         outputs: ``.json`` and ``.csv`` files; each appears when it is complete.
         named: whether these say set and method of every evaluation; they have to for several.
-        chance: how surely the figures are to be told; None for not at all.
+        chance: how surely the figures are to be reported; None for not at all.
     """
 
     outputs: Sequence[Path] = ()
@@ -265,7 +265,7 @@ class Evaluations:
             if scoring is self.scorings[-1] and self.outcome.chance is not None:
                 scored = [one.scored for one in self.scorings]
                 self.told = tuple(statistical_results(scored, self.outcome.chance))
-            # In a file of several, what is told of all follows behind them.
+            # In a file of several, what is reported of all follows behind them.
             scoring.write_end({} if self.outcome.named else inference_entries(self.told))
         for several in lists:
             several.end(inference_entries(self.told))

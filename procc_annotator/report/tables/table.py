@@ -16,7 +16,7 @@ Better = Literal["higher", "lower"]
 
 @dataclass(frozen=True, slots=True)
 class Metric:
-    """One figure, wherever it is told.
+    """One figure, wherever it is reported.
 
     Attributes:
         key: in files.
@@ -27,7 +27,7 @@ class Metric:
         digits: decimals it is shown with; ``significant`` ones where that is said.
         definition: a sentence or two for who has not met it.
         signed: whether values above 0 are shown with a plus.
-        most: what lies beyond says no more than this; shown as ``> 1000``.
+        most: what is beyond says no more than this; shown as ``> 1000``.
         attribute: of the values it is taken from, where that is not called like the key.
     """
 

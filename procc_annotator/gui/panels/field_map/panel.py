@@ -97,7 +97,7 @@ class FieldMapPanel(QWidget):
             document.label_check.changed,
             document.ghosts.changed,
         )
-        # After the canvas was painted, too: nobody looks at the map first.
+        # After the canvas was painted, too: no one looks at the map first.
         Refresher(self, self.update).follow(
             document.store,
             lambda s: (s.selection, s.hovered_class, s.projection_visible),
@@ -294,7 +294,7 @@ class FieldMapPanel(QWidget):
             paint_metres(painter, placed, found.field)
 
     def _out_of_sight(self, name: str) -> bool:
-        """Whether an element is faint: the camera does not see it, and nobody asks for it."""
+        """Whether an element is faint: the camera does not see it, and no one asks for it."""
         document = self._document
         if (sight := document.map_sight.shown) is None or name in sight.names:
             return False
@@ -329,7 +329,7 @@ class FieldMapPanel(QWidget):
             paint_badge(painter, placed.anchors[index], state, self.palette())
 
     def _paint_findings(self, painter: QPainter) -> None:
-        """Beside the sign of the verdict, on elements with a finding."""
+        """Next to the sign of the verdict, on elements with a finding."""
         for name, found in self._findings.items():
             if (anchor := self.position_of(name)) is not None:
                 at = anchor + QPointF(0, -11)

@@ -220,7 +220,7 @@ def _anchors(lines: Sequence[FloatArray], segments: _Segments, size: float) -> F
 
 
 def _every(count: int) -> list[int]:
-    """Which points of a long curve tell well enough where it runs."""
+    """Which points of a long curve say well enough where it runs."""
     step = max(1, count // _COARSE)
     return [*range(0, count - 1, step), count - 1] if count > 1 else [0]
 

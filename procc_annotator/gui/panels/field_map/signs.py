@@ -1,4 +1,4 @@
-"""The signs of states on the field map: on single places, and beside lines."""
+"""The signs of states on the field map: on single places, and next to lines."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What stands or hangs above the ground, laid flat beside the field on its map."""
+"""What stands or hangs above the ground, laid flat next to the field on its map."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ class _Thing:
 def unfolded(elements: tuple[Element, ...], ground: Bounds) -> list[Unfold]:
     """How to lay each element flat: functions of (n, 3) metres to (n, 2) map metres.
 
-    What lies on the ground stays where it is, a border above the ground becomes a second one around
+    What is on the ground stays where it is, a border above the ground becomes a second one around
     it, and whatever else stands or hangs is laid outwards behind its end of the field, seen from
     the field; what stands in the middle is laid behind the right end. Single places stay where they
     are, at the map's edge if they are far away.
@@ -78,7 +78,7 @@ def unfolded(elements: tuple[Element, ...], ground: Bounds) -> list[Unfold]:
 def unfolded_spots(
     places: FloatArray, elements: tuple[Element, ...], ways: Sequence[Unfold], ground: Bounds
 ) -> list[Unfold]:
-    """How to lay single places flat that are none of the field's own: beside the thing in the air
+    """How to lay single places flat that are none of the field's own: next to the thing in the air
     that they belong to, else where they are.
 
     Args:

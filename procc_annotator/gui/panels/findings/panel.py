@@ -1,4 +1,4 @@
-"""What the label check found, as a list to walk through and to mend from."""
+"""What the label check found, as a list to walk through and to fix from."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ _MOST_REMEDIES = 4
 
 
 class FindingsPanel(QWidget):
-    """Displays `document.label_check`; whoever does the work listens to its signals."""
+    """Displays `document.label_check`; anyone who does the work listens to its signals."""
 
     goTo = Signal(str, object)  # a frame and what was found in it
     remedyWanted = Signal(object, object)  # what was found, and the remedy

@@ -8,9 +8,9 @@ from procc_annotator.translation import tr, tr_count
 
 
 def frame_words(document: Document) -> str:
-    """Of the frame on screen: nothing found, or which rules have not been looked at and why.
+    """Of the frame on screen: nothing found, or which rules have not been examined and why.
 
-    Empty if there are findings and every rule was looked at.
+    Empty if there are findings and every rule was examined.
     """
     check, frame = document.label_check, document.frame
     if frame is None:

@@ -24,7 +24,7 @@ class FrameDelegate(QStyledItemDelegate):
 
     @staticmethod
     def row_height(metrics: QFontMetrics) -> int:
-        """The height of every row: two lines of text beside the thumbnail."""
+        """The height of every row: two lines of text next to the thumbnail."""
         return max(_THUMB.height(), 2 * metrics.height() + 2) + 2 * _PAD
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
@@ -74,7 +74,7 @@ class FrameDelegate(QStyledItemDelegate):
 
 
 def paint_thumbnail(painter: QPainter, box: QRect, image: QImage | None, empty: QColor) -> None:
-    """Paint a small picture into a box, as large as it fits; crossed where there is none."""
+    """Paint a small picture into a box, as large as it fits; crossed if absent."""
     if image is None:
         painter.fillRect(box, empty)
         return

@@ -1,4 +1,4 @@
-"""The dataset's frames as rows that know nothing until they are looked at."""
+"""The dataset's frames as rows that know nothing until they are examined."""
 
 from __future__ import annotations
 
@@ -258,7 +258,8 @@ class FramesModel(QAbstractListModel):
     # --- details -------------------------------------------------------------------------------
 
     def info(self, row: int) -> RowInfo | None:
-        """What a row shows now; what is missing is fetched, and the row told to be another one."""
+        """What a row shows now; what is missing is fetched, and the row reported to be another
+        one."""
         workspace = self._document.workspace
         if workspace is None:
             return None

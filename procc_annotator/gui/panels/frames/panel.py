@@ -52,7 +52,7 @@ class FramesPanel(QWidget):
         self._search_soon.timeout.connect(self._search)
         self._build()
         document.datasetChanged.connect(self._take_dataset)
-        # After the canvas was painted: nobody looks at the list first.
+        # After the canvas was painted: no one looks at the list first.
         self._soon = soon(self, self._follow_frames)
         self._revealed = -1  # the frame whose folders were unfolded last
         self._due: set[int] = set()  # frames on screen since the list was brought up to date

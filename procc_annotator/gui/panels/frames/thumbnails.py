@@ -1,6 +1,6 @@
 """Thumbnails of the rows on screen, decoded in the background.
 
-Rows painted last come first, since what was scrolled past is not looked at; of rows painted
+Rows painted last come first, since what was scrolled past is not examined; of rows painted
 together the upper ones.
 """
 
@@ -58,7 +58,7 @@ class Thumbnails(QObject):
         self._wanted[path] = (-self._looks, next(self._asked))
         if len(self._wanted) > _MOST_WANTED:
             del self._wanted[max(self._wanted, key=self._wanted.__getitem__)]
-        # Whoever asks again and again, as rows do that are painted often, puts nothing off.
+        # Anyone who asks again and again, as rows do that are painted often, puts nothing off.
         if not self._start_soon.isActive() and not self._work.running:
             self._start_soon.start(_SOON_MS)
         return None

@@ -28,7 +28,7 @@ class FitRow(NamedTuple):
     """One element.
 
     Attributes:
-        point: position of the worst point in the polyline; None where that cannot be told.
+        point: position of the worst point in the polyline; None where that cannot be reported.
         left_out: whether the fit took it for a mistake.
     """
 

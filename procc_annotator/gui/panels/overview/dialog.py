@@ -79,7 +79,7 @@ class _Figure(QWidget):
 
 
 class OverviewWindow(QDialog):
-    """Shows a `SetOverview`; whoever computes it listens to `exportRequested`."""
+    """Shows a `SetOverview`; anyone who computes it listens to `exportRequested`."""
 
     exportRequested = Signal()
 

@@ -31,7 +31,7 @@ _SHORTEST_BAR, _BESIDE_BAR = 70, "> 99 %"
 
 
 def duration(seconds: float | None) -> str:
-    """A time in the two units that matter; a dash where there is none."""
+    """A time in the two units that matter; a dash if absent."""
     if seconds is None:
         return DASH
     if seconds < 9.95:
@@ -83,7 +83,7 @@ class FiguresModel(RowsModel[FigureRow]):
 
 
 class BarDelegate(QStyledItemDelegate):
-    """A bar of the row's share beside the text of one column; rows without any step back."""
+    """A bar of the row's share next to the text of one column; rows without any step back."""
 
     def __init__(self, view: QTableView, bar: int) -> None:
         super().__init__(view)

@@ -27,7 +27,7 @@ from procc_annotator.translation import tr, tr_count, translatable, translatable
 _NOTHING_REGULARISED = word("nothing changed: regular already, or no painted line was found there")
 
 
-# What is worked out -> what is said once a hand took it back, and once the frame was left.
+# What is worked out -> what is said once the user took it back, and once the frame was left.
 _REGULARISING, _COPYING = "regularising", "copying"
 _TAKEN_BACK = {
     _REGULARISING: word("taken back: nothing is regularised"),
@@ -182,7 +182,7 @@ class Assistant(QObject):
 
     def copy_from_previous(self) -> None:
         """Take over the elements of the nearest annotated frame before this one, moved as the
-        camera moved; they wait for a hand."""
+        camera moved; they wait for the user."""
         self._work.finish()
         document = self._document
         document.aboutToLeave.emit()

@@ -18,7 +18,7 @@ from procc_annotator.translation import tr, tr_count, translatable, translatable
 class ElementEdits:
     """What can be done to the selected element, its chosen point, or all unconfirmed elements.
 
-    Whatever changes an unconfirmed element confirms it: a hand has decided where it is.
+    Whatever changes an unconfirmed element confirms it: the user has decided where it is.
     """
 
     def __init__(self, document: Document) -> None:
@@ -227,8 +227,8 @@ class ElementEdits:
         label: str,
         change: Callable[[FrameAnnotation], FrameAnnotation],
     ) -> bool:
-        """Edit elements that somebody looks at, the first one confirmed if it was not; what another
-        window made of them meanwhile is to be looked at first."""
+        """Edit elements that a person looks at, the first one confirmed if it was not; what another
+        window made of them meanwhile is to be examined first."""
         seen = [self._touched(names[0]).get(name) for name in names]
 
         def apply(annotation: FrameAnnotation) -> FrameAnnotation:

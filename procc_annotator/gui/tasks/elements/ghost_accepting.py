@@ -26,7 +26,7 @@ from procc_annotator.translation import (
     translatable_count,
 )
 
-# Whoever leaves a frame waits for ghosts they have just accepted: 10 ms for each, as a rule.
+# Anyone who leaves a frame waits for ghosts they have just accepted: 10 ms for each, as a rule.
 _MOST_WAIT_S = 1.0
 
 AllPoints = tuple[GhostPoints, ...]
@@ -50,7 +50,7 @@ class _Accepting:
 class GhostAccepting(QObject):
     """Edits made from ghosts; each is one step of undo.
 
-    What somebody accepted is done before the frame is left; where it cannot be done any more, that
+    What a person accepted is done before the frame is left; where it cannot be done any more, that
     is said.
     """
 
@@ -130,7 +130,7 @@ class GhostAccepting(QObject):
         self.finish()
         document.aboutToLeave.emit()
         if document.annotation is not before:
-            # The ghosts of the better camera are looked at before they are accepted.
+            # The ghosts of the better camera are examined before they are accepted.
             self._say(
                 tr("the ghost is accepted: accept the ghosts of the new fit")
                 if one_more

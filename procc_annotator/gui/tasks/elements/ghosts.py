@@ -197,7 +197,7 @@ class GhostTasks(QObject):
             self._leave_here()
 
     def _follow_selection(self) -> None:
-        """Whoever chooses another element means that one."""
+        """Anyone who chooses another element means that one."""
         chosen = self._document.selected_class
         if self._choosing or not self._ghosts.walking or chosen in (None, self._shown):
             return

@@ -166,7 +166,7 @@ class Naming(QObject):
         fit = self._fit if document.foresight.allowed else None
         if fit is not None and fit.camera is not None:
             # All that it has in sight, also what it knows too little of for a ghost: which of them
-            # a line is can be told from much farther off.
+            # a line is can be distinguished from much farther off.
             courses: dict[str, list[FloatArray]] = {}
             for stretch in visible_stretches(field, fit.camera, fit.size, there):
                 courses.setdefault(stretch.name, []).append(stretch.points_px)

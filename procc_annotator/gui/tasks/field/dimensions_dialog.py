@@ -57,7 +57,8 @@ _FINEST = 4  # decimals of a metre
 
 
 class FieldDimensionsDialog(QDialog):
-    """A number a dimension, and what the set says of them; shows nothing but what it is told."""
+    """A number a dimension, and what the set says of them; shows nothing but what it is
+    reported."""
 
     chosen = Signal()  # other numbers, or lines elsewhere
     estimateWanted = Signal()
@@ -166,7 +167,7 @@ class FieldDimensionsDialog(QDialog):
         self._changed()
 
     def set_running(self, running: bool) -> None:
-        """While the set is looked at the button stops that."""
+        """While the set is examined the button stops that."""
         self._running = running
         self.estimate_button.setText(tr("Stop") if running else tr("Estimate from this set"))
         self.bar.setVisible(running)

@@ -136,14 +136,14 @@ class _FramesModel(RowsModel[_Row]):
 
 
 class ViewDialog(QDialog):
-    """Shows nothing but what it is told."""
+    """Shows nothing but what it is reported."""
 
     patternEdited = Signal(str)
     writeWanted = Signal()
 
     def __init__(self, parent: QWidget, there: str) -> None:
         """Args:
-        there: what the dataset's file says now, in one sentence; empty where there is none.
+        there: what the dataset's file says now, in one sentence; empty if absent.
         """
         super().__init__(parent)
         self.setObjectName("viewDialog")
@@ -179,7 +179,7 @@ class ViewDialog(QDialog):
         self.resize(*_SIZE)
 
     def suggest(self, pattern: str) -> None:
-        """Write a pattern that fits, unless somebody wrote one meanwhile."""
+        """Write a pattern that fits, unless a person wrote one meanwhile."""
         if self.pattern.text():
             return
         self.pattern.setText(pattern)

@@ -142,7 +142,7 @@ def _preview(names: tuple[str, ...], pattern: str) -> Preview:
 
 
 def _nothing(names: tuple[str, ...]) -> Preview:
-    """Of no pattern: the names, which whoever writes one wants to see."""
+    """Of no pattern: the names, which anyone who writes one wants to see."""
     rows = Preview.of(NamedViews(ViewGroups(), names)).rows
     counts = tr_count(len(names), "{n:,} frame, none grouped.", "{n:,} frames, none grouped.")
     return Preview(ViewGroups(), rows, counts=counts)

@@ -109,7 +109,7 @@ class AnnotationImporter(DialogTask):
         )  # fmt: skip
 
     def cancel(self) -> None:
-        """Stop; frames that are saved already stay so, and are told."""
+        """Stop; frames that are saved already stay so, and are reported."""
         if self._work.cancel():
             self._fail(tr("Cancelled; nothing was imported."))
         else:

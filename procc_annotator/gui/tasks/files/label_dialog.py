@@ -54,7 +54,7 @@ class LabelDialog(QDialog):
         better: str = "",
         has_file: bool = False,
     ) -> None:
-        """Show what is proposed; what is open stays an unknown class unless somebody says more.
+        """Show what is proposed; what is open stays an unknown class unless a person says more.
 
         Args:
             proposals: of every label that is no class.

@@ -124,7 +124,7 @@ def gather_rows(
     """One row a frame; unreadable annotations count as not annotated.
 
     Raises:
-        Stopped: nobody wants the rows any more.
+        Stopped: no one wants the rows any more.
         InputError: not all that is to be ``complete`` can be read from the database.
     """
     rows: list[OverviewRow] = []

@@ -100,7 +100,7 @@ class VideoOpening:
         self._opened = opened
         self._work = Latest(document, self._fail)
         self._progress: QProgressDialog | None = None
-        # Whoever opened something else meanwhile does not want the video any more.
+        # Anyone who opened something else meanwhile does not want the video any more.
         document.datasetChanged.connect(self.cancel)
 
     def ask(self, path: Path, field: Field | None = None) -> None:
@@ -197,7 +197,7 @@ class VideoOpening:
 
 
 def keep_video_frame(document: Document) -> None:
-    """Write the picture on screen beside its annotation, if it is a frame of a video."""
+    """Write the picture on screen next to its annotation, if it is a frame of a video."""
     frame, picture = document.frame, document.picture
     if frame is None or picture is None or frame.image_folder.is_dir():
         document.say(tr("this frame is a picture already"))

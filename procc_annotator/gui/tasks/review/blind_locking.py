@@ -25,7 +25,7 @@ class BlindLocking:
         self._parent = parent
 
     def set_locked(self, locked: bool) -> None:
-        """Lock the dataset for everybody; unlock it once somebody said so knowingly."""
+        """Lock the dataset for everybody; unlock it once a person said so knowingly."""
         lock = self._document.blind_lock
         if locked or lock.lock is None or self._confirmed(lock.reason):
             lock.set_locked(locked)

@@ -104,7 +104,7 @@ class LabelCheckCommands(QObject):
         return [(n, f) for n, f in self._check.known.in_set() if f.finding.severity in chosen]
 
     def _next(self, entries: list[Entry], step: int) -> int:
-        """Which finding comes next; the one walked to last may have been mended meanwhile."""
+        """Which finding comes next; the one walked to last may have been fixed meanwhile."""
         document, workspace = self._document, self._document.workspace
         here, current = document.frame, self._check.current
         assert workspace is not None  # the caller looked

@@ -74,7 +74,7 @@ class VersionsDialog(QDialog):
         Args:
             parent: the window.
             versions: in any order; shown newest first.
-            preview: reads a version by its id, once and only when it is looked at; may raise a
+            preview: reads a version by its id, once and only when it is examined; may raise a
                 ProccError, which is shown in place of the version.
             picture: (H, W, 4) BGRA of the frame, or None if it cannot be shown.
             field: names and colours.

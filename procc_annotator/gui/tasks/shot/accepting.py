@@ -39,7 +39,7 @@ _BLIND = word("blind mode: nothing is accepted that was not clicked")
 
 @dataclass(frozen=True, eq=False)
 class _Stretch:
-    """The frames that are meant, as they were when somebody asked.
+    """The frames that are meant, as they were when a person asked.
 
     Attributes:
         sequence: of all frames.
@@ -80,7 +80,7 @@ class StretchAccepting(QObject):
     own history, and can be taken back alone.
 
     Attributes:
-        marked: the stretch that somebody marked on the strip; else the shot on screen is meant.
+        marked: the stretch that a person marked on the strip; else the shot on screen is meant.
     """
 
     changed = Signal()  # how far it is, or that it ended
@@ -273,7 +273,7 @@ class StretchAccepting(QObject):
         self.changed.emit()
 
     def _go_on(self) -> None:
-        """Somebody looks at another frame: from now on undo means that one, unless the stretch is
+        """A person looks at another frame: from now on undo means that one, unless the stretch is
         accepted just now."""
         self._at = self._document.frame_index if self._edits.running else -1
         self._here = self._document.annotation

@@ -41,7 +41,7 @@ class _Asked:
         number: of the frame it begins at.
         camera: of that frame, px of the picture; None where nothing is known of it.
         within: the frames to follow; None: the shot of the frame, up to its cuts.
-        corrected: cameras that somebody dragged, by frame name.
+        corrected: cameras that a person dragged, by frame name.
     """
 
     workspace: Workspace
@@ -56,12 +56,12 @@ class _Asked:
 
 
 class ShotFollowing(QObject):
-    """One shot at a time. Annotated frames, and those whose camera somebody dragged, are anchors:
-    the track passes through their cameras, and once one of them was corrected, what lies between
+    """One shot at a time. Annotated frames, and those whose camera a person dragged, are anchors:
+    the track passes through their cameras, and once one of them was corrected, what is between
     its neighbours is followed again.
 
     Attributes:
-        marked: the stretch that somebody marked on the strip; that is followed, not the shot.
+        marked: the stretch that a person marked on the strip; that is followed, not the shot.
     """
 
     changed = Signal()  # how far it is, or that it ended
@@ -247,7 +247,7 @@ class ShotFollowing(QObject):
         }
 
     def _follow_corrected(self) -> None:
-        """Once somebody is done with it: what lies between its neighbours is followed again."""
+        """Once a person is done with it: what is between its neighbours is followed again."""
         document = self._document
         sequence, index = document.sequence.value, document.frame_index
         if self.running or sequence is None or document.blind:
@@ -346,7 +346,7 @@ def _dragged(
     clicked: Collection[int],
     go_on: Callable[[], None],
 ) -> dict[int, Camera]:
-    """The cameras that somebody dragged, but where the clicks of later say more."""
+    """The cameras that a person dragged, but where the clicks of later say more."""
     found: dict[int, Camera] = {}
     frames = asked.workspace.frames
     for number, index in indices.items():
@@ -365,5 +365,5 @@ def _dragged(
 
 
 def _not_an_anchor(frame: TrackedFrame) -> TrackedFrame:
-    """A camera that the track began from counts as measured: nobody clicked there."""
+    """A camera that the track began from counts as measured: no one clicked there."""
     return frame if frame.state != "anchor" else replace(frame, state="followed")

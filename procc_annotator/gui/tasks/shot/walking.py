@@ -16,7 +16,7 @@ from procc_annotator.translation import tr, word
 _SLOWEST_MS = 1000  # between frames that lie seconds apart, nobody wants to wait as long
 
 
-# (forward, what is looked for) -> what is said where there is none.
+# (forward, what is looked for) -> what is said if absent.
 _ANNOTATED, _DOUBTFUL = "annotated", "doubtful"
 _NO_OTHER = {
     (True, _ANNOTATED): word("no frame after this one is annotated"),
@@ -121,7 +121,7 @@ class ShotWalk(QObject):
         return False
 
     def _play_on(self) -> None:
-        """Go to the next frame, unless somebody went elsewhere or the last one is there."""
+        """Go to the next frame, unless a person went elsewhere or the last one is there."""
         document, at = self._document, self._at
         sequence = document.sequence.value
         if at is None or sequence is None:
