@@ -78,7 +78,6 @@ _INFERENCE = {"--click-noise": "--annotation-noise", "--draws": "--resamples"}
 RENAMED_OPTIONS = {
     "evaluate": {**_INFERENCE, "--recipe": "--manifest"},
     "report": {**_INFERENCE, "--recipe": "--manifest"},
-    "compare": _INFERENCE,
     "calibrate": {"--held-out": "--leave-one-out"},
     "check": {
         "--least": "--min-severity",
