@@ -477,13 +477,17 @@ def test_a_basketball_list_with_distortion_and_damage(tmp_path: Path) -> None:
                 "camera",
                 deepsportradar(width=[960.0], height=[540.0], R=...),
                 deepsportradar(width=[960.0], height=[540.0]),
+                deepsportradar(
+                    R=cv2.Rodrigues(PINHOLE.rotation_cam_from_world)[0].ravel().tolist()
+                ),
             ]
         )
     )
     with CameraCollection.open(file, "deepsportradar") as cameras:
-        assert list(cameras.frames) == ["0", "1", "2", "3", "4", "5", "6"]
-        loaded = cameras.read("0")
-        agree(loaded, PINHOLE, 1e-7)
+        assert list(cameras.frames) == ["0", "1", "2", "3", "4", "5", "6", "7"]
+        for frame in ("0", "7"):  # a matrix, a rotation vector
+            loaded = cameras.read(frame)
+            agree(loaded, PINHOLE, 1e-7)
         assert loaded.size == SIZE
         assert cameras.read("6").size == (960, 540)
         for frame, said in (
