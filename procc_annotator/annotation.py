@@ -45,7 +45,7 @@ class FrameAnnotation:
 
     ``extra`` holds top-level entries of the file that are not lists of points; they are written
     back. ``unconfirmed`` holds elements that the program put here (copied from another frame) and
-    no one has touched or confirmed yet: they are shown, but never counted, scored or written. A
+    no person has touched or confirmed yet: they are shown, but never counted, scored or written. A
     class stands in one of the two lists only.
     """
 
@@ -209,7 +209,7 @@ def _other_classes(polylines: tuple[Polyline, ...], class_name: str) -> tuple[Po
 
 
 def pixel_like(annotation: FrameAnnotation) -> Point | None:
-    """A point that says that coordinates are pixels, where most of them are far beyond any picture
+    """A point that shows that coordinates are pixels, where most of them are far beyond any picture
     (some outside of it are in order): the first such point. None for normalised coordinates."""
     points = [point for polyline in annotation.polylines for point in polyline.points]
     beyond = [p for p in points if max(abs(p.u), abs(p.v)) > _FARTHEST]

@@ -1,6 +1,6 @@
 """The error tree.
 
-ProccError                     anything the user is reported in one line
+ProccError                     anything the user sees in one line
 +-- InputError                 a file that cannot be used: path, place in it, what was expected
 |   +-- FieldError             a field description (resources/field/*.toml)
 |   +-- AnnotationError        an annotation file

@@ -45,7 +45,7 @@ def tr(text: str, /, about: str = "", **values: object) -> str:
         text: the English words, with ``{name}`` (or ``{name:.1f}``) where a value stands. They are
             the key of the translation: written out where this is called, or marked by ``word``
             where they stand in a table. Or what ``said`` made elsewhere, or a file kept.
-        about: says two meanings of the same English words apart ("left": a side, or remaining).
+        about: distinguishes two meanings of the same English words ("left": a side, or remaining).
         values: what stands in the places; without any, braces are braces.
     """
     if isinstance(text, TranslatableText):
@@ -91,7 +91,7 @@ class TranslatableText(str):
 
 
 def translatable(text: str, /, about: str = "", **values: object) -> TranslatableText:
-    """Words made if unknown who reads them, or that are shown and go into a file, too (the
+    """Words made without knowing who reads them, or that are shown and go into a file, too (the
     name of a step of undo, say): as ``tr``, but English until ``tr`` says them.
 
     Args:

@@ -140,7 +140,8 @@ def camera_from_homography(
 
     Args:
         matrix: (3, 3), metres on the ground (x, y, 1; world frame of `Field`) to px.
-        size: (width, height) px of the picture. A homography does not say in front from behind:
+        size: (width, height) px of the picture. A homography does not distinguish front from
+            behind:
             the lower edge of the picture is taken to show ground in front of the camera.
         to_ground: whether the matrix is the other way, px to metres.
 
@@ -215,7 +216,7 @@ def save_camera(
             (.yml), ``krt`` (.json), or a homography as ``wc14`` (.homographyMatrix), ``carwc``
             (.npy) or ``world`` (.txt).
         size: (width, height) px of the picture. A plain camera belongs to it; fits, and cameras
-            whose file reported theirs, are scaled to it. Homographies need one.
+            whose file states theirs, are scaled to it. Homographies need one.
         fitted_to: the annotation that the camera was fitted to, where ``camera`` does not know it
             (a fit does). The file, or one next to it that ends in .fit, then says so, and the
             camera

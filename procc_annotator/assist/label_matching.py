@@ -275,7 +275,7 @@ class LineOrders:
     """The orders of labels that lines share.
 
     Attributes:
-        rules: label -> its classes in their order; empty where nothing gives it.
+        rules: label -> its classes in their order; empty if unknown.
         fitting: frames whose points are on their lines with these orders.
         frames: that were tried.
     """

@@ -39,7 +39,7 @@ class ExpectedLines:
     Args:
         field: its elements.
         width_px: of the picture.
-        camera: in px of the picture; None if unknown, or it must not be reported.
+        camera: in px of the picture; None if unknown or hidden.
     """
 
     def __init__(self, field: Field, width_px: int, camera: Camera | None = None) -> None:

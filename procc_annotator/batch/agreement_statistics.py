@@ -60,8 +60,7 @@ class AgreementInference:
             return None
         reached = critical_value(self.known.effective, interval.level)
         deviation = (interval.high - interval.low) / 2 / reached
-        # What is to be known to so much is not to be distinguished from anything: chance of one
-        # in two.
+        # Power 0.5: the interval's half width equals the wanted precision.
         return required_frames(
             half, deviation, self.frames, self.known.effective, level=interval.level, power=0.5
         )

@@ -44,7 +44,7 @@ _LEAST_SD_M = 0.05  # a table that says less than it can know
 
 
 def read_positions(path: Path, field: Field, fmt: str = "auto") -> tuple[KnownPosition, ...]:
-    """The positions that a file says.
+    """The positions that a file holds.
 
     Args:
         path: folder, archive or file of cameras; or a ``.csv`` with columns ``x_m``, ``y_m``,

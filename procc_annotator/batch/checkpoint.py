@@ -317,7 +317,7 @@ def hex_digest(*parts: object) -> str:
 
 def field_settings(field: Field) -> str:
     """A field as a term of a run: its words and a digest of all that fits and proposals look at,
-    which is more than gives fields apart."""
+    which is more than distinguishes fields."""
     looked_at = (
         field.cameras,
         [(e.name, e.appearance, e.line_width, e.inside) for e in field.elements],

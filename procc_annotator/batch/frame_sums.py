@@ -292,7 +292,7 @@ def mean_band(
 
     Args:
         audits: by frame. frames: all names, in their order.
-        order: the dataset's table of frames; without it names give which ones are of one shot.
+        order: the dataset's table of frames; without it names show which ones are of one shot.
     """
     names = [name for name in frames if name in audits]
     return _band([audits[name].jac.astype(np.float64) for name in names], names, 0.0, order)

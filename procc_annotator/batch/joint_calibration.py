@@ -331,7 +331,7 @@ class FieldSize:
 
     Attributes:
         group: its name; empty if all frames are one.
-        stadium: the dimensions; None if they could not be reported.
+        stadium: the dimensions; None if undetermined.
         failure: why not.
         before, after: figures of the frames' own cameras on the field as given, and with the
             dimensions that are determined, by threshold.

@@ -112,7 +112,8 @@ class SetRun(Generic[F, R, S]):
                 yield self.task(chunk)
 
     def _digest(self, chunk: Sequence[F]) -> str:
-        """Return what says this chunk's work from any other: its frames, and what their files
+        """Return what distinguishes this chunk's work from any other: its frames, and what their
+        files
         hold."""
         raise NotImplementedError
 
@@ -198,7 +199,7 @@ class AnnotationTask:
     def input_digest(
         self, chunk: Sequence[FrameFile], pictures: Callable[[str], Path | None]
     ) -> str:
-        """Return what gives the work on a chunk from any other, for `SetRun`.
+        """Return what distinguishes the work on a chunk from any other, for `SetRun`.
 
         Args:
             chunk: frames and their files.

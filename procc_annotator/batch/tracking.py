@@ -177,7 +177,7 @@ class TrackShots:
     Attributes:
         field: the elements, metres.
         follow: follows one.
-        on_frame: reported of frames as they are followed, in this process only.
+        on_frame: called with frames as they are followed, in this process only.
     """
 
     field: Field
@@ -248,7 +248,7 @@ class TrackRun(SetRun[ShotToTrack, TrackedShot, None]):
         return sum(len(shot.frames) for shot in self.frames)
 
     def tell(self, on_frame: OnFrame) -> bool:
-        """Have frames reported as they are followed; whether they are, which other processes
+        """Report frames as they are followed; whether they are, which other processes
         cannot."""
         here = isinstance(self.executor, InProcess)
         if here:

@@ -200,7 +200,7 @@ def ill_conditioned_reason(fit: FitResult) -> str:
     """Return what the points leave open beyond the limits, in words: ``pan ± 1.4°, position ± 12
     m``.
 
-    Empty where they determine the camera, and for fits that say no pose: homographies, and those
+    Empty where they determine the camera, and for fits without a pose: homographies, and those
     that failed.
     """
     known, camera = fit.deviations, fit.camera

@@ -24,7 +24,8 @@ _MAX_NOISE, _MAX_QUANTILE = 2.0, 3.0
 
 
 def noise_factor(squares: float, spare: int) -> float:
-    """Return how many times as far off as expected clicks are, drawn towards 1 where little says.
+    """Return how many times as far off as expected clicks are, drawn towards 1 if there is
+    little data.
 
     Args:
         squares: sum of the squares of residuals, in standard deviations of a click.
@@ -249,8 +250,8 @@ class _RobustTriangulation:
     def _grown(self, covariances: FloatArray, noise: float) -> FloatArray:
         """(n, 2, 2) px^2 of clicks so many times as far off as the views say.
 
-        Clicks that are better than usual make no camera better; of those that are worse than the
-        views say no one knows whether the clicks or the cameras are.
+        Clicks that are better than usual make no camera better; if they are worse, the views cannot
+        decide whether the clicks or the cameras are.
         """
         if noise >= 1:
             return noise**2 * covariances
@@ -418,7 +419,8 @@ def compare_with_survey(
         views: one click each; cameras that know only the ground say nothing.
         position: metres.
         covariance: (3, 3) m^2 of the position, if it is known.
-        estimate_noise: as of `triangulate`; the place that the clicks themselves say says how far
+        estimate_noise: as of `triangulate`; the place that the clicks themselves determine shows
+            how far
             they are off.
     """
     able = [view for view in views if not projects_only_ground(view.camera)]

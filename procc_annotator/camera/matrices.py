@@ -17,7 +17,7 @@ from procc_annotator.camera.models import (
 )
 
 # |R R^T - 1| up to which a matrix counts as a rotation that was rounded on its way through a file;
-# the nearest rotation is taken, as OpenCV does. Above the smaller figure the user is reported.
+# the nearest rotation is taken, as OpenCV does. Above the smaller figure the user is notified.
 ROTATION_TOLERANCE = 1e-3
 _ROTATION_WARNING_TOLERANCE = 1e-5
 DISTORTION_LENGTHS = (0, 4, 5, 8, 12, 14)
@@ -276,7 +276,7 @@ def pinhole_from_homography(
         size: (width, height) px, whose middle is the principal point.
 
     Returns:
-        None where the two axes say no focal length.
+        None where the two axes determine no focal length.
     """
     cx, cy = (size[0] - 1) / 2, (size[1] - 1) / 2
     centred = np.array([[1.0, 0.0, -cx], [0.0, 1.0, -cy], [0.0, 0.0, 1.0]])

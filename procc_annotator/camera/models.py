@@ -174,7 +174,7 @@ class FisheyeCamera:
     + k4 theta^8) focal lengths from the principal point. Source: OpenCV, ``cv::fisheye``.
 
     Attributes:
-        pan_rad, tilt_rad, roll_rad: orientation, see `pinhole.rotation_cam_from_world`.
+        pan_rad, tilt_rad, roll_rad: orientation, see `rotation_cam_from_world`.
         position_world: (3,) metres, world frame (z down: a camera above the ground has z < 0).
         focal_px: (fx, fy).
         principal_point_px: (cx, cy), origin at the centre of the top left pixel.

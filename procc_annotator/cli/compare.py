@@ -312,7 +312,7 @@ def _fitted_on(sources: Sequence[CameraSet], dataset: Path | None, field: Field)
 
 def _report_field_around(sources: Sequence[CameraSet], field: Field) -> None:
     """A note on stderr where the cameras lie in a dataset whose classes are not the field's: no
-    dataset was named that would have reported its field."""
+    dataset was named that would have defined its field."""
     around = [p for source in sources for p in source.path.resolve().parents[:_LEVELS_AROUND]]
     for folder in dict.fromkeys(around):
         for place in (folder / ANNOTATIONS_FOLDER, folder):

@@ -97,7 +97,7 @@ class Plan:
     """Sets and methods, by name; every method is scored on every set.
 
     Attributes:
-        named: whether they were named, so that files have to give which is which.
+        named: whether they were named, so that files have to state which is which.
         labels: file of what names of another program stand for; None: as the sets say.
     """
 
@@ -165,7 +165,7 @@ class Plan:
     ) -> list[EvaluationRequest]:
         """Open everything; one evaluation a set, method and setup, in this order.
 
-        A camera that names no picture size cannot belong to several: unless reported, it belongs to
+        A camera that names no picture size cannot belong to several: unless stated, it belongs to
         that of the first setup, as it does where this is the only one.
 
         Args:

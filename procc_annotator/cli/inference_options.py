@@ -67,7 +67,7 @@ def _member(content: Any, *keys: str) -> Any:
     return content
 
 
-# What holds where no one says otherwise: method, sets drawn, seed.
+# What holds if not stated otherwise: method, sets drawn, seed.
 USUAL = USUAL_METHOD, USUAL_DRAWS, USUAL_SEED = "t", 10_000, 1
 _LEAST_NOISE, _MOST_NOISE = 0.01, 100.0  # px
 

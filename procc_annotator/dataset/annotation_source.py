@@ -272,7 +272,8 @@ class FrameAnnotations:
         return None if file is None else self._source.read(file)
 
     def has(self, frame: Frame) -> bool:
-        """Return whether a frame has an annotation, whether empty; not whether it can be read."""
+        """Return whether a frame has an annotation, even an empty one; not whether it can be
+        read."""
         if self._source is None:
             return frame.annotation_path.exists()
         return frame.name in self._files

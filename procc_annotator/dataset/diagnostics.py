@@ -27,7 +27,7 @@ from procc_annotator.messages import pluralize
 _NOT_CAMERAS_ALONE = frozenset({".json", ".xml", ".txt", ".yml", ".yaml"})
 _ANNOTATIONS = frozenset({".json", ".xml"})
 _PACKED = "Frames-v3.zip"  # as SoccerNet-v3 is downloaded, one a game
-# So many files are read to give what a set holds.
+# So many files are read to identify what a set holds.
 _LOOKED_INTO = 3
 
 
@@ -85,7 +85,7 @@ def refuse_cameras(source: FileSource, names: Sequence[str]) -> None:
 
 
 def refuse_other_content(source: FileSource) -> None:
-    """Refuse a source without annotations of any format, where it can be reported what it is
+    """Refuse a source without annotations of any format, where it can be determined what it is
     instead.
 
     Raises:
@@ -104,7 +104,7 @@ def refuse_other_content(source: FileSource) -> None:
 
 def found_instead_of_cameras(place: Path) -> str:
     """Return what a place without cameras holds, to go on after "nothing to do: .."; empty where
-    that says nothing. The program's own annotations are given by the reader of cameras."""
+    that says nothing. The program's own annotations are reported by the reader of cameras."""
     try:
         with open_source(place) as source:
             told = [known for known in detect_formats(source) if known.name != PLAIN]
@@ -169,7 +169,7 @@ def _suffix(name: str) -> str:
     return Path(name).suffix.lower()
 
 
-# So many annotated frames give which field a set shows.
+# So many annotated frames show which field a set has.
 MOST_FRAMES = 20
 _SHOWN = 3
 _NEARLY_ALL = 0.8

@@ -79,7 +79,7 @@ class FrameFacts:
     has_camera: bool | None = True
 
 
-# None: it cannot be reported, so the frame matches neither the condition nor its opposite.
+# None: it cannot be determined, so the frame matches neither the condition nor its opposite.
 _Test = Callable[[FrameFacts], bool | None]
 _NO_VERDICT = "none"
 _NO_FINDING, _UNCHECKED = "none", "unchecked"
@@ -207,7 +207,7 @@ _FLAGS: Mapping[str, tuple[_Test, int]] = {
 
 
 def _if_read(facts: FrameFacts) -> bool | None:
-    """No, if the file was read; otherwise it cannot be reported."""
+    """No, if the file was read; otherwise it cannot be determined."""
     return None if facts.annotated is None and not facts.unreadable else False
 
 

@@ -114,7 +114,8 @@ class FrameLocks:
         beat.
 
         Returns:
-            None when it is ours now, or when the folder cannot be written (saving will say) or is
+            None when it is ours now, or when the folder cannot be written (saving will report
+            it) or is
             a link out of the dataset; else who has it.
         """
         if frame in self._held or self._leads_out():

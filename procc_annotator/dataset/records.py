@@ -107,7 +107,7 @@ class FrameRecord:
 
 
 def digest_of(data: bytes) -> bytes:
-    """Return what says two versions apart (16 bytes)."""
+    """Return what distinguishes two versions (16 bytes)."""
     return hashlib.blake2b(data, digest_size=16).digest()
 
 

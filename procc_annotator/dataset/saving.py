@@ -232,7 +232,7 @@ def write_save(save: PendingSave, *, over_anything: bool = False) -> SaveResult:
 
 
 def _after_failure(save: PendingSave, before: bytes | None, error: SaveError) -> SaveResult:
-    """Look at the file: a drive behind a network may fail to give what it has done."""
+    """Look at the file: a drive behind a network may fail to report what it has done."""
     try:
         found = save.look()
     except SaveError:
@@ -247,7 +247,7 @@ def _skip_check() -> None:
 
 
 def digest(data: bytes | None) -> bytes | None:
-    """Return what gives the content of a file from another one."""
+    """Return what distinguishes the content of a file from another one."""
     return None if data is None else hashlib.blake2b(data, digest_size=16).digest()
 
 
@@ -267,7 +267,8 @@ class FrameState:
         made_here: whether whatever file there is was made in this session.
         attempted: digests of what writes that failed may have left in the file; none if it is known
             to be as it was.
-        being_written: whether a thread is at its file: what that holds is known once it reported.
+        being_written: whether a thread is at its file: what that holds is known once it has
+            reported.
     """
 
     def __init__(self, annotation: FrameAnnotation, digest: bytes | None) -> None:

@@ -186,7 +186,7 @@ class Workspace:
         return self.parse(index, data) if data is not None else None
 
     def has_file(self, index: int) -> bool:
-        """Return whether a frame has an annotation file, whether empty."""
+        """Return whether a frame has an annotation file, even an empty one."""
         frame = self.frames[index]
         return frame.annotation_path.exists() if self.given is None else self.given.has(frame)
 
@@ -270,7 +270,7 @@ class Workspace:
     def prepare_saves(self, indices: Iterable[int]) -> list[PendingSave]:
         """Return what is to be written of some frames, for a thread of its own.
 
-        Until `note_saved` is reported what became of it a frame is not saved, whatever it shows.
+        Until `note_saved` is called a frame is not saved, whatever it shows.
         """
         states = [(index, self.state(index)) for index in dict.fromkeys(indices)]
         changed = [(index, state) for index, state in states if not state.error and state.dirty]

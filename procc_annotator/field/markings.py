@@ -101,7 +101,7 @@ def _border_elements(elements: tuple[Element, ...]) -> tuple[Element, ...]:
 
 
 def marking_normal(element: Element) -> FloatArray | None:
-    """(3,) unit normal of the plane the paint lies in; None where nothing gives it."""
+    """(3,) unit normal of the plane the paint lies in; None if unknown."""
     if element.on_ground:
         return np.array((0.0, 0.0, 1.0))
     geometry = element.geometry

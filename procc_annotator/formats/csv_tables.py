@@ -17,7 +17,7 @@ _FORMULA_STARTS = ("=", "+", "-", "@", "\t", "\r")
 def escape_formula(text: str) -> str:
     """Text that a spreadsheet would run as a formula gets a leading apostrophe.
 
-    So does text that looks as if it had got one, or `unescape_formula` could not give them apart.
+    So does text that looks as if it had got one, or `unescape_formula` could not distinguish them.
     """
     return f"'{text}" if text.lstrip("'").startswith(_FORMULA_STARTS) else text
 
@@ -87,7 +87,7 @@ def read_frame_table(
 
     Args:
         path, required, advice: as of `read_table`.
-        in_sets: whether a column ``set``, if there is one, says frames of one name apart.
+        in_sets: whether a column ``set``, if there is one, distinguishes frames of one name.
 
     Raises:
         InputError: it cannot be read, or what is wrong and where.

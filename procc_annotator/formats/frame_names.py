@@ -179,7 +179,7 @@ class PictureFrames:
     """Names of frames for the pictures of one file: by their last parts, or by their paths where
     they lie in several folders, or in one folder of the dataset's tree.
 
-    Paths that lead out of the dataset (absolute ones, ``..``) say no folder.
+    Paths that lead out of the dataset (absolute ones, ``..``) name no folder.
 
     Args:
         pictures: their names, as the file gives them.

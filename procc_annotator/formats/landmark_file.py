@@ -77,7 +77,7 @@ class LandmarkFile:
     extra: tuple[tuple[str, Any], ...] = field(default=())
 
     def with_landmark(self, landmark: Landmark) -> LandmarkFile:
-        """With an entry replaced in place, or appended if absent of its name and instant."""
+        """With an entry replaced in place, or appended if there is none of its name and instant."""
         key = landmark.name, landmark.instant
         there = any((mark.name, mark.instant) == key for mark in self.landmarks)
         kept = [landmark if (m.name, m.instant) == key else m for m in self.landmarks]
@@ -284,7 +284,7 @@ class _Reader:
 
 
 def _check_motion(path: str, landmarks: Sequence[Landmark]) -> None:
-    """Refuse what may as well stay as move: one cannot say where it is at other instants."""
+    """Refuse what may as well stay as move: one cannot know where it is at other instants."""
     moving = {mark.name.strip() for mark in landmarks if mark.moving}
     for i, mark in enumerate(landmarks):
         name = mark.name.strip()

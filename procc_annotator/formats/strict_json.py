@@ -221,7 +221,7 @@ class _KeyValuePairs(list[tuple[str, Any]]):
 def _place_of_repeat(text: str) -> str:
     """Return where the object with a repeated key is (``Circle left[3]``).
 
-    Empty for the outermost object, and where it cannot be reported.
+    Empty for the outermost object, and if undetermined.
     """
     try:
         content = json.loads(text, object_pairs_hook=_KeyValuePairs)

@@ -22,7 +22,7 @@ def element_keys(field: Field, keymap: Keymap = USUAL) -> Mapping[str, QKeySeque
     """Class -> the keys that choose it; nothing of elements whose keys mean something else.
 
     A key that begins a sequence of another element's belongs to the one that comes first in the
-    field: Qt would wait permanently whether more is to come.
+    field: Qt would wait forever whether more is to come.
     """
     return _keys_of(field.elements, keymap)
 

@@ -28,9 +28,9 @@ class Latest:
 
         Args:
             owner, urgent, at_once, wait_ms: as for `run_in_background`.
-            failed: hears why it came to nothing, unless a piece of work has another person
+            failed: hears why it came to nothing, unless a piece of work has its own handler
                 reported;
-                None: it cannot fail in a way that a person could be reported.
+                None: it cannot fail in a way that could be reported.
         """
         self._owner = owner
         self._failed = failed

@@ -13,7 +13,7 @@ class _Role(QObject):
     """Reports what a widget is, when it is shown and whenever the keyboard comes to it.
 
     Qt keeps what is given by an object and its class, and the class becomes another one each time a
-    method of Python is first connected: what was reported before that is not asked for any more.
+    method of Python is first connected: what was set before that is not read any more.
     """
 
     def __init__(self, widget: QWidget, role: QAccessible.Role) -> None:
@@ -36,5 +36,5 @@ class _Role(QObject):
 
 
 def give_role(widget: QWidget, role: QAccessible.Role) -> None:
-    """Have a widget reported as something; its name and description are its own."""
+    """Have a widget exposed as something; its name and description are its own."""
     _Role(widget, role)

@@ -18,7 +18,7 @@ T = TypeVar("T")
 
 
 def opened_frame(document: Document) -> Frame | None:
-    """The frame on screen; if absent it is said what to do."""
+    """The frame on screen; if there is none it is said what to do."""
     if document.frame is None:
         document.say(tr("open a folder of pictures first"), "warning")
     return document.frame

@@ -302,7 +302,7 @@ _COLOUR_DIRECTIONS = {
 _CHANNELS = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
 _LIGHTNESS_SIGN = {LIGHTER: 1.0, DARKER: -1.0, WHITE: 1.0, BLACK: -1.0}
 # Of the step's length. Video halves the resolution of colour: a thin line differs from its flanks
-# in brightness alone, and only what has another colour than the paint can be reported.
+# in brightness alone, and only what has another colour than the paint can be separated.
 _MIN_GROWTH = -0.2
 _MAX_LOSS = 0.15  # of white paint in any channel
 

@@ -2,7 +2,8 @@
 
 Profiles across the line are averaged along it; the centre is where the smoothed profile curves
 most (Steger 1998, "An unbiased detector of curvilinear structures", without its width model), in
-the colour that gives the band from its flanks. A band convinces when nearly every cut across shows
+the colour that separates the band from its flanks. A band convinces when nearly every cut across
+shows
 it, when it is as wide and as coloured as what is sought, and when it goes on along the line. Of two
 that convince as much neither does.
 """
@@ -168,7 +169,7 @@ def _min_length_px(found: LineBand, course: LineExtent, sought: LineTarget) -> f
     """Return how far a band must go on to be the sought paint, px.
 
     One that may be lighter or darker than its ground, and is seen on one side only, could be a
-    letter's stroke; and so could anything that is farther away than the user errs.
+    letter's stroke; and so could anything that is farther away than a click errs.
     """
     farther = 0.0
     if not sought.is_wide:

@@ -211,7 +211,7 @@ class DrawTool:
             self.points[0] = placed
 
     def _direction(self, name: str, position: Position, context: ToolContext) -> Position | None:
-        """Where a straight element runs, as far as its clicks say."""
+        """Where a straight element runs, as far as its clicks show."""
         if name in context.curved or self.unnamed:
             return None
         drawn = context.polyline(name)

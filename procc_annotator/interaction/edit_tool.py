@@ -333,7 +333,7 @@ class EditTool:
     def _direction(
         self, annotation: FrameAnnotation, at: Position, context: ToolContext
     ) -> Position | None:
-        """Where the element runs at the held point, as its other points say."""
+        """Where the element runs at the held point, as its other points show."""
         assert self.grabbed is not None
         name, index = self.grabbed
         polyline = annotation.get(name)

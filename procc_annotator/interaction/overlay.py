@@ -80,7 +80,7 @@ class LastCallCache(Generic[P, T]):
 
 
 def judged_marks(drawn: Drawn, verdict: ScoredFrame) -> Iterable[PointMarks]:
-    """Points by verdict: their shapes give them apart without colour."""
+    """Points by verdict: their shapes distinguish them without colour."""
     size = tones.HANDLE_SIZE
     missed = [drawn.points(n) for n in drawn.names() if verdict.status.get(n) == "missed"]
     yield PointMarks(verdict.passing, "dot", tones.PASSES, size)

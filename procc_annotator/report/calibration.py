@@ -131,7 +131,7 @@ def calibrate_set(
         out: folder, or archive if the name ends in .zip.
         progress: shows the progress of what it passes on.
         more: further files for OUT, by name.
-        hold_out: whether the table reports elements left out.
+        hold_out: whether the table lists elements left out.
 
     Raises:
         SaveError: writing failed.

@@ -74,7 +74,7 @@ class ConsensusReport:
     """The agreement of several annotators over a set.
 
     Attributes:
-        names: of each annotator, what gives their paths apart.
+        names: of each annotator, what distinguishes their paths.
         pairs: every two of them that share frames, by their places.
         others: each against the consensus of the others; a place is missing where no one shares a
             frame with that annotator.
@@ -158,7 +158,7 @@ def compare_annotators(
 
 
 def short_names(paths: Sequence[PurePath]) -> tuple[str, ...]:
-    """Return what says paths apart: the last part in which all differ, or else the whole of
+    """Return what distinguishes paths: the last part in which all differ, or else the whole of
     each."""
     for part in range(1, min(len(path.parts) for path in paths) + 1):
         found = tuple(path.parts[-part] for path in paths)

@@ -79,7 +79,7 @@ def convert_annotations(
         Figures; ``frames`` is 0 if nothing was left to write, and then nothing was written.
 
     Raises:
-        UsageError: nothing to read, formats that cannot be reported, an output that is an input.
+        UsageError: nothing to read, formats that cannot be determined, an output that is an input.
         InputError: what is read cannot be opened or listed.
         SaveError: writing failed.
     """
@@ -212,7 +212,7 @@ def _size_in(workspace: Workspace, name: str) -> Size | None:
 
 
 def _picture_among(sizes: PictureSizes, frame: ExchangedFrame) -> Path | None:
-    """The picture that a file says, or else the one that is called like its frame."""
+    """The picture that a file names, or else the one that is called like its frame."""
     folder, slash, _ = frame.name.rpartition("/")
     told = folder + slash + Path(frame.picture or "").stem
     return sizes.path(told) or sizes.path(frame.name)

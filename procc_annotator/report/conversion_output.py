@@ -66,7 +66,7 @@ def games_of(frames: Iterable[ExchangedFrame], pictures: str) -> list[Game]:
 
 
 def write_game(game: Game, writing: WriteContext, write: Callable[[WriteContext], None]) -> None:
-    """Write a game into its folder, and count and give what became of it with the whole set.
+    """Write a game into its folder, and count and report what became of it with the whole set.
 
     Args:
         game: its frames.

@@ -90,7 +90,7 @@ class CheckReport:
 
     @property
     def worth_listing(self) -> list[ReportedFinding]:
-        """Return what gives a person something about a single label."""
+        """Return what informs a person about a single label."""
         if not self.wrong_field:
             return self.found
         return [told for told in self.found if told.finding.rule is not Rule.UNKNOWN_CLASS]

@@ -172,7 +172,7 @@ class _RememberingContext(SpawnContext):
     """Knows the processes started through it.
 
     A pool that breaks while it starts a process forgets that one when it ends the others, and then
-    waits for it permanently.
+    waits for it forever.
     """
 
     def __init__(self) -> None:
@@ -237,7 +237,7 @@ def _interrupts_deferred() -> Iterator[None]:
     """A Ctrl+C meanwhile is heard at the end.
 
     At once, it could come between the taking of a lock, of a future or of the pool, and what
-    releases it: then the pool would wait for that lock permanently.
+    releases it: then the pool would wait for that lock forever.
     """
     handler = signal.getsignal(signal.SIGINT)
     if not callable(handler) or threading.current_thread() is not threading.main_thread():

@@ -138,7 +138,7 @@ _DIFFERENCE_STEP_M = (
 # What is expected before any frame is examined: anywhere in the range of the rules.
 _PRIOR_RANGE_SHARE = 0.5  # of the range, standard deviation
 # A dimension is not determined that is known less surely than to this share of the field's length,
-# or of the range of the rules, which alone would give it to half of that.
+# or of the range of the rules, which alone would determine it to half of that.
 _MAX_SD_SHARE, _MAX_SD_OF_RANGE = 0.005, 0.25
 _AT_LIMIT_TOLERANCE_M = 1e-3
 # What the frames leave out depends on the field they were fitted on: decided anew until it stays.

@@ -263,7 +263,7 @@ def find_opposite_frames(
 def opposite_side_finding(
     annotation: FrameAnnotation, field: Field, found: OppositeSideFrame
 ) -> Finding | None:
-    """Return what to report a frame on the other side; None where its labels say which side it is
+    """Return the finding for a frame on the other side; None where its labels say which side it is
     of.
 
     Args:

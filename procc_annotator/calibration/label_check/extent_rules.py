@@ -158,7 +158,7 @@ def _end_by_neighbours(
 
 @lru_cache(maxsize=256)
 def _elements_at_end(elements: tuple[Element, ...], name: str) -> tuple[str, ...]:
-    """The elements at which a straight one ends, not those that it merely crosses or has."""
+    """The elements at which a straight one ends, not those that it merely crosses."""
     field = Field("", "", (), elements)
     shape = elements[field.index[name]].geometry
     assert isinstance(shape, Line)  # of straight elements only

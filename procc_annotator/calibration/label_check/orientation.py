@@ -12,7 +12,8 @@ hold whatever the camera:
 Half a turn of the field changes neither.
 
 A frame may be labelled top for bottom or left for right, as the reflected field. Reflecting twice,
-across and along, is half a turn. Of a field that half a turn takes to itself no camera can give it:
+across and along, is half a turn. Of a field that half a turn takes to itself no camera can
+decide it:
 there the two reflections are one and the same mistake, seen from the two sides of the field. A
 field without symmetry has no reflection either.
 """

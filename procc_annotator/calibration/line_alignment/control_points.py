@@ -50,7 +50,7 @@ class ControlPoint:
         along: the direction of its line, (3,) metres, of a place that nothing decides from
             others on
             it: only the distance across the line counts. None for a corner, an end, a spot.
-        sd_px: how exactly the user could put it there.
+        sd_px: how exactly it could be put there.
     """
 
     world: Vector
@@ -250,7 +250,7 @@ def align_with_control_points(
     *,
     go_on: Callable[[], None] = lambda: None,
 ) -> tuple[LineAlignment | None, str]:
-    """The same camera on the paint near its lines, the pegs within what the user is good for.
+    """The same camera on the paint near its lines, the pegs within the precision of a hand.
 
     One peg says nothing of the zoom: others near it are tried, and the one counts whose lines are
     on paint.

@@ -146,7 +146,7 @@ def nearest_line_offsets(
     near_px: float,
     far_px: float,
 ) -> tuple[LineOffsets, NDArray[np.bool_]]:
-    """Look for paint near every expected place, and if absent farther off, as
+    """Look for paint near every expected place, and if there is none farther off, as
     `line_offsets`; also says (n,) where it was found near."""
     if not len(expected.rows):
         return _NO_OFFSETS, _NO_OFFSETS.found
@@ -252,7 +252,7 @@ def _profile_values(cuts: PixelArray, tone: IntArray, element: IntArray) -> Valu
     unknown = np.flatnonzero(tone == 0)
     if len(unknown):
         grey = cuts[unknown].astype(np.float32).mean(axis=2)
-        # An element is painted in one colour: all of its places give which.
+        # An element is painted in one colour: all of its places decide which.
         strength = [np.maximum(_band_response(own), 0).max(axis=1) for own in (grey, -grey)]
         own = element[unknown]
         votes = np.stack([np.bincount(own, s) for s in strength])

@@ -121,7 +121,7 @@ def projected_jacobian(
 
 # On a field that is the same after half a turn, labels go by where the main camera stands. On one
 # that is not, such as a running track with its finish line, much of what a picture shows may be the
-# same all the same: lanes are, their marks are not. No standard deviation reports that.
+# same all the same: lanes are, their marks are not. No standard deviation shows that.
 # What the end must explain to be known, squares of the error of a point: twenty times as likely.
 _OPPOSITE_END_EVIDENCE = 3.0
 

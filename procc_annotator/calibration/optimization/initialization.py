@@ -37,7 +37,7 @@ from procc_annotator.field.model import Field
 # share beyond their ends.
 _SAME_POINT_M, _EXTENSION_SHARE = 0.15, 0.02
 # Where two lines of the picture cross at less than this sine of an angle, or farther out than this
-# from its centre (solver px), clicks do not say well.
+# from its centre (solver px), clicks do not determine well.
 _MIN_CROSSING_SINE, _MAX_CROSSING_PX = 0.05, 1000.0
 _TINY = 1e-9
 

@@ -66,7 +66,8 @@ MIN_ELEMENTS = 3
 # A camera known before is looked for anew when the points no longer fit it.
 _STALE_ELEMENT_SHARE, _STALE_PX = 1 / 3, 5.0
 
-# Times that an uncertain spot's say is reported anew from the camera that was found with it.
+# Times that the weight of an uncertain spot is computed anew from the camera that was found with
+# it.
 _WHITENING_ROUNDS = 3
 
 

@@ -51,7 +51,7 @@ class RobustLoss:
         return squares * share / 2, share * share
 
 
-# What a search goes by, what says mistakes apart, and what the result is the best one for.
+# What a search goes by, what distinguishes mistakes, and what the result is the best one for.
 SEARCH_LOSS = RobustLoss("cauchy", 10.0)
 ROBUST_LOSS = RobustLoss("geman_mcclure", 8.0)
 FINAL_LOSS = RobustLoss("huber", 2.0)

@@ -19,7 +19,7 @@ from procc_annotator.field.sampling import FieldSamples, sample_evenly
 
 ImageSize = tuple[int, int]
 
-# Lines at less than about six degrees have no corner that two clicks could say.
+# Lines at less than about six degrees have no corner that two clicks could determine.
 _MIN_CROSSING_SINE = 0.1
 
 

@@ -34,7 +34,7 @@ class Proposal:
     """A camera proposed for a picture, or why there is none.
 
     Attributes:
-        state: whether the camera may be relied on, has to be examined, or is none.
+        state: whether the camera may be relied on, has to be checked, or is missing.
         reason: a sentence for the user, also when sure.
         fit: the camera, px of the picture, with vector, covariance and deviations as any fit; its
             camera is None and its failure reported if absent.

@@ -1,6 +1,7 @@
 """Long lines that a camera misses: no line pixels along them, but an unexplained line next to them.
 
-Neither alone says: worn and hidden lines have no line pixels either, and pictures show lines that
+Neither alone suffices: worn and hidden lines have no line pixels either, and pictures show lines
+that
 are none of the field's.
 """
 

@@ -46,7 +46,7 @@ from procc_annotator.camera.base import Camera
 from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.field.model import Field
 
-# Shots of one match report the same tripod to about a metre; standard deviation of each axis.
+# Shots of one match agree on the tripod to about a metre; standard deviation of each axis.
 _MIN_SEPARATION_M = 0.7
 _MAX_MAHALANOBIS, _MAX_DISTANCE_M = 3.5, 5.0
 _MIN_COVERAGE = 0.65  # below it a frame is doubtful
@@ -55,7 +55,7 @@ _MIN_COVERAGE = 0.65  # below it a frame is doubtful
 def is_at_known_position(
     fit: FitResult | None, coverages: Sequence[float], places: Sequence[KnownPosition]
 ) -> bool:
-    """Return whether what all frames of a shot report their camera is a place that is known, and
+    """Return whether what all frames of a shot show of their camera is a place that is known, and
     its lines are on their paint.
 
     Args:
@@ -140,7 +140,7 @@ def track_shot(
         field: the elements, taken for the middle of their paint, see `marking_points`.
         anchors: cameras that are known, px of the pictures; those outside ``numbers`` do not count.
         known: where cameras of other shots of the same source stand. One that is not given is
-            looked for there only, and counts if its own shot then reports that place.
+            looked for there only, and counts if its own shot then shows that place.
         propose: finds a camera where none is known; None for `propose_camera`.
         on_frame: called for each frame as soon as it was followed, in the order in which they are;
             what is returned at the end is surer, and replaces it.
@@ -286,7 +286,7 @@ class _ShotTracker:
         found = smooth_chain(build_chain(runs, given), self.field, self.picture)
         asked = len({number for run in runs for number in run.asked})
         if _camera_may_move(found, asked):
-            # Once more from what all frames reported of its place: lines that it lost on the way
+            # Once more from what all frames showed of its place: lines that it lost on the way
             # stay.
             start = _states_of_frames(found.chain, given)
             again = [self._follow(run.asked, start) for run in runs]

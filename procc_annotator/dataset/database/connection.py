@@ -73,7 +73,7 @@ class OpenedDatabase:
     """A database that can be used, with what it says.
 
     Attributes:
-        identity: states whether another file has taken its place since.
+        identity: tells whether another file has taken its place since.
         fresh: it was empty.
         data_version: changes when another connection writes.
         notices: what had to be set aside.
@@ -244,7 +244,7 @@ def _open(path: Path | None) -> OpenedDatabase:
 
 
 def _check_writable(connection: sqlite3.Connection) -> None:
-    """Write, and take it back: only that reports folders in which no journal can be made.
+    """Write, and take it back: only that reveals folders in which no journal can be made.
 
     A damaged header can forbid writing into a file that is not write-protected.
     """
@@ -300,7 +300,7 @@ def data_version(connection: sqlite3.Connection) -> int:
 
 
 def identity_of(path: Path | None) -> Identity | None:
-    """Return what gives a file from another that takes its place; None if absent."""
+    """Return what distinguishes a file from another that takes its place; None if absent."""
     if path is None:
         return None
     try:

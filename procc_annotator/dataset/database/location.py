@@ -96,7 +96,7 @@ def fingerprints_match(mark: Fingerprint, other: Fingerprint) -> bool:
 
 
 def read_fingerprint(file: Path) -> Fingerprint:
-    """A mark as it was written; empty if absent that can be read."""
+    """A mark as it was written; empty if there is none that can be read."""
     try:
         entries = json.loads(read_file(file))
     except (InputError, ValueError, RecursionError):

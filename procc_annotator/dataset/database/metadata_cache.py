@@ -109,7 +109,7 @@ class MetadataCache:
         return self._known.comments.get(frame, ())
 
     def resolve_comment(self, comment_id: str, resolved: bool) -> None:
-        """Settle a comment, or open it again; nothing happens if absent of this id."""
+        """Settle a comment, or open it again; nothing happens if there is none of this id."""
         everywhere = (remark for remarks in self._known.comments.values() for remark in remarks)
         found = next((remark for remark in everywhere if remark.id == comment_id), None)
         if found is None:

@@ -149,7 +149,7 @@ def locate(
         views: the cameras.
         click_px: standard deviation of a click along each axis, px of the views; without it the
             usual one, corrected by the residuals.
-        noise: how many times as far off as usual clicks are, where other landmarks have reported.
+        noise: how many times as far off as usual clicks are, where other landmarks have shown.
         kept: the entry whose position a person gave: it is left alone, and compared to the clicks.
     """
     if clicked.problem and kept is None:

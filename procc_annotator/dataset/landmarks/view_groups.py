@@ -27,7 +27,7 @@ _ADVICE = "the file needs a header like: frame,instant,view"
 
 @dataclass(frozen=True, slots=True)
 class ViewAssignment:
-    """Instant and camera of a frame; "" where no one says."""
+    """Instant and camera of a frame; "" if not stated."""
 
     instant: str
     view: str = ""
@@ -48,12 +48,12 @@ class ViewGroups:
     lines: Mapping[str, int] = field(default_factory=dict, compare=False)
 
     def instant_of(self, frame: str) -> str | None:
-        """Return when a frame was taken; None where no one says."""
+        """Return when a frame was taken; None if not stated."""
         found = self.frames.get(frame)
         return None if found is None else found.instant
 
     def view_of(self, frame: str) -> str:
-        """The camera of a frame; "" where no one says."""
+        """The camera of a frame; "" if not stated."""
         found = self.frames.get(frame)
         return "" if found is None else found.view
 

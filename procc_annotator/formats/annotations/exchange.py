@@ -348,7 +348,7 @@ class WriteContext:
         return f"{frame.name}.jpg"
 
     def picture_of_frame(self, frame: ExchangedFrame) -> str:
-        """As `picture`, for formats that say frames by their pictures: the frame keeps its name.
+        """As `picture`, for formats that name frames by their pictures: the frame keeps its name.
 
         A labelme file may name a picture that is called otherwise, or the picture of another one.
         """

@@ -190,7 +190,7 @@ class LabelMap:
 
         Returns:
             A class for each shape, its label where nothing is said of it, None where it is left
-            out; and remarks on what was left out because no one can give what it is.
+            out; and remarks on what was left out because no one knows what it is.
         """
         found: list[str | None] = []
         ordered: dict[str, list[int]] = {}

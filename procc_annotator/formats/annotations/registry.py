@@ -223,7 +223,7 @@ def read_plain(data: bytes, path: str, field: Field) -> FrameAnnotation:
 
 
 def detect_formats(source: FileSource) -> list[AnnotationFormat]:
-    """The formats of the first files of a source; none where there is no file that gives any."""
+    """The formats of the first files of a source; none where there is no file that holds any."""
     told = _detected(source, _files(source))
     return list({known.name: known for known in told if known}.values())
 
@@ -257,7 +257,7 @@ def _formats_covering(known: AnnotationFormat, told: Sequence[AnnotationFormat])
 
 
 def _detect_file(source: FileSource, name: str) -> AnnotationFormat | None:
-    """The format of one file; None where it cannot be reported."""
+    """The format of one file; None if undetermined."""
     try:
         data = source.read(name)
     except InputError:
@@ -268,7 +268,7 @@ def _detect_file(source: FileSource, name: str) -> AnnotationFormat | None:
 
 
 def detect_json_format(data: bytes) -> AnnotationFormat | None:
-    """The format of JSON; None where it cannot be reported."""
+    """The format of JSON; None if undetermined."""
     content = _decoded(data)
     if is_other_json(content):
         return next(

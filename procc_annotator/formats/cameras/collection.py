@@ -182,7 +182,7 @@ class CameraCollection:
         return top if top.issuperset(self.frames.values()) else frozenset(self._source.tree())
 
     def _read_beside(self, file: str) -> bytes | None:
-        """The content of a file of the source; None if absent that can be read."""
+        """The content of a file of the source; None if there is none that can be read."""
         try:
             if file in self._all_files:
                 return self._source.read(file)
@@ -235,7 +235,7 @@ class CameraCollection:
                 yield own, file
 
     def _only_folder(self) -> str:
-        """The folder, with a slash at its end, that the only file of many cameras reports all its
+        """The folder, with a slash at its end, that the only file of many cameras gives all its
         pictures; empty if absent."""
         folders = [records.only_folder for records in self._records.values()]
         return f"{folders[0]}/" if len(folders) == 1 and folders[0] else ""

@@ -66,7 +66,7 @@ class TitleDelegate(QStyledItemDelegate):
 
 
 def elided_title(title: str, metrics: QFontMetrics, width: int) -> str:
-    """A title in so many px: the side of the field stands first, what gives its parts apart last.
+    """A title in so many px: the side of the field stands first, what distinguishes its parts last.
 
     "Right three-point far straight" becomes "Right … far straight", then "R… far straight". Other
     languages have the side anywhere: there every long word is shortened.

@@ -14,7 +14,7 @@ _SIDE = 16
 def paint_finding_sign(painter: QPainter, box: QRectF, severity: Severity) -> None:
     """Draw the sign of a severity into a square.
 
-    Reported apart without colour: a full triangle is an error, a hollow one a warning, a circle
+    Distinguished without colour: a full triangle is an error, a hollow one a warning, a circle
         a hint.
     """
     painter.save()

@@ -1,4 +1,4 @@
-"""Thousands of dots at once; pyqtgraph's own take three milliseconds a thousand to be reported."""
+"""Thousands of dots at once; pyqtgraph's own take three milliseconds a thousand."""
 
 from __future__ import annotations
 

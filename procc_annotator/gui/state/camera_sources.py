@@ -99,7 +99,7 @@ class CameraSource:
 
     def to_look_at(self, frames: Iterable[str]) -> list[str]:
         """Those of some frames that were not examined. Fits come with a look at the frame itself,
-        so that there is nothing to wait for if absent."""
+        so that there is nothing to wait for if there is none."""
         there = self.camera_set.frames
         fitted = self.files is None
         return [f for f in frames if f not in self._seen and (f in there or not fitted)]

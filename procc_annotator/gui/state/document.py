@@ -308,7 +308,7 @@ class Document(QObject):
     # --- from outside the store -----------------------------------------------------------------
 
     def say(self, text: str, level: Level = "info", remedy: str = "") -> None:
-        """Report the user one line, and which action may help."""
+        """Show the user one line, and which action may help."""
         say(self.store, text, level, remedy)
 
     def set_author(self, author: str) -> None:

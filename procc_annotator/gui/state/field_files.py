@@ -54,7 +54,7 @@ def own_source(field: Field) -> Path | None:
 
 
 def field_file_of(folder: Path, settings: Mapping[str, str]) -> Path | None:
-    """The file of the user's own that a dataset names, whether as it may."""
+    """The file of the user's own that a dataset names."""
     try:
         source = stored_field_source(folder, settings)
     except FieldError:

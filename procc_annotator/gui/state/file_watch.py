@@ -23,7 +23,7 @@ class FileWatch(QObject):
         self._watcher = QFileSystemWatcher(self)
         self._settled = QTimer(self, singleShot=True, interval=_SETTLED_MS)
         self._settled.timeout.connect(self._look)
-        # A file that was replaced is given by its folder only.
+        # A file that was replaced is noticed by its folder only.
         self._watcher.fileChanged.connect(self._wait)
         self._watcher.directoryChanged.connect(self._wait)
 

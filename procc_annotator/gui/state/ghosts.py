@@ -126,7 +126,7 @@ class Ghosts(QObject):
 
     @property
     def suggesting(self) -> bool:
-        """Whether a person wants to be reported what to annotate next, and may be."""
+        """Whether suggestions of what to annotate next are wanted, and may be."""
         return self._suggesting and self._foresight.wanted and self._foresight.allowed
 
     def set_suggesting(self, suggesting: bool) -> None:

@@ -21,7 +21,7 @@ class KnownChecks:
     def __init__(self, store: Store, ignored: IgnoredFindings) -> None:
         self._store, self._ignored = store, ignored
         self._frames: dict[str, FrameCheck] = {}
-        # Frame -> what the set reports it, and the content it holds for.
+        # Frame -> what the set says of it, and the content it holds for.
         self._told_by_set: dict[str, tuple[str, StoredFinding]] = {}
         self._in_set: tuple[tuple[str, StoredFinding], ...] | None = None  # until anything changes
 

@@ -113,7 +113,7 @@ class ReviewState(QObject):
 
     def touched(self, frame: str, before: FrameAnnotation, after: FrameAnnotation) -> str:
         """The annotation changed: the frame is in progress again, or what it was if this took the
-        change back; what to give the annotator, if much. Its time so far is written down."""
+        change back; what to report to the annotator, if much. Its time so far is written down."""
         self._write_time()
         was = self.status(frame)
         earlier, annotation = self._before_edits.get(frame, (was, None))

@@ -27,7 +27,7 @@ class SourceFrame:
     """A source's camera for one frame, or why there is none.
 
     Attributes:
-        camera: px of the evaluation size; None if absent to be used.
+        camera: px of the evaluation size; None if there is none to be used.
         model: of the camera, for people.
         projected: what the camera shows of the field.
         notice: what to know about it (scaled from another size, missing).

@@ -59,7 +59,7 @@ class Store(QObject):
 
     A change that is made while another one is reported is there at once, but reported after that
         one: every
-    listener sees every step, and all see them in the same order. Who watches is reported once of
+    listener sees every step, and all see them in the same order. A listener is notified once of
     all
     steps that follow from one another; of what the user drags, after that was painted.
     """
@@ -141,7 +141,7 @@ class Store(QObject):
         self._begun = None
 
     def _tell(self) -> None:
-        """Report every step; where a person who is reported fails, all others hear of it first."""
+        """Report every step; if a listener fails, all others are notified first."""
         self._telling = True
         with ExitStack() as at_last:
             at_last.callback(self._rest)

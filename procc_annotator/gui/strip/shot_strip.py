@@ -90,7 +90,7 @@ class ShotStrip(QWidget):
         )
 
     def show_tasks(self, *tasks: StripTask) -> None:
-        """Say how far these are, and give them which stretch is marked."""
+        """Say how far these are, and which stretch is marked."""
         self._tasks = tasks
         for task in tasks:
             task.marked = lambda: self.stretch

@@ -12,7 +12,7 @@ from procc_annotator.gui.state.document import Document
 
 
 class TaskDialog(Protocol):
-    """What every such dialog can be reported."""
+    """What every such dialog can be given."""
 
     def set_running(self, running: bool) -> None:
         """Whether the work goes on."""

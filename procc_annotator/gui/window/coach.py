@@ -1,4 +1,4 @@
-"""The first three steps, reported over the real picture, each until it was done once."""
+"""The first three steps, shown over the real picture, each until it was done once."""
 
 from __future__ import annotations
 
@@ -25,13 +25,13 @@ _TAKEN = (OriginKind.SUGGESTED, OriginKind.ACCEPTED)  # what the camera expected
 
 
 class Coach(QObject):
-    """Watches what is done; what was done is ticked, and after the third step it goes permanently.
+    """Watches what is done; what was done is ticked, and after the third step it does not reappear.
 
     Attributes:
         steps: what is to be done, in words.
         done: which of them were.
         card: what gives them; it lets the mouse through.
-        close_button: puts it away permanently.
+        close_button: dismisses it for good.
     """
 
     def __init__(
@@ -74,7 +74,7 @@ class Coach(QObject):
         self._begin_frame()
 
     def end(self) -> None:
-        """Put it away permanently."""
+        """Dismiss it for good."""
         self._going = False
         self._settings.set(COACHED, True)
         self._show()

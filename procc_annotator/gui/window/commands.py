@@ -39,7 +39,7 @@ class Commands:
     # --- stepping and choosing ------------------------------------------------------------
 
     def take_tool(self, mode: Mode) -> None:
-        """Draw or edit from now on, with the hand that moves the picture dismissed."""
+        """Draw or edit from now on, without the tool that moves the picture."""
         self._canvas.set_pan(False)
         self._document.set_mode(mode)
 

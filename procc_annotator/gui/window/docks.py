@@ -80,7 +80,7 @@ class Docks:
     Attributes:
         by_name: one for each panel.
         desk: the one in sight.
-        turned: reported which desk is in sight after another was.
+        turned: called with which desk is in sight after another was.
     """
 
     def __init__(self, window: QMainWindow, panels: Mapping[str, QWidget]) -> None:
@@ -256,7 +256,7 @@ class Docks:
 
 
 def _nobody(_: str) -> None:
-    """No one is reported yet."""
+    """Nobody is notified yet."""
 
 
 def _first_look(desk: str) -> DeskLook:

@@ -43,7 +43,7 @@ class IconButton(QToolButton):
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
 
     def show_action(self, action: QAction, key_of: QAction | None = None, key: str = "") -> None:
-        """Do what an action does, and give what it is called.
+        """Do what an action does, and show its name.
 
         Args:
             action: what a click triggers.

@@ -39,7 +39,7 @@ class SheetRow:
     Attributes:
         keys: as people write them; they mean the same.
         text: what they do.
-        calls: what a click calls, as the sheet knows it; "" for what only the user can do.
+        calls: what a click calls, as the sheet knows it; "" for what only the mouse can do.
         english: the same in English, which finds it whatever the language.
     """
 

@@ -249,7 +249,7 @@ class StatusLine(QStatusBar):
         """Have the message go: it is of what is not on screen any more.
 
         Args:
-            just_told: also one that what happens now has reported.
+            just_told: also one that was just shown.
         """
         if self._message_timer.isActive() and (just_told or not self._just_told.isActive()):
             self._message_timer.stop()

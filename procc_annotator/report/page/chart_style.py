@@ -79,7 +79,7 @@ def draw_chart(
     """Draw a chart.
 
     Args:
-        number: gives the ids of the page's charts apart.
+        number: distinguishes the ids of the page's charts.
         title, text: see `Chart`; the title is also what a screen reader says.
         height_in: inches; the width is that of the page.
         draw: puts axes on an empty figure, laid out by constraint.

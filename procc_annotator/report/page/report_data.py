@@ -31,7 +31,7 @@ from procc_annotator.report.scores.inference import (
     statistical_result,
 )
 
-# Colours, dashes and markers say so many lines apart, and a page holds as many pictures.
+# Colours, dashes and markers distinguish so many lines, and a page holds as many pictures.
 MOST_DETAILED = 12
 
 

@@ -142,7 +142,7 @@ class ReleaseDescription:
         version: of this release. date: ``2026-05-01``.
         licence: SPDX identifier or URL; empty where none is given.
         creators: who made it.
-        url: where it is found; empty where no one says.
+        url: where it is found; empty if not stated.
         description: a paragraph.
         citation: BibTeX; empty for none.
     """

@@ -149,7 +149,7 @@ class CamerasPanel(QWidget):
             self.load(Path(chosen))
 
     def load(self, path: Path) -> None:
-        """Load cameras as the chosen format says; what goes wrong is given by the document."""
+        """Load cameras as the chosen format says; what goes wrong is reported by the document."""
         self._offer_formats()
         self._document.load_cameras(path, self.format.currentData())
 

@@ -50,7 +50,7 @@ _PATCH = 14
 
 
 class SourceRow(QFrame):
-    """Shows what it is reported of a source, and says what the user wants of it."""
+    """Shows a source, and emits what the user wants of it."""
 
     activated = Signal()
     renamed = Signal(str)

@@ -228,7 +228,7 @@ class ElementEdits:
         change: Callable[[FrameAnnotation], FrameAnnotation],
     ) -> bool:
         """Edit elements that a person looks at, the first one confirmed if it was not; what another
-        window made of them meanwhile is to be examined first."""
+        window made of them meanwhile is to be checked first."""
         seen = [self._touched(names[0]).get(name) for name in names]
 
         def apply(annotation: FrameAnnotation) -> FrameAnnotation:

@@ -136,7 +136,7 @@ class _FramesModel(RowsModel[_Row]):
 
 
 class ViewDialog(QDialog):
-    """Shows nothing but what it is reported."""
+    """Shows nothing but what it is given."""
 
     patternEdited = Signal(str)
     writeWanted = Signal()
