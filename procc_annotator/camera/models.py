@@ -7,7 +7,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Self
 
 import numpy as np
 from numpy.polynomial import Polynomial
@@ -31,7 +31,34 @@ def rotation_cam_from_world(pan_rad: float, tilt_rad: float, roll_rad: float) ->
 
 
 @dataclass(frozen=True)
-class PinholeCamera:
+class _PosedCamera:
+    """Orientation, position, focal lengths and principal point, which both lens models have."""
+
+    pan_rad: float
+    tilt_rad: float
+    roll_rad: float
+    position_world: tuple[float, float, float]
+    focal_px: tuple[float, float]
+    principal_point_px: tuple[float, float]
+
+    @cached_property
+    def rotation_cam_from_world(self) -> FloatArray:
+        """(3, 3) world -> camera rotation."""
+        return rotation_cam_from_world(self.pan_rad, self.tilt_rad, self.roll_rad)
+
+    def scaled(self, from_size: tuple[int, int], to_size: tuple[int, int]) -> Self:
+        """The same camera for another picture size (pixel centres: factors (W'-1)/(W-1))."""
+        sx = (to_size[0] - 1) / (from_size[0] - 1)
+        sy = (to_size[1] - 1) / (from_size[1] - 1)
+        return replace(
+            self,
+            focal_px=(self.focal_px[0] * sx, self.focal_px[1] * sy),
+            principal_point_px=(self.principal_point_px[0] * sx, self.principal_point_px[1] * sy),
+        )
+
+
+@dataclass(frozen=True)
+class PinholeCamera(_PosedCamera):
     """A pinhole camera; pixels belong to the picture size the camera is used at.
 
     Attributes:
@@ -44,20 +71,9 @@ class PinholeCamera:
         thin_prism: s1..s4.
     """
 
-    pan_rad: float
-    tilt_rad: float
-    roll_rad: float
-    position_world: tuple[float, float, float]
-    focal_px: tuple[float, float]
-    principal_point_px: tuple[float, float]
     radial: tuple[float, float, float, float, float, float] = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     tangential: tuple[float, float] = (0.0, 0.0)
     thin_prism: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 0.0)
-
-    @cached_property
-    def rotation_cam_from_world(self) -> FloatArray:
-        """(3, 3) world -> camera rotation."""
-        return rotation_cam_from_world(self.pan_rad, self.tilt_rad, self.roll_rad)
 
     @cached_property
     def is_distorted(self) -> bool:
@@ -117,19 +133,6 @@ class PinholeCamera:
             px = distorted * focal + np.array(self.principal_point_px, dtype=np.float32)
             return px.astype(np.float64), in_front
 
-    def scaled(self, from_size: tuple[int, int], to_size: tuple[int, int]) -> PinholeCamera:
-        """The same camera for another picture size (pixel centres: factors (W'-1)/(W-1))."""
-        sx = (to_size[0] - 1) / (from_size[0] - 1)
-        sy = (to_size[1] - 1) / (from_size[1] - 1)
-        return replace(
-            self,
-            focal_px=(self.focal_px[0] * sx, self.focal_px[1] * sy),
-            principal_point_px=(
-                self.principal_point_px[0] * sx,
-                self.principal_point_px[1] * sy,
-            ),
-        )
-
     def _normalised(
         self, points_world: FloatArray
     ) -> tuple[NDArray[np.float64], NDArray[np.float64], BoolArray]:
@@ -167,7 +170,7 @@ def _rotation_x(angle_rad: float) -> FloatArray:
 
 
 @dataclass(frozen=True)
-class FisheyeCamera:
+class FisheyeCamera(_PosedCamera):
     """A fisheye camera; pixels belong to the picture size the camera is used at.
 
     A ray at the angle theta off the axis appears at theta (1 + k1 theta^2 + k2 theta^4 + k3 theta^6
@@ -181,18 +184,7 @@ class FisheyeCamera:
         coefficients: k1..k4.
     """
 
-    pan_rad: float
-    tilt_rad: float
-    roll_rad: float
-    position_world: tuple[float, float, float]
-    focal_px: tuple[float, float]
-    principal_point_px: tuple[float, float]
     coefficients: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 0.0)
-
-    @cached_property
-    def rotation_cam_from_world(self) -> FloatArray:
-        """(3, 3) world -> camera rotation."""
-        return rotation_cam_from_world(self.pan_rad, self.tilt_rad, self.roll_rad)
 
     @cached_property
     def largest_angle_rad(self) -> float:
@@ -240,16 +232,6 @@ class FisheyeCamera:
             px = points_cam[:, :2] * ratio[:, None] * np.array(self.focal_px)
             px += np.array(self.principal_point_px)
         return px, valid
-
-    def scaled(self, from_size: tuple[int, int], to_size: tuple[int, int]) -> FisheyeCamera:
-        """The same camera for another picture size (pixel centres: factors (W'-1)/(W-1))."""
-        sx = (to_size[0] - 1) / (from_size[0] - 1)
-        sy = (to_size[1] - 1) / (from_size[1] - 1)
-        return replace(
-            self,
-            focal_px=(self.focal_px[0] * sx, self.focal_px[1] * sy),
-            principal_point_px=(self.principal_point_px[0] * sx, self.principal_point_px[1] * sy),
-        )
 
 
 _ON_GROUND_TOLERANCE_M = 1e-9
