@@ -73,7 +73,12 @@ def _filled(group: Any, given: dict[str, Any]) -> Any:
     )
 
 
-# Options of the release before, by command: they go with the next one.
+# Commands and options (by command) of the release before: this goes with the next one.
+REMOVED_COMMANDS = {
+    "assign": "docs/annotation-study.md does it in a few lines of Python",
+    "gold": "use agree --reference",
+    "headless": "use evaluate, export and render",
+}
 _INFERENCE = {"--click-noise": "--annotation-noise", "--draws": "--resamples"}
 RENAMED_OPTIONS = {
     "evaluate": {**_INFERENCE, "--recipe": "--manifest"},
@@ -236,6 +241,8 @@ class CommandOrPath(TyperGroup):
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
         if self._opens_window(args):
             args = ["open", *args]
+        elif args[0] in REMOVED_COMMANDS:
+            ctx.fail(f"{args[0]} was removed: {REMOVED_COMMANDS[args[0]]}")
         return super().parse_args(ctx, args)
 
     def _opens_window(self, args: list[str]) -> bool:

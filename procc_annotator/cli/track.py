@@ -129,11 +129,6 @@ def track(
     start = None if begin is None else _number_of(begin, pictures)
     called = tuple(frame.name for frame in pictures.frames)
     outputs.check_camera_folder(out, [source, annotations, cameras])
-    if not overwrite and not (out / TABLE_FILE).exists() and outputs.holds_cameras(out, called):
-        raise UsageError(
-            f"{out}: holds cameras but no {TABLE_FILE}; choose another place, or --overwrite to"
-            " replace them"
-        )
     table = _table(out, called, overwrite=overwrite)
     size = options.shown_size(camera_size)
     clicked = None if annotations is None else pictures.annotated(annotations, shown, names)
@@ -213,7 +208,16 @@ def _number_of(text: str, pictures: PictureSource) -> int:
 
 
 def _table(out: Path, names: tuple[str, ...], *, overwrite: bool) -> TrackTable:
-    """The table in OUT; a new one in place of one of something else."""
+    """The table in OUT; a new one in place of one of something else.
+
+    Raises:
+        UsageError: OUT holds cameras without a table.
+    """
+    if not overwrite and not (out / TABLE_FILE).exists() and outputs.holds_cameras(out, names):
+        raise UsageError(
+            f"{out}: holds cameras but no {TABLE_FILE}; choose another place, or --overwrite to"
+            " replace them"
+        )
     try:
         return read_table(out, names)
     except InputError:

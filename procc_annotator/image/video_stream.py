@@ -270,10 +270,7 @@ def read_packet_index(path: Path, first: list[int | None]) -> PacketIndex:
             begin = packet.pos or 0
             skipped |= contiguous and 0 < end < begin - _PACKET_OVERHEAD_BYTES
             end = max(end, begin + packet.size)
-            if packet.pts is not None and packet.time_base is not None:
-                last_s = max(
-                    last_s, float((packet.pts + (packet.duration or 0)) * packet.time_base)
-                )
+            last_s = max(last_s, _end_s(packet))
             if packet.stream_index != stream.index:
                 continue
             # An edit list hides packets; VP8 has pictures that are only referred to.
@@ -298,10 +295,8 @@ def read_packet_index(path: Path, first: list[int | None]) -> PacketIndex:
     cut_off, of_all = "", f" of {declared}" if declared else ""
     ends_early = len(times) < declared or lost[-1]
     if "matroska" in kind:  # the reader also gives up where a cluster is damaged
-        step_s = float(np.median(np.diff(ordered))) * unit if len(ordered) > 1 else 0.0
-        ends_early |= _is_truncated_matroska(path) or duration_s - last_s > max(
-            2.5 * step_s, _ROUNDING_S
-        )
+        missing_s = duration_s - last_s
+        ends_early |= _is_truncated_matroska(path) or _is_gap(missing_s, ordered * unit)
     if ends_early:
         cut_off = f"the file is cut off or damaged: it ends after {len(times)}{of_all} frames"
     lost.append(True)
@@ -318,6 +313,19 @@ def read_packet_index(path: Path, first: list[int | None]) -> PacketIndex:
     numbers, every_place = np.full(len(times), -1), np.full(len(every), -1)
     numbers[places], every_place[known] = known, places
     return PacketIndex(times, times_s, numbers, every_place, np.array(keys), all_lost, cut_off)
+
+
+def _end_s(packet: AnyPacket[Any]) -> float:
+    """Return when a packet's presentation ends, s; 0 without a time."""
+    if packet.pts is None or packet.time_base is None:
+        return 0.0
+    return float((packet.pts + (packet.duration or 0)) * packet.time_base)
+
+
+def _is_gap(duration_s: float, times_s: FloatArray) -> bool:
+    """Return whether a time is clearly longer than a frame of a video with these times."""
+    step_s = float(np.median(np.diff(times_s))) if len(times_s) > 1 else 0.0
+    return duration_s > max(2.5 * step_s, _ROUNDING_S)
 
 
 def _frame_numbers(

@@ -265,6 +265,12 @@ def test_a_stopped_run_goes_on_by_being_run_again(
         assert files(out) == whole
 
 
+def test_a_removed_command_says_what_to_use(cli) -> None:
+    done = cli("gold", "match/", "anna/")
+    assert done.exit_code == 2
+    assert "gold was removed: use agree --reference" in done.stderr
+
+
 def test_an_option_of_the_release_before_is_translated(cli, dataset) -> None:
     old, new = (
         cli("check", dataset.root, severity, no_pictures)
