@@ -13,11 +13,9 @@ from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple, SupportsFloat
 
 import numpy as np
-from numpy.typing import NDArray
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.errors import UsageError
-
-FloatArray = NDArray[np.float64]
 
 # No one clicks so far from the picture, in its widths and heights.
 _FARTHEST = 2.0

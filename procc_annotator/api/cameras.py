@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from procc_annotator.annotation import FrameAnnotation, as_size
 from procc_annotator.api.inputs import (
@@ -19,6 +19,7 @@ from procc_annotator.api.inputs import (
     as_optional_size,
     as_path,
 )
+from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.result import FitResult
 from procc_annotator.camera.base import Camera
 from procc_annotator.camera.custom import FunctionCamera, ValidatedCamera
@@ -52,8 +53,6 @@ from procc_annotator.formats.cameras.writers import (
     writer_of,
 )
 from procc_annotator.version import __version__
-
-FloatArray = NDArray[np.float64]
 
 
 def camera_from_krt(

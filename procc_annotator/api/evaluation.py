@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from procc_annotator.annotation import FrameAnnotation, as_size
 from procc_annotator.api.inputs import (
@@ -14,6 +14,7 @@ from procc_annotator.api.inputs import (
     camera_at_size,
     evaluated_camera,
 )
+from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.fitting import DEFAULT_SIZE
 from procc_annotator.calibration.result import FitResult
 from procc_annotator.errors import UsageError
@@ -25,7 +26,6 @@ from procc_annotator.metrics.measurement import measure
 from procc_annotator.metrics.score import FrameScore, display_score
 from procc_annotator.metrics.setup import EvaluationSetup, check_thresholds
 
-FloatArray = NDArray[np.float64]
 Size = tuple[int, int]
 
 

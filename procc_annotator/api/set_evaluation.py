@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from natsort import natsorted
-from numpy.typing import NDArray
 
 from procc_annotator.annotation import FrameAnnotation, as_size
 from procc_annotator.api.inputs import (
@@ -23,6 +22,7 @@ from procc_annotator.api.inputs import (
     kind_of,
 )
 from procc_annotator.api.loading import Dataset, load_cameras, load_dataset
+from procc_annotator.arrays import FloatArray
 from procc_annotator.batch.audit import TAU_GRID
 from procc_annotator.batch.evaluation import CHUNK
 from procc_annotator.batch.frame_sums import FrameSums, SourceSums, frame_sums
@@ -47,7 +47,6 @@ if TYPE_CHECKING:
     import pandas
 
 
-FloatArray = NDArray[np.float64]
 FrameInputs = tuple[FrameAnnotation, CameraInPixels | None]
 Clustering = str | Mapping[str, str] | None
 

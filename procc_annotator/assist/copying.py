@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
 from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px, points_px
+from procc_annotator.arrays import BoolArray, FloatArray
 from procc_annotator.assist.ghost_points import find_points
 from procc_annotator.assist.line_evidence import ExpectedLines
 from procc_annotator.calibration.prediction.ghosts import find_ghosts
@@ -25,8 +25,6 @@ from procc_annotator.image.motion import CameraMotion, estimate_motion, transfer
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.metrics.polylines import arc_lengths
 
-FloatArray = NDArray[np.float64]
-BoolArray = NDArray[np.bool_]
 Size = tuple[int, int]
 
 _AT_EDGE_PX = 12.0  # along the line

@@ -7,11 +7,9 @@ from dataclasses import dataclass
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
+from procc_annotator.arrays import BoolArray, FloatArray
 from procc_annotator.metrics.polylines import arc_lengths, points_at_arc_lengths
-
-FloatArray = NDArray[np.float64]
 
 _SAGITTA_PX = 0.5  # how far chords may cut a bend
 _LARGEST_SPACING = 1 / 16  # of the picture's width
@@ -50,8 +48,6 @@ def regular_parameters(
     wanted = max(least, math.ceil(count[-1]))
     return np.asarray(np.interp(np.linspace(0.0, count[-1], wanted + 1), count, parameters))
 
-
-BoolArray = NDArray[np.bool_]
 
 EVERYWHERE = 201  # so many parameters stand for the whole curve
 _INLIER_PX = 1.0

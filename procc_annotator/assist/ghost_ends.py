@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from procc_annotator.arrays import BoolArray, FloatArray
 from procc_annotator.assist.line_evidence import ExpectedLines
 from procc_annotator.assist.visible_line import (
     VisibleLine,
@@ -23,8 +23,6 @@ from procc_annotator.image.line_profiles import LineTarget
 from procc_annotator.image.line_snapping import SNAP_RADIUS_PX, snap_points_to_lines
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.metrics.polylines import polyline_normals
-
-FloatArray = NDArray[np.float64]
 
 FARTHEST_PX = 80.0  # an end is looked for so far beyond where the camera expects it
 _LEAST_SD = 3.0
@@ -283,8 +281,6 @@ def _close_by(
     slope, level = np.polyfit(s[own], o[own], 1)
     return corner + level * normal, direction + slope * normal
 
-
-BoolArray = NDArray[np.bool_]
 
 _HIDDEN_PX, _JOINED_PX = 40, 24  # so far before its end a line, or a bar, need not be seen
 _EDGE_GAP = 8  # px before the picture's edge where a line need not be seen

@@ -10,9 +10,9 @@ from dataclasses import dataclass, replace
 from itertools import permutations, product
 
 import numpy as np
-from numpy.typing import NDArray
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
+from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.fitting import fit_camera
 from procc_annotator.camera.base import CameraOrProjections
 from procc_annotator.dataset.camera_set import FrameCameras
@@ -260,7 +260,6 @@ def _orders(shapes: Sequence[Points], names: Sequence[str | None]) -> list[Order
     return found
 
 
-FloatArray = NDArray[np.float64]
 _MOST_ORDERS = 3000
 _MOST_FRAMES = 16
 _FEWEST_EQUATIONS = 9  # one more than determine a homography: an order can be wrong

@@ -8,12 +8,12 @@ from dataclasses import replace
 from functools import cache
 
 import numpy as np
-from numpy.typing import NDArray
 
 from procc_annotator.annotation import FrameAnnotation, Polyline, points_px
+from procc_annotator.arrays import FloatArray, IntArray
 from procc_annotator.assist.visible_line import find_line
 from procc_annotator.calibration.label_check.evidence import LineEvidence
-from procc_annotator.calibration.optimization.observations import ImageFrame, IntArray
+from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.calibration.prediction.visible_elements import steps_to_image_edge
 from procc_annotator.camera.base import Camera, projects_only_ground
 from procc_annotator.field.appearance import ANY_LINE, LINE, NOTHING
@@ -25,7 +25,6 @@ from procc_annotator.image.line_snapping import SNAP_RADIUS_PX, snap_points_to_l
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.metrics.polylines import arc_lengths, points_at_arc_lengths
 
-FloatArray = NDArray[np.float64]
 Place = tuple[float, float]
 
 _EVERY_M = 0.5

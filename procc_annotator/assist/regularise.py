@@ -6,9 +6,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline, point_from_px, points_px
+from procc_annotator.arrays import BoolArray, FloatArray
 from procc_annotator.assist.curves import (
     EVERYWHERE,
     Curve,
@@ -20,8 +20,6 @@ from procc_annotator.calibration.prediction.visible_elements import ImageSize, e
 from procc_annotator.field.geometry import is_closed
 from procc_annotator.field.model import Field
 from procc_annotator.field.sampling import touching_elements
-
-FloatArray = NDArray[np.float64]
 
 REACH_PX = 25.0
 
@@ -83,8 +81,6 @@ def _replaced(point: Point, place: FloatArray | None, size: ImageSize) -> Point:
     moved = point_from_px(float(place[0]), float(place[1]), size)
     return Point(moved.u, moved.v, point.extra)
 
-
-BoolArray = NDArray[np.bool_]
 
 # (N, 2) points px, (N, 2) unit directions px -> (N, 2) px on the lines' centres, NaN: no line.
 Snap = Callable[[FloatArray, FloatArray], FloatArray]

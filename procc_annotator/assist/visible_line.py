@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from procc_annotator.arrays import BoolArray, FloatArray, IntArray
 from procc_annotator.field.appearance import EDGE
 from procc_annotator.image.line_profiles import (
     LineTarget,
@@ -17,9 +17,6 @@ from procc_annotator.image.line_profiles import (
 from procc_annotator.image.line_snapping import SNAP_RADIUS_PX, snap_points_to_lines
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.metrics.polylines import arc_lengths, points_at_arc_lengths, polyline_normals
-
-FloatArray = NDArray[np.float64]
-BoolArray = NDArray[np.bool_]
 
 AGREE_PX = 0.8  # offsets this near to the smooth ones lie on the line
 
@@ -65,7 +62,6 @@ def smooth_inliers(
     return kept, coefficients
 
 
-IntArray = NDArray[np.intp]
 Runs = tuple[tuple[int, int], ...]
 
 BESIDE_PX = 12.0  # what is looked at to both sides of the line

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.arrays import IntArray
 from procc_annotator.camera.base import CameraOrProjections
 from procc_annotator.camera.models import FisheyeCamera, PinholeCamera
 from procc_annotator.field.landmarks import element_titles
@@ -145,7 +146,6 @@ def _concatenate_rows(parts: list[NDArray[np.float64]]) -> NDArray[np.float32]:
 
 
 FloatArray = NDArray[np.floating[Any]]
-IntArray = NDArray[np.intp]
 
 _BINS = 40
 _WIDTHS = tuple(m * 10.0**e for e in range(-3, 5) for m in (1, 2, 2.5, 5))

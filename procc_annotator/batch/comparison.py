@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from procc_annotator.arrays import FloatArray, IntArray
 from procc_annotator.batch.execution.executor import Executor
 from procc_annotator.batch.grouping import Clusters
 from procc_annotator.batch.set_run import ReopenableHandle, SetRun
@@ -31,7 +32,6 @@ from procc_annotator.metrics.legacy import (
     legacy_averages,
     legacy_metrics,
 )
-from procc_annotator.metrics.polylines import FloatArray, IntArray
 from procc_annotator.metrics.statistics.bootstrap import BootstrapSettings, RatioMetrics, bootstrap
 from procc_annotator.metrics.statistics.intervals import (
     Interval,

@@ -11,12 +11,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px, points_px
+from procc_annotator.arrays import BoolArray, FloatArray
 from procc_annotator.batch.audit import TAU_GRID, FrameAudit, Pose, pose_in_degrees
 from procc_annotator.batch.grouping import FrameOrder, clusters_of
 from procc_annotator.batch.scoring import Evaluated
 from procc_annotator.formats.cameras.fit_record import NOT_FITTED, FitCounts, name_with_mark
 from procc_annotator.metrics.measurement import Measurement, measure_projected
-from procc_annotator.metrics.polylines import BoolArray, FloatArray
 from procc_annotator.metrics.score import FrameScore, jac_curve
 from procc_annotator.metrics.statistics.bootstrap import BootstrapSettings, RatioMetrics, bootstrap
 from procc_annotator.metrics.statistics.intervals import CurveBand, curve_band

@@ -11,11 +11,11 @@ from pathlib import Path
 import numpy as np
 from natsort import natsorted
 
+from procc_annotator.arrays import IntArray
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.formats.csv_tables import read_frame_table
 from procc_annotator.formats.frame_names import FrameTable
 from procc_annotator.messages import pluralize
-from procc_annotator.metrics.polylines import IntArray
 
 _ORDER_FRAME, _SHOT, _NUMBER = "frame", "shot", "number"
 _ORDER_ADVICE = "the file needs a header like: frame,shot,number"

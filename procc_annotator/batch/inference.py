@@ -9,11 +9,11 @@ from itertools import combinations
 
 import numpy as np
 
+from procc_annotator.arrays import BoolArray, FloatArray
 from procc_annotator.batch.frame_sums import SPARSE, SPARSE_TAUS, SourceSums
 from procc_annotator.batch.grouping import Clusters
 from procc_annotator.errors import UsageError
 from procc_annotator.messages import pluralize
-from procc_annotator.metrics.polylines import BoolArray, FloatArray
 from procc_annotator.metrics.statistics.bootstrap import (
     BootstrapSample,
     BootstrapSettings,

@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.arrays import FloatArray, IntArray
 from procc_annotator.batch.execution.executor import Executor
 from procc_annotator.batch.grouping import (
     FrameOrder,
@@ -39,7 +40,6 @@ from procc_annotator.formats.frame_names import FrameTable
 from procc_annotator.image.decoding import decode_bgra
 from procc_annotator.image.motion import CameraMotion, estimate_motion, transfer_points
 from procc_annotator.metrics.measurement import Measurement, measure
-from procc_annotator.metrics.polylines import FloatArray, IntArray
 from procc_annotator.metrics.score import score
 from procc_annotator.metrics.setup import EvaluationSetup
 from procc_annotator.metrics.temporal.discontinuities import (

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.optimization.camera_parameters import (
     KAPPA,
     LOG_FOCAL,
@@ -45,11 +46,7 @@ from procc_annotator.calibration.optimization.lens_models import (
     try_wide_angle,
     wide_angle_explains_more,
 )
-from procc_annotator.calibration.optimization.observations import (
-    FloatArray,
-    ImageFrame,
-    Observations,
-)
+from procc_annotator.calibration.optimization.observations import ImageFrame, Observations
 from procc_annotator.calibration.optimization.residuals import homographies_from_corrections
 from procc_annotator.calibration.optimization.robust_fit import (
     OUTLIER_PX,

@@ -8,16 +8,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from procc_annotator.annotation import Polyline
+from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.optimization.camera_parameters import PAN, ROLL, TILT
 from procc_annotator.calibration.optimization.covariance import (
     max_direction_sd,
     projected_covariance,
 )
-from procc_annotator.calibration.optimization.observations import (
-    FloatArray,
-    ImageFrame,
-    used_point_indices,
-)
+from procc_annotator.calibration.optimization.observations import ImageFrame, used_point_indices
 from procc_annotator.camera.models import FisheyeCamera, HomographyCamera, PinholeCamera
 from procc_annotator.translation import translatable, translatable_joined, word
 

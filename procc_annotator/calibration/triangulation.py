@@ -8,9 +8,8 @@ from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
-from numpy.typing import NDArray
 
-from procc_annotator.calibration.optimization.observations import FloatArray
+from procc_annotator.arrays import BoolArray, FloatArray
 from procc_annotator.camera.backprojection import ViewingRay, projection_jacobian, viewing_ray
 from procc_annotator.camera.base import Camera, projects_only_ground
 from procc_annotator.field.formulas import MAX_COORDINATE_M
@@ -46,7 +45,6 @@ def _max_squares(spare: int) -> float:
     return _MAX_NOISE**2 * (spare + _MAX_QUANTILE * math.sqrt(2 * spare))
 
 
-BoolArray = NDArray[np.bool_]
 CameraCovariance = Callable[[FloatArray], FloatArray]
 
 DEFAULT_CLICK_SD_PX = 1.5

@@ -8,12 +8,11 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.arrays import BoolArray, FloatArray
 from procc_annotator.camera.base import (
-    BoolArray,
     Camera,
     CameraOrProjections,
     ElementProjections,
-    FloatArray,
     ScaledCamera,
 )
 from procc_annotator.camera.distortion import rays_cam

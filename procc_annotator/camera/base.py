@@ -7,10 +7,8 @@ from dataclasses import dataclass
 from typing import Protocol, cast, runtime_checkable
 
 import numpy as np
-from numpy.typing import NDArray
 
-FloatArray = NDArray[np.float64]
-BoolArray = NDArray[np.bool_]
+from procc_annotator.arrays import BoolArray, FloatArray
 
 
 @runtime_checkable

@@ -9,12 +9,11 @@ from typing import Any
 
 import numpy as np
 
+from procc_annotator.arrays import BoolArray, FloatArray
 from procc_annotator.camera.base import (
-    BoolArray,
     Camera,
     CameraOrProjections,
     ElementProjections,
-    FloatArray,
     ScaledCamera,
     Size,
     scaled_camera,

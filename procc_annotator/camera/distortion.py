@@ -11,7 +11,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.camera.base import BoolArray, FloatArray
+from procc_annotator.arrays import BoolArray, FloatArray
 from procc_annotator.camera.models import FisheyeCamera, PinholeCamera
 
 Values = NDArray[np.float64]

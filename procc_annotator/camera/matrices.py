@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from procc_annotator.camera.base import FloatArray
+from procc_annotator.arrays import FloatArray
 from procc_annotator.camera.models import (
     FisheyeCamera,
     HomographyCamera,

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.polynomial import Polynomial
 from numpy.typing import NDArray
 
-from procc_annotator.camera.base import BoolArray, FloatArray
+from procc_annotator.arrays import BoolArray, FloatArray
 
 NEAREST_DEPTH_M = 1e-3
 # Far outside the picture the rational model may blow up; such pixels are merely outside.

@@ -8,9 +8,9 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
-FloatArray = NDArray[np.float64]
+from procc_annotator.arrays import FloatArray
+
 Vector = tuple[float, float, float]
 Covariance = tuple[Vector, Vector, Vector]  # of a place, (3, 3) m^2
 

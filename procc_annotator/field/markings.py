@@ -8,8 +8,8 @@ from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.field.geometry import (
     SAME_PLACE_M,
     Arc,
@@ -28,8 +28,6 @@ from procc_annotator.field.geometry import (
     with_end_at,
 )
 from procc_annotator.field.model import MIDDLE_LINE, Element, Field
-
-FloatArray = NDArray[np.float64]
 
 _COPLANAR_M = 1e-6
 _BORDER_SEPARATOR = "\n"  # no name in a field's file has a line break

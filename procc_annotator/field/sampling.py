@@ -10,6 +10,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.field.geometry import (
     Arc,
     Chain,
@@ -25,8 +26,6 @@ from procc_annotator.field.geometry import (
     points_at_angles,
 )
 from procc_annotator.field.model import Element, Field
-
-FloatArray = NDArray[np.float64]
 
 STRAIGHT_SPACING_M = 0.9
 CURVE_SPACING_M = 0.2

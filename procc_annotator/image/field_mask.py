@@ -8,6 +8,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.arrays import IntArray
 from procc_annotator.image.pixels import PixelArray
 
 Mask = NDArray[np.uint8]
@@ -164,8 +165,6 @@ def fill_holes(ground: Mask) -> Mask:
 def _disc_kernel(size: int) -> Mask:
     return np.asarray(cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (size, size)), dtype=np.uint8)
 
-
-IntArray = NDArray[np.intp]
 
 _FLOOR_COLOURS, _MIN_PIECE_SHARE = 5, 0.04  # a piece's share of the picture
 _SMOOTH_SHARE = 0.25  # a crowd has less that is flat

@@ -10,8 +10,8 @@ from itertools import islice
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.field.appearance import ANY, BAR, EDGE, LIGHTER, WHITE
 from procc_annotator.image.line_profiles import (
     STEP_PX,
@@ -28,8 +28,6 @@ from procc_annotator.image.line_profiles import (
     parabola_peak,
 )
 from procc_annotator.image.pixels import PixelArray
-
-FloatArray = NDArray[np.float64]
 
 MARGIN_PX = 14.0  # a profile goes this far beyond the reach: the widest line and its side
 MAX_CANDIDATES = 8  # maxima looked at, the most convincing first

@@ -15,12 +15,10 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.arrays import BoolArray, FloatArray, IntArray
 from procc_annotator.image.field_mask import field_mask, floor_mask, floor_regions
 from procc_annotator.image.pixels import PixelArray
 
-FloatArray = NDArray[np.float64]
-IntArray = NDArray[np.intp]
-BoolArray = NDArray[np.bool_]
 Values = NDArray[np.float32]
 
 _WORKING_WIDTH_PX = 1280  # paint is seen as well in a picture made smaller, in less time

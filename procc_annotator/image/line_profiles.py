@@ -11,6 +11,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.field.appearance import (
     ANY,
     ANY_LINE,
@@ -343,9 +344,6 @@ def _colour_conditions(looks: Appearance) -> tuple[Values, Values]:
         np.array(weights, dtype=np.float32).reshape(-1, 3),
         np.array(least, dtype=np.float32).reshape(-1, 1),
     )
-
-
-FloatArray = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

@@ -15,8 +15,8 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.field.appearance import ANY, BAR, EDGE, LINE, NOTHING, WHITE
 from procc_annotator.image.line_candidates import (
     MARGIN_PX,
@@ -30,8 +30,6 @@ from procc_annotator.image.line_candidates import (
 from procc_annotator.image.line_candidates import MAX_TRACE_PX as FOLLOWED_PX
 from procc_annotator.image.line_profiles import ANY_LINE_TARGET, ImagePatch, LineTarget
 from procc_annotator.image.pixels import PixelArray
-
-FloatArray = NDArray[np.float64]
 
 SNAP_RADIUS_PX = 6.0
 

@@ -10,9 +10,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.arrays import BoolArray, FloatArray
 from procc_annotator.image.pixels import PixelArray
-
-FloatArray = NDArray[np.float64]
 
 _THUMBNAIL_SIZE = (48, 27)
 _HISTOGRAM_BINS = 6  # per colour channel
@@ -97,8 +96,6 @@ def cut_indices(steps: FloatArray, lasting: FloatArray) -> list[int]:
             cuts.append(n)
     return cuts
 
-
-BoolArray = NDArray[np.bool_]
 
 _WORKING_SIDE_PX = 960  # pictures are matched with their longer side reduced to this
 _GRID_CELLS = (16, 9)

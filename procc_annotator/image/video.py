@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.errors import ImageError
 from procc_annotator.image.headers import VIDEO_SUFFIXES
 from procc_annotator.image.motion import (
@@ -19,7 +20,6 @@ from procc_annotator.image.motion import (
 )
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.image.video_stream import (
-    FloatArray,
     FrameReader,
     PacketIndex,
     probe_stream,

@@ -20,6 +20,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.errors import ImageError
 from procc_annotator.image.pixels import PixelArray, bgra_from_bgr, require_decodable_size
 from procc_annotator.regular_file import read_head
@@ -32,7 +33,6 @@ if TYPE_CHECKING:  # imported with the first video: most datasets have none
 
     Packet = AnyPacket[VideoStream]
 
-FloatArray = NDArray[np.float64]
 _Indices = NDArray[np.int64]
 _Flags = NDArray[np.bool_]
 

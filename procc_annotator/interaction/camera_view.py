@@ -9,6 +9,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.prediction.uncertainty import ACCURACY_LEVELS_M
 from procc_annotator.calibration.prediction.visible_elements import (
     VisibleStretch,
@@ -16,7 +17,7 @@ from procc_annotator.calibration.prediction.visible_elements import (
     visible_stretches,
 )
 from procc_annotator.camera.backprojection import ground_from_px
-from procc_annotator.camera.base import Camera, FloatArray
+from procc_annotator.camera.base import Camera
 from procc_annotator.camera.matrices import pinhole_from_homography
 from procc_annotator.camera.models import HomographyCamera, PinholeCamera
 from procc_annotator.field.model import Element, Field

@@ -8,7 +8,7 @@ from difflib import SequenceMatcher
 import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.camera.base import FloatArray
+from procc_annotator.arrays import FloatArray
 from procc_annotator.field.model import Element, Field
 from procc_annotator.field.sampling import distances_from, touching_elements
 

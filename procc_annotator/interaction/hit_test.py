@@ -6,13 +6,10 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.arrays import FloatArray, IntArray
 from procc_annotator.interaction.palette import PICK_RADIUS_PX
-
-FloatArray = NDArray[np.float64]
-IntArray = NDArray[np.intp]
 
 _SAME_PX = 0.5
 

@@ -10,6 +10,7 @@ from typing import Generic, Literal, ParamSpec, TypeVar
 import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.arrays import FloatArray
 from procc_annotator.dataset.editing import PointRef
 from procc_annotator.dataset.records import Origin, OriginKind, PointKey
 from procc_annotator.dataset.review import StoredFinding
@@ -41,7 +42,6 @@ from procc_annotator.interaction.overlay_primitives import (
     Draft,
     Drawn,
     DrawnLine,
-    FloatArray,
     Labels,
     Overlay,
     PointMarks,

@@ -8,6 +8,7 @@ from functools import lru_cache
 
 import numpy as np
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.label_check.evidence import LineEvidence, LinePresence
 from procc_annotator.calibration.prediction.uncertainty import ErrorEllipse
 from procc_annotator.field.markings import class_of_border
@@ -21,7 +22,6 @@ from procc_annotator.interaction.overlay_primitives import (
     Draft,
     Drawn,
     DrawnLine,
-    FloatArray,
     Labels,
     Overlay,
     PointMarks,

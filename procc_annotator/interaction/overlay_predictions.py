@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.label_check.finding import Severity
 from procc_annotator.calibration.prediction.ghosts import Ghost, GhostPiece
 from procc_annotator.dataset.review import StoredFinding
@@ -17,7 +18,6 @@ from procc_annotator.interaction.hit_test import closest_on_segments
 from procc_annotator.interaction.overlay_primitives import (
     NO_POINTS,
     FilledArea,
-    FloatArray,
     Labels,
     Overlay,
     PointMarks,

@@ -9,17 +9,15 @@ from functools import cached_property, lru_cache
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from procc_annotator.annotation import FrameAnnotation, Polyline
+from procc_annotator.arrays import BoolArray, FloatArray
 from procc_annotator.metrics.explanation import px_text
 from procc_annotator.metrics.measurement import Labelling, Measurement, nearest_points
 from procc_annotator.metrics.projection import ProjectedField
 from procc_annotator.metrics.score import FrameScore
 from procc_annotator.translation import tr
 
-FloatArray = NDArray[np.float64]
-BoolArray = NDArray[np.bool_]
 Size = tuple[int, int]
 
 UNSCORED = "unjudged"

@@ -12,9 +12,9 @@ from functools import cached_property
 import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation, points_px
+from procc_annotator.arrays import FloatArray
 from procc_annotator.field.model import Field
 from procc_annotator.metrics.clicked_curve import ClickedCurve, clicked_curve
-from procc_annotator.metrics.polylines import FloatArray
 
 # The shorter course is walked in this many steps.
 _OVERLAP_SAMPLES = 100

@@ -18,9 +18,9 @@ from typing import Self
 
 import numpy as np
 
+from procc_annotator.arrays import BoolArray, FloatArray
 from procc_annotator.field.geometry import Chain, Circle, Line, Spot
 from procc_annotator.field.model import Element
-from procc_annotator.metrics.polylines import BoolArray, FloatArray
 
 # Beyond the clicks a course is a guess whose error grows with the distance from them: at 5 % of
 # the length it is a fifth above the error between them, and clicks a few pixels further still meet.

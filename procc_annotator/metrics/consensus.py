@@ -15,6 +15,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px
+from procc_annotator.arrays import BoolArray, FloatArray
 from procc_annotator.field.geometry import Line
 from procc_annotator.field.model import Element, Field
 from procc_annotator.metrics.agreement import (
@@ -27,13 +28,7 @@ from procc_annotator.metrics.agreement import (
     curve_overlap,
 )
 from procc_annotator.metrics.clicked_curve import ClickedCurve
-from procc_annotator.metrics.polylines import (
-    BoolArray,
-    FloatArray,
-    arc_lengths,
-    points_at_arc_lengths,
-    polyline_normals,
-)
+from procc_annotator.metrics.polylines import arc_lengths, points_at_arc_lengths, polyline_normals
 
 _CURVE_SAMPLES = 100  # a course is walked in so many
 _SMOOTHING_SAMPLES = 3  # steps to either side that a direction across is taken over

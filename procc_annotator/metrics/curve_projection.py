@@ -12,17 +12,11 @@ from functools import cached_property, reduce
 
 import numpy as np
 
+from procc_annotator.arrays import BoolArray, FloatArray, IntArray
 from procc_annotator.camera.base import Camera, projects_only_ground
 from procc_annotator.field.geometry import Line, Part, Spot, angles_of, parts_of
 from procc_annotator.field.model import Field
-from procc_annotator.metrics.polylines import (
-    BoolArray,
-    Chords,
-    ClippedPolylines,
-    FloatArray,
-    IntArray,
-    clip_chords,
-)
+from procc_annotator.metrics.polylines import Chords, ClippedPolylines, clip_chords
 
 _COARSE_STEP_M = 1.0
 _COARSE_CURVE_STEP_M = 0.5

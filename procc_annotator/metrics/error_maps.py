@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
+from procc_annotator.arrays import FloatArray, IntArray
 from procc_annotator.camera.base import Camera, CameraOrProjections
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
@@ -21,7 +22,6 @@ from procc_annotator.metrics.ground_plane import (
     ground_points_seen,
     require_camera_model,
 )
-from procc_annotator.metrics.polylines import FloatArray, IntArray
 
 if TYPE_CHECKING:
     from contourpy import ContourGenerator

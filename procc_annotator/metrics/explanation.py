@@ -7,9 +7,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from procc_annotator.arrays import BoolArray
 from procc_annotator.field.model import Field
 from procc_annotator.metrics.measurement import Measurement
-from procc_annotator.metrics.polylines import BoolArray, Polylines
+from procc_annotator.metrics.polylines import Polylines
 from procc_annotator.metrics.projection import project_unclipped
 from procc_annotator.metrics.score import ElementScore, FrameScore, Status
 from procc_annotator.translation import tr, word

@@ -8,13 +8,13 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 
+from procc_annotator.arrays import BoolArray, FloatArray
 from procc_annotator.camera.backprojection import ground_from_px
-from procc_annotator.camera.base import Camera, CameraOrProjections, ElementProjections, FloatArray
+from procc_annotator.camera.base import Camera, CameraOrProjections, ElementProjections
 from procc_annotator.camera.models import HomographyCamera, PinholeCamera
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.field.sampling import sample_evenly
-from procc_annotator.metrics.polylines import BoolArray
 
 _CURVE_SPACING_M = 0.1
 

@@ -12,7 +12,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from procc_annotator.camera.base import Camera, FloatArray
+from procc_annotator.arrays import BoolArray, FloatArray
+from procc_annotator.camera.base import Camera
 from procc_annotator.field.model import Field
 from procc_annotator.metrics.ground_plane import (
     GroundHomography,
@@ -26,7 +27,6 @@ from procc_annotator.metrics.ground_plane import (
     require_camera_model,
     transform_points,
 )
-from procc_annotator.metrics.polylines import BoolArray
 
 RASTER_M = 0.25
 """Side of the squares that stand for the ground where no exact polygon exists, metres."""

@@ -11,8 +11,9 @@ from typing import Self
 import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.arrays import BoolArray, FloatArray, IntArray
 from procc_annotator.camera.base import CameraOrProjections
-from procc_annotator.metrics.polylines import BoolArray, FloatArray, IntArray, Polylines
+from procc_annotator.metrics.polylines import Polylines
 from procc_annotator.metrics.projection import ProjectedField, project_fields
 from procc_annotator.metrics.setup import EvaluationSetup, FieldTables
 

@@ -11,11 +11,12 @@ from typing import Protocol, cast
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.arrays import BoolArray, FloatArray, IntArray
 from procc_annotator.camera.base import Camera, CameraOrProjections, projects_only_ground
 from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.field.load import load_field
 from procc_annotator.messages import pluralize
-from procc_annotator.metrics.polylines import BoolArray, FloatArray, IntArray, Polylines
+from procc_annotator.metrics.polylines import Polylines
 from procc_annotator.metrics.setup import FieldTables
 
 

@@ -10,6 +10,7 @@ from functools import cached_property
 
 import numpy as np
 
+from procc_annotator.arrays import BoolArray, FloatArray, IntArray
 from procc_annotator.camera.base import (
     CameraOrProjections,
     ElementProjections,
@@ -19,15 +20,7 @@ from procc_annotator.field.markings import marking_field
 from procc_annotator.field.model import Field
 from procc_annotator.metrics.curve_projection import project_curves
 from procc_annotator.metrics.official import official_polylines, visible_polylines
-from procc_annotator.metrics.polylines import (
-    BoolArray,
-    Chords,
-    ClippedPolylines,
-    FloatArray,
-    IntArray,
-    Polylines,
-    clip_chords,
-)
+from procc_annotator.metrics.polylines import Chords, ClippedPolylines, Polylines, clip_chords
 from procc_annotator.metrics.setup import EvaluationSetup
 
 

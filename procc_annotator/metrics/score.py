@@ -9,8 +9,8 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.metrics.measurement import Labelling, Measurement
-from procc_annotator.metrics.polylines import FloatArray
 
 Status = Literal["tp", "too_far", "not_annotated", "missed"]
 

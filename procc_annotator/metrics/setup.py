@@ -11,13 +11,13 @@ from functools import cached_property
 
 import numpy as np
 
+from procc_annotator.arrays import BoolArray, FloatArray, IntArray
 from procc_annotator.errors import UsageError
 from procc_annotator.field.load import default_field_name, field_for_frame
 from procc_annotator.field.model import Field
 from procc_annotator.field.sampling import sample_official
 from procc_annotator.messages import pluralize
 from procc_annotator.metrics.curve_projection import ElementCurves
-from procc_annotator.metrics.polylines import BoolArray, FloatArray, IntArray
 
 PROTOCOLS = ("soccernet", "procc")
 OFF_PLANE = ("missed", "left_out")

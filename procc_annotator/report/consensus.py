@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.batch.agreement import ConsensusResult, ConsensusRun
 from procc_annotator.batch.agreement_statistics import AgreementInference, agreement_inference
 from procc_annotator.batch.grouping import Clusters
@@ -19,7 +20,6 @@ from procc_annotator.formats.annotations.soccernet import write_annotation
 from procc_annotator.formats.atomic import open_replacing
 from procc_annotator.messages import pluralize
 from procc_annotator.metrics.agreement import ClassAgreement, FrameAgreement
-from procc_annotator.metrics.polylines import FloatArray
 from procc_annotator.metrics.statistics.bootstrap import BootstrapSettings
 from procc_annotator.report.agreement import (
     ELEMENT_COLUMNS,

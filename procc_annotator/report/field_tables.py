@@ -10,8 +10,8 @@ from pathlib import PurePath
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.errors import UsageError
 from procc_annotator.field.dimensions import Dimension
 from procc_annotator.field.geometry import (
@@ -177,8 +177,6 @@ def _paint(element: Element) -> str:
     side = marking_side(element)
     return f"{element.line_width:.3g}{', ' if side else ''}{side}"
 
-
-FloatArray = NDArray[np.float64]
 
 SUFFIXES = (".png", ".svg")
 _DPI = 160

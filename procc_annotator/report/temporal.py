@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.batch.temporal import ShotOverTime
 from procc_annotator.errors import UsageError
 from procc_annotator.formats.cameras.fit_record import (
@@ -19,7 +20,6 @@ from procc_annotator.formats.cameras.fit_record import (
     name_with_mark,
 )
 from procc_annotator.messages import pluralize
-from procc_annotator.metrics.polylines import FloatArray
 from procc_annotator.metrics.temporal.discontinuities import FrameOffset
 from procc_annotator.metrics.temporal.jitter import shot_rms
 from procc_annotator.report.tables import metrics

@@ -14,12 +14,9 @@ import numpy as np
 import pytest
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.fitting import fit_camera
-from procc_annotator.calibration.optimization.observations import (
-    FloatArray,
-    ImageFrame,
-    build_observations,
-)
+from procc_annotator.calibration.optimization.observations import ImageFrame, build_observations
 from procc_annotator.calibration.optimization.residuals import (
     Residuals,
     homography_residuals,

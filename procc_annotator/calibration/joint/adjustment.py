@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.model_selection import fit_result_from
 from procc_annotator.calibration.optimization.camera_parameters import (
     FISHEYE_FLAG,
@@ -32,7 +33,6 @@ from procc_annotator.calibration.optimization.initialization import (
     prior_near,
 )
 from procc_annotator.calibration.optimization.observations import (
-    FloatArray,
     ImageFrame,
     Observations,
     build_observations,

@@ -9,6 +9,7 @@ from functools import partial
 import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.fitting import fit_camera
 from procc_annotator.calibration.joint.adjustment import (
     FrameObservations,
@@ -31,7 +32,7 @@ from procc_annotator.calibration.optimization.closest_points import (
     find_closest_points,
 )
 from procc_annotator.calibration.optimization.initialization import prior_near
-from procc_annotator.calibration.optimization.observations import FloatArray, Observations
+from procc_annotator.calibration.optimization.observations import Observations
 from procc_annotator.calibration.optimization.projection import Lens, project
 from procc_annotator.calibration.optimization.residuals import (
     Residuals,

@@ -8,10 +8,10 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.arrays import FloatArray, IntArray
 from procc_annotator.calibration.optimization.camera_parameters import X, Z
 from procc_annotator.calibration.optimization.camera_placement import CameraPlacementPrior
 from procc_annotator.calibration.optimization.initialization import SIDES, camera_side
-from procc_annotator.calibration.optimization.observations import FloatArray, IntArray
 
 # Positions found for one tripod differ by more than the points' errors explain: lens and field are
 # never quite the model's. On World Cup frames by such shares of the way to the field's centre,

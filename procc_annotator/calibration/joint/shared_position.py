@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.joint.adjustment import (
     POSITION_PARAMETERS,
     FrameObservations,
@@ -41,11 +42,7 @@ from procc_annotator.calibration.optimization.camera_placement import (
     too_few_elements_text,
 )
 from procc_annotator.calibration.optimization.initialization import camera_side, wide_prior
-from procc_annotator.calibration.optimization.observations import (
-    FloatArray,
-    ImageFrame,
-    build_observations,
-)
+from procc_annotator.calibration.optimization.observations import ImageFrame, build_observations
 from procc_annotator.calibration.optimization.residuals import (
     linear_map,
     pinhole_residuals,

@@ -11,6 +11,7 @@ from functools import partial
 import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation, Polyline
+from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.label_check.evidence import FITS_PX, SUSPECT_LIMIT_PX
 from procc_annotator.calibration.optimization.camera_parameters import (
     FREE_PARAMETERS,
@@ -18,11 +19,7 @@ from procc_annotator.calibration.optimization.camera_parameters import (
 )
 from procc_annotator.calibration.optimization.camera_placement import camera_placement_prior
 from procc_annotator.calibration.optimization.initialization import prior_near
-from procc_annotator.calibration.optimization.observations import (
-    FloatArray,
-    ImageFrame,
-    build_observations,
-)
+from procc_annotator.calibration.optimization.observations import ImageFrame, build_observations
 from procc_annotator.calibration.optimization.residuals import (
     linear_map,
     pinhole_residuals,

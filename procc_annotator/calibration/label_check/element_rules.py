@@ -12,6 +12,7 @@ from itertools import combinations
 import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation, pixel_like
+from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.fitting import pixel_coordinates_error
 from procc_annotator.calibration.label_check.evidence import (
     STRAIGHT_TOLERANCE_PX,
@@ -31,11 +32,7 @@ from procc_annotator.calibration.label_check.finding import (
     Severity,
     error_classes,
 )
-from procc_annotator.calibration.optimization.observations import (
-    FloatArray,
-    ImageFrame,
-    evenly_spaced_indices,
-)
+from procc_annotator.calibration.optimization.observations import ImageFrame, evenly_spaced_indices
 from procc_annotator.field.geometry import Chain, Circle, Line
 from procc_annotator.field.model import Element, Field
 from procc_annotator.field.sampling import distances_to, sample_evenly

@@ -12,12 +12,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.annotation import FrameAnnotation, points_px
+from procc_annotator.arrays import FloatArray, IntArray
 from procc_annotator.calibration.optimization.camera_parameters import (
     FREE_PARAMETERS,
     KAPPA,
     MIN_KAPPA,
 )
-from procc_annotator.calibration.optimization.observations import FloatArray, ImageFrame, IntArray
+from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.calibration.optimization.projection import Lens
 from procc_annotator.calibration.result import ElementResidual, FitResult, PosedCamera
 from procc_annotator.field.model import Element, Field

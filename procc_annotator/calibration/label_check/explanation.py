@@ -16,6 +16,7 @@ from itertools import combinations
 import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation, Polyline
+from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.fitting import fit_camera
 from procc_annotator.calibration.label_check.candidate_classes import (
     CandidateClass,
@@ -27,7 +28,7 @@ from procc_annotator.calibration.label_check.candidate_classes import (
 )
 from procc_annotator.calibration.label_check.evidence import CORRECT_PX, FITS_PX, SUSPECT_LIMIT_PX
 from procc_annotator.calibration.label_check.orientation import relabelled
-from procc_annotator.calibration.optimization.observations import FloatArray, ImageFrame
+from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.calibration.optimization.robust_fit import MIN_ELEMENTS
 from procc_annotator.calibration.result import FitResult, PosedCamera
 from procc_annotator.camera.base import Camera

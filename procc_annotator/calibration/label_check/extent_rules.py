@@ -7,6 +7,7 @@ from functools import lru_cache
 
 import numpy as np
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.label_check.evidence import (
     AnnotatedElement,
     FrameEvidence,
@@ -23,7 +24,7 @@ from procc_annotator.calibration.label_check.finding import (
     Severity,
     error_classes,
 )
-from procc_annotator.calibration.optimization.observations import FloatArray, ImageFrame
+from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.calibration.prediction.visible_elements import (
     expected_line_end,
     image_edge_point,

@@ -28,6 +28,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.annotation import FrameAnnotation, Polyline
+from procc_annotator.arrays import FloatArray
 from procc_annotator.field.geometry import (
     Arc,
     Chain,
@@ -39,7 +40,6 @@ from procc_annotator.field.geometry import (
     same_geometry,
 )
 from procc_annotator.field.model import Element, Field
-from procc_annotator.field.sampling import FloatArray
 from procc_annotator.translation import translatable
 
 Corner = tuple[int, int]  # two straight elements that meet

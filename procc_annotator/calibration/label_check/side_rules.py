@@ -8,6 +8,7 @@ from itertools import combinations
 
 import numpy as np
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.label_check.evidence import (
     AnnotatedElement,
     FrameEvidence,
@@ -32,7 +33,7 @@ from procc_annotator.calibration.label_check.orientation import (
     orientation_relations,
     signed_altitudes,
 )
-from procc_annotator.calibration.optimization.observations import FloatArray, ImageFrame
+from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.field.landmarks import landmark_covariances
 from procc_annotator.field.model import Field
 from procc_annotator.translation import translatable, translatable_all

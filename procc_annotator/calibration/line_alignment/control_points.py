@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from procc_annotator.arrays import FloatArray, IntArray
 from procc_annotator.calibration.line_alignment.gaussian_state import (
     PARAMETERS_FREE,
     GaussianState,
@@ -17,7 +18,7 @@ from procc_annotator.calibration.optimization.camera_parameters import (
     POSITION_SLICE,
     vector_from_camera,
 )
-from procc_annotator.calibration.optimization.observations import FloatArray, ImageFrame, IntArray
+from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.calibration.optimization.projection import Lens, project
 from procc_annotator.camera.distortion import rays_cam
 from procc_annotator.camera.models import NEAREST_DEPTH_M, PinholeCamera, rotation_cam_from_world

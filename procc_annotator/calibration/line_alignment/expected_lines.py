@@ -7,8 +7,9 @@ from functools import lru_cache
 
 import numpy as np
 
+from procc_annotator.arrays import FloatArray, IntArray
 from procc_annotator.calibration.optimization.closest_points import MIN_DEPTH_M
-from procc_annotator.calibration.optimization.observations import FloatArray, ImageFrame, IntArray
+from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.calibration.optimization.projection import Lens
 from procc_annotator.field.appearance import BAR, DARKER, LIGHTER, LINE
 from procc_annotator.field.geometry import (

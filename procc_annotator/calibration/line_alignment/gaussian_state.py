@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.line_alignment.expected_lines import MarkingPoints
 from procc_annotator.calibration.optimization.camera_parameters import (
     FREE_PARAMETERS,
@@ -20,7 +21,7 @@ from procc_annotator.calibration.optimization.camera_parameters import (
 )
 from procc_annotator.calibration.optimization.camera_placement import camera_placement_prior
 from procc_annotator.calibration.optimization.initialization import prior_near
-from procc_annotator.calibration.optimization.observations import FloatArray, ImageFrame
+from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.calibration.optimization.projection import Lens, project
 from procc_annotator.calibration.result import ElementResidual, FitResult, PoseStandardDeviations
 from procc_annotator.field.model import Field

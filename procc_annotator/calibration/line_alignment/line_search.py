@@ -12,11 +12,12 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.arrays import FloatArray, IntArray
 from procc_annotator.calibration.line_alignment.expected_lines import (
     ExpectedLinePoints,
     MarkingPoints,
 )
-from procc_annotator.calibration.optimization.observations import FloatArray, ImageFrame, IntArray
+from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.image.pixels import PixelArray
 
 Values = NDArray[np.float32]

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.arrays import FloatArray, IntArray
 from procc_annotator.calibration.line_alignment.expected_lines import (
     ExpectedLinePoints,
     MarkingPoints,
@@ -34,7 +35,7 @@ from procc_annotator.calibration.line_alignment.line_search import (
     nearest_line_offsets,
 )
 from procc_annotator.calibration.optimization.camera_parameters import vector_from_camera
-from procc_annotator.calibration.optimization.observations import FloatArray, ImageFrame, IntArray
+from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.calibration.optimization.projection import Lens
 from procc_annotator.calibration.result import FitResult
 from procc_annotator.camera.models import PinholeCamera

@@ -26,7 +26,8 @@ import math
 
 import numpy as np
 
-from procc_annotator.calibration.optimization.observations import FloatArray, ImageFrame
+from procc_annotator.arrays import FloatArray
+from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.camera.models import FisheyeCamera, HomographyCamera, PinholeCamera
 
 PARAMETERS = (

@@ -9,6 +9,7 @@ from functools import lru_cache
 
 import numpy as np
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.optimization.camera_parameters import (
     LOG_FOCAL,
     ROLL,
@@ -17,7 +18,7 @@ from procc_annotator.calibration.optimization.camera_parameters import (
     Y,
     Z,
 )
-from procc_annotator.calibration.optimization.observations import FloatArray, Observations
+from procc_annotator.calibration.optimization.observations import Observations
 from procc_annotator.field.geometry import outline_of
 from procc_annotator.field.model import CameraPlacement, Element, Field
 from procc_annotator.translation import translatable, translatable_count

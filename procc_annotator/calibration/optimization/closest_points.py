@@ -9,10 +9,9 @@ from typing import ClassVar, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.arrays import FloatArray, IntArray
 from procc_annotator.calibration.optimization.observations import (
     AnyArray,
-    FloatArray,
-    IntArray,
     Observations,
     PrimitiveCandidates,
     Primitives,

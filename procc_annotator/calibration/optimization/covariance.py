@@ -7,13 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.optimization.camera_parameters import POSITION_SLICE, rotated_180
 from procc_annotator.calibration.optimization.closest_points import MIN_DEPTH_M
-from procc_annotator.calibration.optimization.observations import (
-    FloatArray,
-    ImageFrame,
-    Observations,
-)
+from procc_annotator.calibration.optimization.observations import ImageFrame, Observations
 from procc_annotator.calibration.optimization.projection import Lens, project
 from procc_annotator.calibration.optimization.residuals import (
     MAX_NOISE_RESIDUAL_PX,

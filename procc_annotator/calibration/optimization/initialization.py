@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.arrays import FloatArray, IntArray
 from procc_annotator.calibration.optimization.camera_parameters import (
     ASPECT,
     KAPPA,
@@ -28,7 +29,7 @@ from procc_annotator.calibration.optimization.camera_placement import (
     CameraPlacementPrior,
     camera_placement_prior,
 )
-from procc_annotator.calibration.optimization.observations import FloatArray, IntArray, Observations
+from procc_annotator.calibration.optimization.observations import Observations
 from procc_annotator.calibration.optimization.solver import GaussianPrior
 from procc_annotator.field.geometry import Arc, Circle, length_of, middle_of
 from procc_annotator.field.model import Field

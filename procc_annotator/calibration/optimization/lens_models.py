@@ -9,6 +9,7 @@ from functools import partial
 
 import numpy as np
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.optimization.camera_parameters import (
     FISHEYE_FLAG,
     FREE_PARAMETERS,
@@ -32,11 +33,7 @@ from procc_annotator.calibration.optimization.initialization import (
     prior_near,
     wide_prior,
 )
-from procc_annotator.calibration.optimization.observations import (
-    FloatArray,
-    ImageFrame,
-    Observations,
-)
+from procc_annotator.calibration.optimization.observations import ImageFrame, Observations
 from procc_annotator.calibration.optimization.residuals import (
     linear_map,
     pinhole_residuals,

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.annotation import FrameAnnotation, Polyline, points_px
+from procc_annotator.arrays import BoolArray, FloatArray, IntArray
 from procc_annotator.field.geometry import (
     SAME_PLACE_M,
     Arc,
@@ -27,10 +28,6 @@ from procc_annotator.field.geometry import (
 )
 from procc_annotator.field.landmarks import landmark_covariances
 from procc_annotator.field.model import Element, Field
-
-FloatArray = NDArray[np.float64]
-IntArray = NDArray[np.intp]
-BoolArray = NDArray[np.bool_]
 
 # A chain that turns by less at a joint goes on smoothly: a point off it lies across one part.
 _SMOOTH_JOINT_COSINE = math.cos(math.radians(10))

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.optimization.camera_parameters import (
     ASPECT,
     KAPPA,
@@ -21,7 +22,6 @@ from procc_annotator.calibration.optimization.camera_parameters import (
     is_wide_angle,
     rotation_matrices,
 )
-from procc_annotator.calibration.optimization.observations import FloatArray
 
 # Nearer to a right angle off the axis nothing of a field is seen; farther out than so many half
 # diagonals no lens shows anything of the picture.

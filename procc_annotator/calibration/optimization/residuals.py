@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.optimization.camera_parameters import POSITION_SLICE
 from procc_annotator.calibration.optimization.closest_points import (
     MIN_DEPTH_M,
@@ -14,7 +15,7 @@ from procc_annotator.calibration.optimization.closest_points import (
     ClosestPoints,
     find_closest_points,
 )
-from procc_annotator.calibration.optimization.observations import FloatArray, Observations
+from procc_annotator.calibration.optimization.observations import Observations
 from procc_annotator.calibration.optimization.projection import Lens, project
 
 # What a point counts whose element is behind the camera, solver px; no direction is better.

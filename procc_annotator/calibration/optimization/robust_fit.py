@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.arrays import FloatArray, IntArray
 from procc_annotator.calibration.optimization.camera_parameters import (
     FREE_PARAMETERS,
     KAPPA,
@@ -30,12 +31,7 @@ from procc_annotator.calibration.optimization.initialization import (
     side_costs,
     wide_prior,
 )
-from procc_annotator.calibration.optimization.observations import (
-    FloatArray,
-    ImageFrame,
-    IntArray,
-    Observations,
-)
+from procc_annotator.calibration.optimization.observations import ImageFrame, Observations
 from procc_annotator.calibration.optimization.residuals import (
     Residuals,
     estimate_click_sd,

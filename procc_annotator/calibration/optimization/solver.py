@@ -11,6 +11,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.arrays import FloatArray, IntArray
 from procc_annotator.calibration.optimization.camera_parameters import MIN_KAPPA
 from procc_annotator.calibration.optimization.closest_points import (
     BatchedObservations,
@@ -18,7 +19,7 @@ from procc_annotator.calibration.optimization.closest_points import (
     is_batchable,
     point_columns,
 )
-from procc_annotator.calibration.optimization.observations import FloatArray, IntArray, Observations
+from procc_annotator.calibration.optimization.observations import Observations
 from procc_annotator.calibration.optimization.residuals import Residuals, pinhole_residuals
 
 LossKind = Literal["cauchy", "geman_mcclure", "huber", "squared"]

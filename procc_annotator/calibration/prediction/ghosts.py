@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation, points_px
-from procc_annotator.calibration.optimization.observations import FloatArray
+from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.prediction.visible_elements import (
     VisibleStretch,
     split_at_corners,

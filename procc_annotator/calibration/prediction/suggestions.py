@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.optimization.camera_placement import (
     CameraPlacementPrior,
     camera_placement_prior,
@@ -26,7 +27,6 @@ from procc_annotator.calibration.prediction.visible_elements import (
     visible_stretches,
 )
 from procc_annotator.calibration.result import FitResult
-from procc_annotator.camera.base import FloatArray
 from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.field.model import Element, Field
 from procc_annotator.field.sampling import sample_evenly

@@ -8,10 +8,9 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
+from procc_annotator.arrays import BoolArray, FloatArray
 from procc_annotator.calibration.optimization.covariance import max_direction_sd
-from procc_annotator.calibration.optimization.observations import FloatArray
 from procc_annotator.calibration.result import FitResult
 from procc_annotator.camera.backprojection import ground_jacobian, projection_jacobian
 from procc_annotator.camera.base import Camera
@@ -89,8 +88,6 @@ def project_error_ellipses(
         for centre, pair, angle, seen in zip(px, axes, angles, shown, strict=True)
     ]
 
-
-BoolArray = NDArray[np.bool_]
 
 ACCURACY_LEVELS_M = (0.1, 0.5, 1.0)
 """Standard deviations on the ground that a map tells apart, metres."""

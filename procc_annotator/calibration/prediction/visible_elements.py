@@ -11,7 +11,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.annotation import FloatArray
+from procc_annotator.arrays import FloatArray
 from procc_annotator.camera.base import Camera
 from procc_annotator.field.geometry import Spot, Vector
 from procc_annotator.field.model import Element, Field

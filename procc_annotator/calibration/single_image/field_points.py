@@ -11,12 +11,12 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.arrays import FloatArray, IntArray
 from procc_annotator.calibration.line_alignment.expected_lines import MarkingPoints, marking_points
 from procc_annotator.calibration.optimization.camera_placement import (
     CameraPlacementPrior,
     camera_placement_prior,
 )
-from procc_annotator.calibration.optimization.observations import FloatArray, IntArray
 from procc_annotator.calibration.optimization.projection import Lens
 from procc_annotator.calibration.single_image.line_distance import HALF_WIDTH_PX
 from procc_annotator.field.geometry import Line, length_of

@@ -9,13 +9,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.arrays import FloatArray, IntArray
 from procc_annotator.calibration.optimization.camera_parameters import FREE_PARAMETERS, Z
 from procc_annotator.calibration.optimization.initialization import (
     camera_side,
     side_costs,
     wide_prior,
 )
-from procc_annotator.calibration.optimization.observations import FloatArray, IntArray
 from procc_annotator.calibration.optimization.projection import Lens, project
 from procc_annotator.calibration.optimization.solver import GaussianPrior
 from procc_annotator.calibration.single_image.field_points import (

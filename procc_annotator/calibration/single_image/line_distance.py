@@ -9,13 +9,9 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.arrays import FloatArray, IntArray
 from procc_annotator.calibration.optimization.camera_placement import camera_placement_prior
-from procc_annotator.calibration.optimization.observations import (
-    REFERENCE_WIDTH,
-    FloatArray,
-    ImageFrame,
-    IntArray,
-)
+from procc_annotator.calibration.optimization.observations import REFERENCE_WIDTH, ImageFrame
 from procc_annotator.field.appearance import ANY, DARKER, LIGHTER, LINE
 from procc_annotator.field.model import Field
 from procc_annotator.image.line_pixels import detect_line_pixels

@@ -9,6 +9,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.joint.adjustment import LensAndRollPrior
 from procc_annotator.calibration.joint.position_clusters import cluster_positions
 from procc_annotator.calibration.joint.shared_position import lens_and_roll_prior
@@ -17,7 +18,7 @@ from procc_annotator.calibration.optimization.camera_parameters import (
     vector_from_camera,
 )
 from procc_annotator.calibration.optimization.camera_placement import camera_placement_prior
-from procc_annotator.calibration.optimization.observations import FloatArray, ImageFrame
+from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.calibration.result import FitResult
 from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.field.model import Field

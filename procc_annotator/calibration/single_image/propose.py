@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.line_alignment.expected_lines import marking_points
 from procc_annotator.calibration.line_alignment.gaussian_state import GaussianState
 from procc_annotator.calibration.line_alignment.refinement import (
@@ -26,7 +27,7 @@ from procc_annotator.calibration.optimization.camera_parameters import (
     rotated_180,
 )
 from procc_annotator.calibration.optimization.initialization import SIDES, prior_near
-from procc_annotator.calibration.optimization.observations import FloatArray, ImageFrame
+from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.calibration.optimization.solver import GaussianPrior
 from procc_annotator.calibration.result import FitResult, ill_conditioned_reason
 from procc_annotator.calibration.single_image.field_points import (

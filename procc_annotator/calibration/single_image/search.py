@@ -11,6 +11,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.arrays import FloatArray, IntArray
 from procc_annotator.calibration.optimization.camera_parameters import (
     LOG_FOCAL,
     PAN,
@@ -22,11 +23,7 @@ from procc_annotator.calibration.optimization.camera_parameters import (
 )
 from procc_annotator.calibration.optimization.camera_placement import CameraPlacementPrior
 from procc_annotator.calibration.optimization.initialization import SIDES
-from procc_annotator.calibration.optimization.observations import (
-    REFERENCE_WIDTH,
-    FloatArray,
-    IntArray,
-)
+from procc_annotator.calibration.optimization.observations import REFERENCE_WIDTH
 from procc_annotator.calibration.single_image.field_points import (
     FieldLinePoints,
     view_distance_px,

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px
+from procc_annotator.arrays import FloatArray, IntArray
 from procc_annotator.calibration.fitting import fit_camera
 from procc_annotator.calibration.line_alignment.expected_lines import (
     ExpectedLinePoints,
@@ -51,7 +52,7 @@ from procc_annotator.calibration.optimization.covariance import (
     max_direction_sd,
     projected_covariance,
 )
-from procc_annotator.calibration.optimization.observations import FloatArray, ImageFrame, IntArray
+from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.calibration.optimization.projection import Lens
 from procc_annotator.calibration.prediction.visible_elements import visible_stretches
 from procc_annotator.calibration.tracking.motion_model import (

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from procc_annotator.arrays import FloatArray, IntArray
 from procc_annotator.calibration.line_alignment.expected_lines import (
     ExpectedLinePoints,
     MarkingPoints,
@@ -16,7 +17,7 @@ from procc_annotator.calibration.line_alignment.expected_lines import (
 )
 from procc_annotator.calibration.line_alignment.refinement import POINT_SPACING_PX
 from procc_annotator.calibration.optimization.camera_parameters import camera_from_vector
-from procc_annotator.calibration.optimization.observations import FloatArray, ImageFrame, IntArray
+from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.calibration.single_image.line_distance import (
     SAME_DIRECTION_RAD,
     ImageLinePixels,

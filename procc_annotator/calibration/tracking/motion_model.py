@@ -11,6 +11,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.arrays import FloatArray, IntArray
 from procc_annotator.calibration.line_alignment.gaussian_state import PARAMETERS_FREE
 from procc_annotator.calibration.optimization.camera_parameters import (
     KAPPA,
@@ -22,7 +23,7 @@ from procc_annotator.calibration.optimization.camera_parameters import (
     X,
     Z,
 )
-from procc_annotator.calibration.optimization.observations import FloatArray, ImageFrame, IntArray
+from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.calibration.optimization.projection import Lens, project
 from procc_annotator.image.pixels import PixelArray
 

@@ -9,6 +9,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.line_alignment.expected_lines import MarkingPoints, marking_points
 from procc_annotator.calibration.line_alignment.gaussian_state import (
     GaussianState,
@@ -16,7 +17,7 @@ from procc_annotator.calibration.line_alignment.gaussian_state import (
 )
 from procc_annotator.calibration.line_alignment.refinement import displaced_elements_text
 from procc_annotator.calibration.optimization.camera_parameters import POSITION_SLICE, X, Z
-from procc_annotator.calibration.optimization.observations import FloatArray, ImageFrame
+from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.calibration.result import FitResult
 from procc_annotator.calibration.single_image.line_distance import line_pixels_for_field
 from procc_annotator.calibration.single_image.proposal import SURE, KnownPosition, Proposal

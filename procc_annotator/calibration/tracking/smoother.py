@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.line_alignment.gaussian_state import (
     MIN_WEIGHT,
     PARAMETERS_FREE,
@@ -15,7 +16,7 @@ from procc_annotator.calibration.line_alignment.gaussian_state import (
     geman_mcclure_weights,
 )
 from procc_annotator.calibration.optimization.camera_parameters import KAPPA, MIN_KAPPA, X, Z
-from procc_annotator.calibration.optimization.observations import FloatArray, ImageFrame
+from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.calibration.optimization.projection import Lens, project
 from procc_annotator.calibration.tracking.forward_pass import FrameChain
 from procc_annotator.calibration.tracking.motion_model import (

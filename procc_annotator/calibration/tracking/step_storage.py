@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from procc_annotator.arrays import FloatArray, IntArray
 from procc_annotator.calibration.line_alignment.gaussian_state import FloatingArray, IntegerArray
-from procc_annotator.calibration.optimization.observations import FloatArray, IntArray
 from procc_annotator.calibration.tracking.filter_step import FilterStep
 
 _BATCH_FRAMES = 128  # frames

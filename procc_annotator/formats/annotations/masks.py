@@ -14,7 +14,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.annotation import FloatArray, Polyline, points_px
+from procc_annotator.annotation import Polyline, points_px
+from procc_annotator.arrays import FloatArray
 from procc_annotator.errors import UsageError
 from procc_annotator.formats.annotations.exchange import ExchangedFrame, Size, WriteContext
 from procc_annotator.formats.strict_json import json_text, printable

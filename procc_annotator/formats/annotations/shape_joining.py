@@ -13,7 +13,8 @@ from typing import Any
 
 import numpy as np
 
-from procc_annotator.annotation import FloatArray, FrameAnnotation, Point, Polyline
+from procc_annotator.annotation import FrameAnnotation, Point, Polyline
+from procc_annotator.arrays import FloatArray
 from procc_annotator.errors import AnnotationError
 from procc_annotator.field.model import Field
 from procc_annotator.formats.annotations.exchange import ReadContext, Size, point_of

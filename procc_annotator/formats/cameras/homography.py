@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from procc_annotator.camera.base import FloatArray
+from procc_annotator.arrays import FloatArray
 from procc_annotator.camera.models import HomographyCamera
 from procc_annotator.errors import CameraError
 from procc_annotator.formats.cameras.arrays import NPY_MAGIC, npy_array

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from procc_annotator.camera.base import FloatArray
+from procc_annotator.arrays import FloatArray
 from procc_annotator.errors import CameraError
 from procc_annotator.formats.strict_json import is_finite_number, json_kind, json_repr, printable
 

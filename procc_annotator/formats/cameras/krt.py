@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from procc_annotator.camera.base import FloatArray
+from procc_annotator.arrays import FloatArray
 from procc_annotator.camera.matrices import (
     calibration_matrix,
     decompose_projection,

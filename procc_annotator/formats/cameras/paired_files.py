@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from procc_annotator.camera.base import FloatArray
+from procc_annotator.arrays import FloatArray
 from procc_annotator.errors import CameraError
 from procc_annotator.formats.cameras.json_values import is_camera_key
 from procc_annotator.formats.cameras.krt import centred_k, krt_from

@@ -10,7 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from procc_annotator.camera.base import ElementProjections, FloatArray
+from procc_annotator.arrays import FloatArray
+from procc_annotator.camera.base import ElementProjections
 from procc_annotator.formats.cameras.json_values import JsonValues
 from procc_annotator.formats.cameras.loaded_camera import CameraRecord, CameraRecords, LoadedCamera
 from procc_annotator.formats.strict_json import is_finite_number, json_kind, json_repr, printable

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from procc_annotator.camera.base import FloatArray
+from procc_annotator.arrays import FloatArray
 from procc_annotator.errors import CameraError
 from procc_annotator.formats.cameras.homography import (
     CONVENTIONS,

@@ -15,7 +15,8 @@ from typing import Any
 import msgspec
 from natsort import natsorted
 
-from procc_annotator.camera.base import CameraOrProjections, FloatArray
+from procc_annotator.arrays import FloatArray
+from procc_annotator.camera.base import CameraOrProjections
 from procc_annotator.errors import CameraError, InputError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.formats.cameras.fit_record import SIDECAR_SUFFIX

@@ -6,6 +6,7 @@ import numpy as np
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.assist.track_anchors import correct_camera
 from procc_annotator.calibration.line_alignment.control_points import (
     ControlPoint,
@@ -25,7 +26,7 @@ from procc_annotator.interaction.camera_view import (
 )
 from procc_annotator.interaction.hints import SEPARATOR
 from procc_annotator.interaction.overlay_lines import build_camera_handles
-from procc_annotator.interaction.overlay_primitives import EMPTY_OVERLAY, NO_POINTS, FloatArray
+from procc_annotator.interaction.overlay_primitives import EMPTY_OVERLAY, NO_POINTS
 from procc_annotator.translation import tr, tr_count
 
 Position = tuple[float, float]

@@ -8,6 +8,7 @@ import math
 from PySide6.QtCore import QLineF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen, QTransform
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.field.model import Field
 from procc_annotator.field.sampling import sample_evenly
 from procc_annotator.gui.picture.metre_map_picture import paint_lines, paint_shapes
@@ -16,7 +17,6 @@ from procc_annotator.interaction import palette
 from procc_annotator.metrics.error_maps import DISAGREEMENT_LEVELS_M, OFFSIDE_ACCURACY_M, MapSummary
 from procc_annotator.metrics.ground_plane import GroundRectangle, field_rectangle
 from procc_annotator.metrics.legacy import LegacyMetrics
-from procc_annotator.metrics.polylines import FloatArray
 from procc_annotator.report.comparison import ComparisonScene
 from procc_annotator.report.tables.metrics import LEGACY, METRES, PIXELS, WITHIN
 from procc_annotator.report.tables.table import DASH

@@ -4,16 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.assist.ghost_points import GhostPoints
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interaction import palette as tones
 from procc_annotator.interaction.overlay_predictions import build_ghosts, with_next
-from procc_annotator.interaction.overlay_primitives import (
-    EMPTY_OVERLAY,
-    NO_POINTS,
-    FloatArray,
-    Overlay,
-)
+from procc_annotator.interaction.overlay_primitives import EMPTY_OVERLAY, NO_POINTS, Overlay
 from procc_annotator.translation import tr
 
 

@@ -8,10 +8,10 @@ import numpy as np
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen, QTransform
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.gui.picture.items import draw_lines, visible_parts
 from procc_annotator.gui.state.metre_map_shapes import MapShapes
 from procc_annotator.interaction import palette
-from procc_annotator.metrics.polylines import FloatArray
 
 _CASING = 1.5  # points by which a dark line shows on both sides of a coloured one
 

@@ -9,6 +9,7 @@ import numpy as np
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QPainterPath, QPolygonF
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.interaction.camera_view import DISAGREEMENT, MapStyle
 from procc_annotator.metrics.error_maps import (
     ContourBand,
@@ -16,7 +17,6 @@ from procc_annotator.metrics.error_maps import (
     contour_lines,
     filled_contours,
 )
-from procc_annotator.metrics.polylines import FloatArray
 
 
 @dataclass(frozen=True, eq=False)

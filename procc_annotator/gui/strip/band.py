@@ -12,10 +12,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.gui.strip.axis import Axis
 from procc_annotator.interaction import palette as tones
 
-FloatArray = NDArray[np.float64]
 Pixels = NDArray[np.uint32]
 
 _LOST_HEIGHT = 0.12

@@ -18,7 +18,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.metrics.polylines import FloatArray, IntArray
+from procc_annotator.arrays import FloatArray, IntArray
 
 _BATCH_ENTRIES = 1 << 20  # entries of a matrix of counts
 _CACHED_ENTRIES = 1 << 22  # entries of all matrices that are kept, two bytes each

@@ -10,7 +10,7 @@ from typing import Literal, get_args
 
 import numpy as np
 
-from procc_annotator.metrics.polylines import FloatArray, IntArray
+from procc_annotator.arrays import FloatArray, IntArray
 from procc_annotator.metrics.statistics.bootstrap import (
     BootstrapSample,
     BootstrapSettings,

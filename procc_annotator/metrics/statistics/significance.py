@@ -9,7 +9,7 @@ from itertools import product
 
 import numpy as np
 
-from procc_annotator.metrics.polylines import FloatArray, IntArray
+from procc_annotator.arrays import FloatArray, IntArray
 from procc_annotator.metrics.statistics.bootstrap import (
     BootstrapSample,
     BootstrapSettings,

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from procc_annotator.arrays import BoolArray, FloatArray, IntArray
 from procc_annotator.camera.base import Camera
-from procc_annotator.metrics.polylines import BoolArray, FloatArray, IntArray
 from procc_annotator.metrics.temporal.jitter import (
     SECOND_DIFFERENCE_SCALE,
     ShotJitter,

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.arrays import BoolArray, FloatArray, IntArray
 from procc_annotator.camera.backprojection import ground_from_px
 from procc_annotator.camera.base import Camera, CameraOrProjections
 from procc_annotator.camera.matrices import pinhole_from_homography
@@ -18,7 +19,6 @@ from procc_annotator.camera.models import FisheyeCamera, HomographyCamera, Pinho
 from procc_annotator.field.model import Field
 from procc_annotator.field.sampling import sample_evenly
 from procc_annotator.metrics.ground_plane import field_rectangle
-from procc_annotator.metrics.polylines import BoolArray, FloatArray, IntArray
 
 SECOND_DIFFERENCE_SCALE = math.sqrt(6.0)  # a second difference is so many times one frame's error
 _SAMPLE_STEPS = 120  # that the field's diagonal is cut into

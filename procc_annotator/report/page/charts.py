@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.arrays import BoolArray
 from procc_annotator.batch.audit import (
     POSE_QUANTITIES,
     POSE_UNITS,
@@ -18,7 +19,6 @@ from procc_annotator.batch.audit import (
     mean_curve,
     poses,
 )
-from procc_annotator.metrics.polylines import BoolArray
 from procc_annotator.metrics.statistics.intervals import CurveBand
 from procc_annotator.report.page.chart_style import (
     FAINT,

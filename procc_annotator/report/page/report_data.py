@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.batch.audit import FrameAudit, audit_frame
 from procc_annotator.batch.evaluation import EvaluationRun, run_digested
 from procc_annotator.batch.execution.executor import Executor
@@ -21,7 +22,6 @@ from procc_annotator.errors import UsageError
 from procc_annotator.formats.cameras.collection import CameraCollection
 from procc_annotator.formats.cameras.fit_record import NOT_FITTED, FitCounts, name_with_mark
 from procc_annotator.formats.file_source import FileSource
-from procc_annotator.metrics.polylines import FloatArray
 from procc_annotator.metrics.score import FrameScore
 from procc_annotator.metrics.sets import SetSummary
 from procc_annotator.metrics.setup import EvaluationSetup

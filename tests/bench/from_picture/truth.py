@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from procc_annotator.annotation import FloatArray
+from procc_annotator.arrays import FloatArray
 from procc_annotator.camera.base import Camera, scaled_camera
 from procc_annotator.field.model import Field
 from procc_annotator.field.sampling import sample_evenly

@@ -10,7 +10,8 @@ from functools import partial
 
 import numpy as np
 
-from procc_annotator.annotation import FloatArray, FrameAnnotation, Polyline, points_px
+from procc_annotator.annotation import FrameAnnotation, Polyline, points_px
+from procc_annotator.arrays import FloatArray
 from procc_annotator.assist.ghost_points import accept_all, find_points
 from procc_annotator.assist.line_evidence import ExpectedLines
 from procc_annotator.assist.regularise import regularise

@@ -17,7 +17,8 @@ from pathlib import Path
 
 import numpy as np
 
-from procc_annotator.annotation import FloatArray, Polyline, point_from_px
+from procc_annotator.annotation import Polyline, point_from_px
+from procc_annotator.arrays import FloatArray
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
 from procc_annotator.image.decoding import decode_bgra

@@ -10,7 +10,7 @@ import cv2
 import numpy as np
 import pytest
 
-from procc_annotator.annotation import FloatArray
+from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.optimization.camera_parameters import vector_from_camera
 from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.calibration.result import FitResult

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from procc_annotator.camera.base import FloatArray
+from procc_annotator.arrays import FloatArray
 from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.field.geometry import middle_of, outline_of
 from procc_annotator.field.load import load_field

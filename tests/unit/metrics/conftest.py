@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import pytest
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
-from procc_annotator.camera.base import BoolArray, FloatArray
+from procc_annotator.arrays import BoolArray, FloatArray
 from procc_annotator.field.geometry import Circle, Geometry, Line
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Element, Field, Symmetry

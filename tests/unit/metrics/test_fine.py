@@ -9,11 +9,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.field.geometry import Circle, Line
 from procc_annotator.field.model import Field
 from procc_annotator.metrics.curve_projection import ElementCurves, project_curves
-from procc_annotator.metrics.polylines import FloatArray, Polylines
+from procc_annotator.metrics.polylines import Polylines
 
 SIZE = (101, 51)
 HD = (960, 540)

@@ -10,7 +10,8 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QPolygonF, QTransform
 
-from procc_annotator.gui.panels.field_map.shape import FieldShape, FloatArray
+from procc_annotator.arrays import FloatArray
+from procc_annotator.gui.panels.field_map.shape import FieldShape
 from procc_annotator.gui.panels.field_map.unfolding import Bounds
 
 _LARGEST = 40.0

@@ -10,6 +10,7 @@ from functools import cached_property, lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.field.geometry import (
     Arc,
     Circle,
@@ -23,8 +24,6 @@ from procc_annotator.field.geometry import (
 )
 from procc_annotator.field.model import Element, Field
 from procc_annotator.gui.panels.field_map.unfolding import Bounds, Unfold, unfolded, unfolded_spots
-
-FloatArray = NDArray[np.float64]
 
 _STEPS = 100  # a curve's pieces are so small a part of the field
 _ROUND_RAD = 0.2  # or smaller: a small circle is to be round

@@ -7,12 +7,11 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.field.geometry import SAME_PLACE_M, outline_of
 from procc_annotator.field.model import Element
 
-FloatArray = NDArray[np.float64]
 Bounds = tuple[float, float, float, float]
 Unfold = Callable[[FloatArray], FloatArray]
 

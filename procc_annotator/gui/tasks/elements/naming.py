@@ -11,11 +11,11 @@ from PySide6.QtGui import QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QMenu, QWidget
 
 from procc_annotator.annotation import points_px
+from procc_annotator.arrays import FloatArray
 from procc_annotator.assist.copying import annotated_before
 from procc_annotator.calibration.prediction.suggestions import likely_classes
 from procc_annotator.calibration.prediction.visible_elements import visible_stretches
 from procc_annotator.calibration.result import FitResult
-from procc_annotator.camera.base import FloatArray
 from procc_annotator.gui.digit_row import keys_by_place
 from procc_annotator.gui.element_keys import element_keys
 from procc_annotator.gui.keymap import NATIVE
