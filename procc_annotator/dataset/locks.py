@@ -1,8 +1,10 @@
 """Frame locks between windows and machines on one dataset folder.
 
-The file says who; that it is in use, its time of change says, which each beat renews. A lock only
-says and never keeps anyone from saving, so no failure of the disk is raised here. Ages are
-measured by the clock of the file server: against the time of a file made this moment next to it.
+The file names the author; its modification time, renewed by each beat, shows that the lock is in
+use.
+A lock informs and never prevents saving, so no disk failure is raised here. Ages are measured by
+the
+clock of the file server: against the time of a file made at the same moment next to it.
 """
 
 from __future__ import annotations

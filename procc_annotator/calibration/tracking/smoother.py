@@ -18,6 +18,7 @@ from procc_annotator.calibration.line_alignment.gaussian_state import (
 from procc_annotator.calibration.optimization.camera_parameters import KAPPA, MIN_KAPPA, X, Z
 from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.calibration.optimization.projection import Lens, project
+from procc_annotator.calibration.tracking.edge_points import EdgePointBatch, ShotEdgePoints
 from procc_annotator.calibration.tracking.forward_pass import FrameChain
 from procc_annotator.calibration.tracking.motion_model import (
     TRIPOD_NOISE,
@@ -25,7 +26,6 @@ from procc_annotator.calibration.tracking.motion_model import (
     ProcessNoise,
     motion_constraints,
 )
-from procc_annotator.calibration.tracking.step_storage import EdgePointBatch, ShotEdgePoints
 from procc_annotator.field.model import Field
 
 

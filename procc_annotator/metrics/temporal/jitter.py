@@ -1,6 +1,4 @@
-"""Temporal jitter of a shot: second differences of projections and of camera poses; position
-drift.
-"""
+"""Temporal jitter of a shot: second differences of projections and of camera poses."""
 
 from __future__ import annotations
 

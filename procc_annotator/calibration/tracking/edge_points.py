@@ -1,4 +1,4 @@
-"""Filter steps and edge points of a shot in a temporary file."""
+"""The edge points of all frames of a shot as arrays, some hundred frames at a time."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ class ShotEdgePoints:
         of_frames = (step.marks.element.tolist() for step in steps if step.marks is not None)
         self.elements = np.array(sorted(set().union(*of_frames)), dtype=np.intp)
         self._parts = [
-            (slice(first, past), _marks_of(steps[first:past]))
+            (slice(first, past), _batch_of(steps[first:past]))
             for first in range(0, len(steps), _BATCH_FRAMES)
             for past in [min(first + _BATCH_FRAMES, len(steps))]
         ]
@@ -62,7 +62,7 @@ class ShotEdgePoints:
         yield from self._parts
 
 
-def _marks_of(steps: Sequence[FilterStep]) -> EdgePointBatch:
+def _batch_of(steps: Sequence[FilterStep]) -> EdgePointBatch:
     frames = len(steps)
     most = max([1, *(len(step.marks) for step in steps if step.marks is not None)])
     some = EdgePointBatch(
