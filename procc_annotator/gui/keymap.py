@@ -119,7 +119,7 @@ def short_text(keys: str) -> str:
 
 
 def clashes(keymap: Keymap, elements: Sequence[Element] = ()) -> dict[str, str]:
-    """What cannot be called since its keys mean something else, too.
+    """Return what cannot be called since its keys mean something else, too.
 
     A sequence that begins with another's keys clashes with it: Qt would wait whether more comes.
 

@@ -26,7 +26,7 @@ _taken_up: list[QTranslator] = []
 
 
 def folder() -> Path:
-    """Where the translations are."""
+    """Return where the translations are."""
     return resources_dir() / "languages"
 
 

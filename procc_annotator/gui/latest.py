@@ -39,7 +39,7 @@ class Latest:
 
     @property
     def running(self) -> bool:
-        """Whether an outcome is still to be delivered."""
+        """Return whether an outcome is still to be delivered."""
         return self._job is not None and self._job.running
 
     def start(

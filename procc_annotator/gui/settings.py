@@ -227,7 +227,7 @@ class Settings:
         )
 
     def get(self, setting: Setting[T]) -> T:
-        """What is kept, or the default."""
+        """Return what is kept, or the default."""
         kept = self._store.value(setting.key)
         value = setting.kind.read(kept) if kept is not None else None
         return setting.default if value is None else value
@@ -246,7 +246,7 @@ class Settings:
         self.set(setting, tuple(p for p in self.get(setting) if p != path))
 
     def entries(self, setting: Setting[dict[str, object]], dataset: str) -> list[object]:
-        """What is kept of a dataset."""
+        """Return what is kept of a dataset."""
         entries = self.get(setting).get(dataset)
         return entries if isinstance(entries, list) else []
 

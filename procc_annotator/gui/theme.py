@@ -100,7 +100,7 @@ def wear(application: QApplication, dark: bool) -> None:
 
 
 def is_dark(colours: QPalette) -> bool:
-    """Whether a palette is dark."""
+    """Return whether a palette is dark."""
     window = colours.color(QPalette.ColorRole.Window)
     return window.lightness() < colours.color(QPalette.ColorRole.WindowText).lightness()
 
@@ -157,7 +157,7 @@ def set_text_size(application: QApplication, percent: float) -> None:
 
 
 def text_times() -> float:
-    """How large texts are, of what the system says; 1 where no one chose."""
+    """Return how large texts are, of what the system says; 1 where no one chose."""
     application = QApplication.instance()
     usual = None if application is None else application.property(_USUAL_SIZE)
     size = QApplication.font().pointSizeF()

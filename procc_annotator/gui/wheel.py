@@ -10,7 +10,7 @@ _NOTCH = 120  # Qt's units of a notch: eighths of a degree
 
 
 def gone_along(event: QWheelEvent) -> QPointF | None:
-    """How far what is shown moves, screen px; None for a wheel that zooms.
+    """Return how far what is shown moves, screen px; None for a wheel that zooms.
 
     Two fingers on a touchpad go along, and zoom with Ctrl held, which is what a pinch comes as
     where there are no gestures; a wheel zooms, and goes along sideways when it is tilted or Shift

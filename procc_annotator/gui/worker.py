@@ -117,12 +117,13 @@ class Job:
 
     @property
     def running(self) -> bool:
-        """Whether an outcome is still to be delivered."""
+        """Return whether an outcome is still to be delivered."""
         return not self._delivered and not self._control.cancelled
 
     @property
     def begun(self) -> bool:
-        """Whether the work was given to a thread, which may still be busy with other work."""
+        """Return whether the work was given to a thread, which may still be busy with other
+        work."""
         return self._future is not None
 
     def _begin(self) -> Future[Any]:

@@ -111,7 +111,7 @@ class VisibleField:
 
 
 def visible_field(field: Field, camera: Camera, size: tuple[int, int]) -> VisibleField | None:
-    """What a camera sees of a field; None if it sees nothing of it.
+    """Return what a camera sees of a field; None if it sees nothing of it.
 
     Args:
         field: with elements on the ground.
@@ -267,7 +267,7 @@ class Wireframe:
 
 
 def wireframe_of(camera: PinholeCamera, field: Field, size: tuple[int, int]) -> Wireframe:
-    """What a camera shows of a field in its picture.
+    """Return what a camera shows of a field in its picture.
 
     Args:
         camera: px of the picture.

@@ -176,7 +176,7 @@ _SHORTEST = 4  # letters of a word that may be misspelt
 
 
 def match_rank(query: str, *names: str) -> int | None:
-    """How well a query fits one thing of several names: lower is better, None is not at all.
+    """Return how well a query fits one thing of several names: lower is better, None is not at all.
 
     A query fits when each of its words begins a word of one name (``l p b`` finds "Left penalty
     area, bottom"), or when a name contains it.
@@ -198,7 +198,7 @@ def loose_rank(query: str, name: str) -> int | None:
 
 
 def misspelt(query: str, name: str) -> bool:
-    """Whether every word of a query is nearly one of a name: ``regulraise all``."""
+    """Return whether every word of a query is nearly one of a name: ``regulraise all``."""
     words = _plain(name).split()
     return all(_misspelt_one_of(wanted, words) for wanted in query.casefold().split())
 
@@ -227,7 +227,8 @@ def _rank_name(wanted: list[str], text: str, name: str) -> int | None:
 
 
 def _letters_in_order(letters: str, name: str) -> bool:
-    """Whether a name holds the letters in order, from the beginning of one of its words on; not
+    """Return whether a name holds the letters in order, from the beginning of one of its words
+    on; not
     further apart than three places each, or every long name would hold every short word."""
     starts = [i for i in range(len(name)) if i == 0 or name[i - 1] == " "]
     return any(_follows(letters, name[start:]) for start in starts)

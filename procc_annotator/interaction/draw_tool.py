@@ -41,7 +41,7 @@ class DrawTool:
 
     @property
     def busy(self) -> bool:
-        """Whether a polyline is under way."""
+        """Return whether a polyline is under way."""
         return bool(self.points)
 
     def draft(
@@ -51,7 +51,7 @@ class DrawTool:
         landing: Position | None = None,
         hand: DraftState = NO_DRAFT_STATE,
     ) -> Draft | None:
-        """What to show: the polyline under way, or the class the next click begins."""
+        """Return what to show: the polyline under way, or the class the next click begins."""
         name = self.class_name if self.busy else selected_class
         if name is None:
             return None
@@ -60,7 +60,7 @@ class DrawTool:
     def landing(
         self, position: Position, modifiers: Modifiers, context: ToolContext
     ) -> Position | None:
-        """Where a click here would be put by snapping; None: exactly here."""
+        """Return where a click here would be put by snapping; None: exactly here."""
         name = self.class_name if self.busy else context.clicked_class
         if name is None:
             return None
@@ -174,7 +174,7 @@ class DrawTool:
         return Reaction(edit=edit, select=Selection(name), finished=True, completed=name)
 
     def is_last_click(self, context: ToolContext) -> bool:
-        """Whether another click would finish the element by itself."""
+        """Return whether another click would finish the element by itself."""
         name = self.class_name
         return (
             context.is_two_point_element
@@ -211,7 +211,7 @@ class DrawTool:
             self.points[0] = placed
 
     def _direction(self, name: str, position: Position, context: ToolContext) -> Position | None:
-        """Where a straight element runs, as far as its clicks show."""
+        """Return where a straight element runs, as far as its clicks show."""
         if name in context.curved or self.unnamed:
             return None
         drawn = context.polyline(name)

@@ -59,22 +59,23 @@ class EditTool:
 
     @property
     def busy(self) -> bool:
-        """Whether something is held or a band is drawn."""
+        """Return whether something is held or a band is drawn."""
         held = self.grabbed is not None or self._before is not None
         return held or self.band is not None
 
     @property
     def inserting(self) -> bool:
-        """Whether the held point is a new one."""
+        """Return whether the held point is a new one."""
         return self._inserted
 
     @property
     def held(self) -> str:
-        """What is held: "point", "points", "element", "pinned" or "frame" (a band)."""
+        """Return what is held: "point", "points", "element", "pinned" or "frame" (a band)."""
         return "frame" if self.band is not None else self._held
 
     def hover(self, position: Position, context: ToolContext) -> Hit | None:
-        """What the next press would take; unconfirmed elements are below the others, but for a
+        """Return what the next press would take; unconfirmed elements are below the others, but
+        for a
         selected one."""
         waiting = FrameAnnotation(polylines=context.annotation.unconfirmed)
         layers = [context.annotation, waiting]
@@ -320,7 +321,8 @@ class EditTool:
         return editing.move_point(base, *self.grabbed, point)
 
     def _leads_back(self, placed: Position, at: Position, context: ToolContext) -> bool:
-        """Whether snapping would take a point back to the line that the hand takes it away from:
+        """Return whether snapping would take a point back to the line that the hand takes it
+        away from:
         it has come farther across that line than along it."""
         assert self._before is not None
         assert self.grabbed is not None
@@ -333,7 +335,7 @@ class EditTool:
     def _direction(
         self, annotation: FrameAnnotation, at: Position, context: ToolContext
     ) -> Position | None:
-        """Where the element runs at the held point, as its other points show."""
+        """Return where the element runs at the held point, as its other points show."""
         assert self.grabbed is not None
         name, index = self.grabbed
         polyline = annotation.get(name)

@@ -161,7 +161,7 @@ class ToolContext:
         return len(polyline.points) if polyline is not None else 0
 
     def is_unconfirmed(self, class_name: str) -> bool:
-        """Whether no one has decided yet where this element is."""
+        """Return whether no one has decided yet where this element is."""
         return self.annotation.get_unconfirmed(class_name) is not None
 
     def _exists(self, ref: PointRef | None) -> bool:

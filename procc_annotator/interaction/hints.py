@@ -134,7 +134,7 @@ def _blocked_words(ghosts: GhostHint, field: Field) -> list[str]:
 
 
 def _with_ghosts(words: _HintText, ghosts: GhostHint, *, all_too: bool) -> _HintText:
-    """What is to be said of ghosts while none is examined."""
+    """Return what is to be said of ghosts while none is examined."""
     if ghosts.coming:
         waits = tr("GHOST the next one comes in a moment")
         return _HintText(waits, words.click, (tr("Enter does nothing yet"), tr("Esc goes back")))
@@ -237,7 +237,7 @@ def _chosen_words(
 
 
 def _placing_words(following: str | None, *, placed: bool) -> str:
-    """What a click does to a single place; ``following``: what comes after it."""
+    """Return what a click does to a single place; ``following``: what comes after it."""
     if following is None:
         return tr("click moves it here") if placed else tr("click marks it")
     if placed:

@@ -50,7 +50,7 @@ def legend_of(
     *,
     with_paint: bool = False,
 ) -> tuple[LegendEntry, ...]:
-    """What is to be explained of a frame: only what is on the picture.
+    """Return what is to be explained of a frame: only what is on the picture.
 
     Args:
         annotation: what is drawn.

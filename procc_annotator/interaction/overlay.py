@@ -142,7 +142,7 @@ def author_marks(
 
 
 def landing(draft: Draft | None) -> FloatArray:
-    """Where snapping would put a click now, (1, 2), or nowhere, (0, 2)."""
+    """Return where snapping would put a click now, (1, 2), or nowhere, (0, 2)."""
     if draft is None or draft.landing is None:
         return NO_POINTS
     return np.array([draft.landing], dtype=np.float64)

@@ -54,7 +54,7 @@ class ShownEllipse:
 def halos(
     drawn: Drawn, verdict: ScoredFrame, highlight: str | None, selected: str | None
 ) -> Iterable[Strokes]:
-    """What is under the lines of the hovered and the selected element.
+    """Return what is under the lines of the hovered and the selected element.
 
     White alone would vanish on the painted lines of the field, hence the dark rims. The selected
     element's projection is emphasised only if there is no annotation to emphasise.
@@ -82,7 +82,7 @@ def unconfirmed_strokes(waiting: Drawn) -> Iterable[Strokes]:
 
 
 def second_strokes(second: Drawn) -> Iterable[Strokes]:
-    """What the second annotator clicked."""
+    """Return what the second annotator clicked."""
     width = tones.PROJECTION_WIDTH
     yield Strokes(second.all_segments, tones.OUTLINE, width + 2.0, layer="second")
     yield Strokes(second.all_segments, tones.SECOND, width, layer="second")
@@ -228,7 +228,7 @@ def build_wireframes(
 
 
 def ellipse_strokes(ellipses: Sequence[ShownEllipse]) -> Iterable[Strokes]:
-    """How surely a view shows the landmarks: an ellipse around each that can be seen."""
+    """Return how surely a view shows the landmarks: an ellipse around each that can be seen."""
     for one in ellipses:
         if one.ellipse.semi_axes_px[0] >= _SMALLEST_ELLIPSE_PX:
             outline = one.ellipse.outline()

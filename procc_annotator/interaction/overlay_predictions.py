@@ -103,7 +103,7 @@ def _bad_points(
 def _position(
     place: _Place, annotation: FrameAnnotation, picture_size: Size
 ) -> tuple[float, float] | None:
-    """Where a point is now, picture px; None if a gesture is taking it away."""
+    """Return where a point is now, picture px; None if a gesture is taking it away."""
     polyline = annotation.get(place[0])
     if polyline is None or place[1] >= len(polyline.points):
         return None

@@ -83,7 +83,7 @@ class ScoredFrame:
 
     @property
     def by_criterion(self) -> bool:
-        """Whether anything is judged."""
+        """Return whether anything is judged."""
         return self.tau < np.inf
 
     @cached_property
@@ -260,7 +260,7 @@ class Strokes:
 
     @cached_property
     def box(self) -> Box | None:
-        """What the lines reach over, without their width; None where there are none."""
+        """Return what the lines reach over, without their width; None where there are none."""
         return _box_of(self.segments)
 
 
@@ -275,7 +275,7 @@ class PointMarks:
 
     @cached_property
     def box(self) -> Box | None:
-        """What the points reach over; None where there are none."""
+        """Return what the points reach over; None where there are none."""
         return _box_of(self.centres)
 
 
@@ -431,7 +431,8 @@ def _drawn_line(polyline: Polyline, size: Size) -> DrawnLine:
 
 
 def _box_of(places: FloatArray) -> Box | None:
-    """What (N, 2) points or the ends of (N, 4) lines reach over; None where there are none."""
+    """Return what (N, 2) points or the ends of (N, 4) lines reach over; None where there are
+    none."""
     if not places.size:
         return None
     if places.size <= _FEW and math.isfinite(sum(flat := places.ravel().tolist())):

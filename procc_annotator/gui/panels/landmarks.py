@@ -209,7 +209,7 @@ class LandmarksPanel(QWidget):
         )
 
     def _why_not_triangulated(self, mark: Landmark | None) -> str:
-        """What is to be done before a landmark can be triangulated; empty for nothing."""
+        """Return what is to be done before a landmark can be triangulated; empty for nothing."""
         landmarks = self._document.landmarks
         if landmarks.problem:
             return as_sentence(landmarks.problem)

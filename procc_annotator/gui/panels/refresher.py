@@ -107,7 +107,8 @@ class Refresher(QObject):
             self._resting.start(self._interval_ms)
 
     def _in_sight(self) -> bool:
-        """Whether any of it is seen: Qt calls docks behind other tabs visible, too, and keeps them
+        """Return whether any of it is seen: Qt calls docks behind other tabs visible, too, and
+        keeps them
         outside the window."""
         widget = self._widget
         if not widget.isVisible():
@@ -117,7 +118,7 @@ class Refresher(QObject):
 
 
 def judged(state: State) -> tuple[object, ...]:
-    """What the verdicts on the frame on screen follow from."""
+    """Return what the verdicts on the frame on screen follow from."""
     frame = state.workspace, state.frame_index, state.shown_annotation, state.why_not_judged
     terms = state.setup, state.tau, state.projection_visible
     return frame, terms, state.active, state.cameras_of(state.active)

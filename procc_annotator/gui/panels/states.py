@@ -59,7 +59,7 @@ EXPLANATIONS = {
 
 
 def words_for(state: ElementState) -> str:
-    """What a state is called in the window; untouched elements are not spoken of."""
+    """Return what a state is called in the window; untouched elements are not spoken of."""
     about = "element" if state is ElementState.NEXT else ""
     return tr(WORDS[state], about) if WORDS[state] else ""
 
@@ -84,7 +84,7 @@ def element_states(document: Document) -> dict[str, ElementState]:
 
 
 def class_title(field: Field, class_name: str) -> str:
-    """What a class is called in the window."""
+    """Return what a class is called in the window."""
     title = field.title_of(class_name)
     return tr(title) if field.knows(class_name) else tr("{title} (unknown class)", title=title)
 

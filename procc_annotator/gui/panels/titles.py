@@ -37,7 +37,8 @@ def short_titles(field: Field) -> dict[str, str]:
 
 
 def _beyond(group: str, title: str) -> str:
-    """What a title says behind a first part that has no word but the group's; else all of it."""
+    """Return what a title says behind a first part that has no word but the group's; else all of
+    it."""
     for comma in _COMMAS:
         first, _, rest = title.partition(comma)
         if rest and set(first.split()) <= set(group.split()):
@@ -46,7 +47,8 @@ def _beyond(group: str, title: str) -> str:
 
 
 def _leading(group: str, titles: list[str]) -> int:
-    """How many leading words of a group all its titles share, each having words beyond them."""
+    """Return how many leading words of a group all its titles share, each having words beyond
+    them."""
     if len(titles) < 2:
         return 0
     columns = zip(group.split(), *(title.split()[:-1] for title in titles), strict=False)

@@ -68,5 +68,6 @@ class _Edge(Pinned):
 
 
 def _shown(state: State) -> tuple[bool, bool]:
-    """Whether the mode is on while a frame is on screen, and whether that frame is committed."""
+    """Return whether the mode is on while a frame is on screen, and whether that frame is
+    committed."""
     return state.blind and state.frame is not None, state.projection_visible

@@ -84,12 +84,12 @@ class CameraHand(QObject):
 
     @property
     def dragging(self) -> bool:
-        """Whether a place is dragged by the mouse."""
+        """Return whether a place is dragged by the mouse."""
         return self._pressed_at is not None
 
     @property
     def hint(self) -> str:
-        """What the user can do here; empty while it is about something else."""
+        """Return what the user can do here; empty while it is about something else."""
         if not self.held:
             return ""
         pegs = len(self._pegs)
@@ -165,7 +165,7 @@ class CameraHand(QObject):
             self._hold(False)
 
     def _follow_mouse(self, event: QMouseEvent) -> bool:
-        """Whether an event was meant for the camera."""
+        """Return whether an event was meant for the camera."""
         kind, self._at = event.type(), self._view.to_picture(event.position())
         released = kind == QEvent.Type.MouseButtonRelease
         if self._editor.holding or (self._view.panning and not (self.dragging and released)):
@@ -287,7 +287,8 @@ class CameraHand(QObject):
         self.changed.emit()
 
     def _is_replaced(self, peg: ControlPoint) -> bool:
-        """Whether a peg gives way to the place in hand: it is that one, or so near that both would
+        """Return whether a peg gives way to the place in hand: it is that one, or so near that
+        both would
         roll and zoom the camera by what a click is off."""
         size, under = self._document.picture_size, self._under
         if peg is self._grabbed or under is None or size is None:
@@ -389,7 +390,7 @@ class CameraHand(QObject):
         return segments_in_sight(camera, document.frame_field, size)
 
     def _shown_under(self) -> tuple[Position, str] | None:
-        """Where the place in hand, or the one that would be, is seen."""
+        """Return where the place in hand, or the one that would be, is seen."""
         if self._dragged is not None:
             world = self._in_hand((0.0, 0.0)).world
             x, y = self._dragged.project(np.array([world]))[0][0].tolist()

@@ -161,7 +161,7 @@ class Canvas(PictureView):
 
     @property
     def hint(self) -> str:
-        """What the next click, Enter and Esc will do."""
+        """Return what the next click, Enter and Esc will do."""
         self._say_hint()
         return self._hint
 

@@ -54,12 +54,12 @@ class OtherSources(QObject):
 
     @property
     def looking(self) -> bool:
-        """Whether the compared source is in front for as long as a key is held."""
+        """Return whether the compared source is in front for as long as a key is held."""
         return self._held_since is not None and self._document.compared is not None
 
     @property
     def divided(self) -> bool:
-        """Whether the picture is divided between two sources."""
+        """Return whether the picture is divided between two sources."""
         document = self._document
         visible = document.projection_visible and document.frame is not None
         return self.split_wanted and visible and document.compared is not None
@@ -163,7 +163,7 @@ class OtherSources(QObject):
             self.wireframes = build_wireframes(shown, document.setup.size, size)
 
     def _others(self) -> list[tuple[CameraSource, ProjectedField]]:
-        """What the visible sources that have no place of their own show of this frame."""
+        """Return what the visible sources that have no place of their own show of this frame."""
         document = self._document
         if document.active_source is None or not document.projection_visible:
             return []

@@ -114,7 +114,7 @@ class CornerLegend(Pinned):
         )
 
     def _origins(self) -> tuple[frozenset[str], tuple[str, ...]]:
-        """How points came to be, and whose they are."""
+        """Return how points came to be, and whose they are."""
         document = self._document
         if self._by not in ("origin", "annotator") or document.frame is None:
             return frozenset(), ()
@@ -141,7 +141,7 @@ class CornerLegend(Pinned):
         self.put(place)
 
     def _beneath(self) -> list[QWidget]:
-        """What stands at the lower edge, too, and stays there."""
+        """Return what stands at the lower edge, too, and stays there."""
         named = (self._viewport.findChild(QWidget, name) for name in ("blindBadge", "foundPlate"))
         return [other for other in named if other is not None]
 

@@ -95,7 +95,7 @@ class OverlayDrawing(QObject):
 
     @property
     def hidden(self) -> bool:
-        """Whether only the bare picture is shown."""
+        """Return whether only the bare picture is shown."""
         return self._hidden_by_action or self._hidden_by_key
 
     def set_hidden(self, hidden: bool) -> None:

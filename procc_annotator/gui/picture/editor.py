@@ -66,17 +66,17 @@ class Editor(QObject):
 
     @property
     def drawing(self) -> bool:
-        """Whether a polyline is under way."""
+        """Return whether a polyline is under way."""
         return self._draw.busy
 
     @property
     def dragging(self) -> bool:
-        """Whether a point is dragged by the mouse."""
+        """Return whether a point is dragged by the mouse."""
         return self._edit.busy and self._edit.grabbed is not None
 
     @property
     def holding(self) -> bool:
-        """Whether the mouse holds anything: points, an element, a band."""
+        """Return whether the mouse holds anything: points, an element, a band."""
         return self._edit.busy
 
     @property
@@ -97,12 +97,12 @@ class Editor(QObject):
 
     @property
     def _one_click(self) -> bool:
-        """Whether the next click finishes the element that is chosen."""
+        """Return whether the next click finishes the element that is chosen."""
         return self._document.mode == "draw" and self._document.selected_class in self.spots
 
     @property
     def follows_cursor(self) -> bool:
-        """Whether something is painted at the cursor."""
+        """Return whether something is painted at the cursor."""
         document = self._document
         chosen = document.selected_class is not None
         drawing = document.mode == "draw" and (chosen or self._draw.busy)
@@ -120,7 +120,7 @@ class Editor(QObject):
         return draft_with_cursor(self._draw, context, cursor, self._held)
 
     def hint(self) -> str:
-        """What the next click, Enter and Esc will do."""
+        """Return what the next click, Enter and Esc will do."""
         document = self._document
         return status_hint(
             document.mode,
@@ -201,7 +201,7 @@ class Editor(QObject):
         self._asked_first = takers
 
     def taken_first(self, name: str, shift: bool) -> bool:
-        """Whether a key, or "Undo", was meant for none of the tools, and is done with."""
+        """Return whether a key, or "Undo", was meant for none of the tools, and is done with."""
         return any(take(name, shift) for take in self._asked_first)
 
     def key(self, name: str, *, shift: bool = False) -> bool:
@@ -285,7 +285,8 @@ class Editor(QObject):
         )
 
     def _begin_on(self, seen: ToolContext) -> bool:
-        """Whether a gesture may begin: the frame can be edited, no one else has it, and no one
+        """Return whether a gesture may begin: the frame can be edited, no one else has it, and
+        no one
         changed what is chosen since it was ``seen``; that is to be checked first."""
         document = self._document
         if document.frame is None or not document.editable or not document.begin_edit():
@@ -304,7 +305,7 @@ class Editor(QObject):
         return False
 
     def _workable(self) -> ToolContext | None:
-        """What a gesture may look at; one that has begun ends even if its lock was lost."""
+        """Return what a gesture may look at; one that has begun ends even if its lock was lost."""
         begun = self._draw.busy or self._edit.busy
         return self._context() if self._document.editable or begun else None
 

@@ -22,7 +22,7 @@ class GhostLayer:
         self._overlay = EMPTY_OVERLAY
 
     def overlay(self, *, hidden: bool) -> Overlay:
-        """What to draw; the same object as long as nothing changed."""
+        """Return what to draw; the same object as long as nothing changed."""
         ghosts, size = self._document.ghosts, self._document.picture_size
         painted, current = ghosts.painted, ghosts.current
         found = ghosts.found(current.name) if current is not None else None

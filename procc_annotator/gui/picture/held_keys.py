@@ -98,13 +98,13 @@ class HeldKeys(QObject):
 
 
 def beside_picture(widget: QWidget, picture: QWidget) -> bool:
-    """Whether a widget is in the window of a picture, or in a panel that floats above it."""
+    """Return whether a widget is in the window of a picture, or in a panel that floats above it."""
     window, own = widget.window(), picture.window()
     return window is own or (isinstance(window, QDockWidget) and window.parent() is own)
 
 
 def typed_into(widget: QWidget | None) -> bool:
-    """Whether keys become text there."""
+    """Return whether keys become text there."""
     return isinstance(widget, _TYPED_INTO) or (
         isinstance(widget, QComboBox) and widget.isEditable()
     )

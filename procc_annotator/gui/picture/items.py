@@ -199,7 +199,7 @@ def clip_lines(lines: Array, room: QRectF) -> tuple[NDArray[np.intp], Array, Arr
 
 
 def visible_parts(lines: Array, room: QRectF, pattern: Sequence[float] = ()) -> Array:
-    """What of lines is to be drawn: inside a rectangle, cut into dashes.
+    """Return what of lines is to be drawn: inside a rectangle, cut into dashes.
 
     Args:
         lines: (N, 4) device px; segments that go on from the one before make up one curve.

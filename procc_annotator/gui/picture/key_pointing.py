@@ -41,7 +41,7 @@ class KeyPointing(QObject):
 
     @property
     def active(self) -> bool:
-        """Whether the crosshair is on the picture."""
+        """Return whether the crosshair is on the picture."""
         return self.crosshair.px is not None
 
     def arrow(self, name: str, step: float) -> None:
@@ -100,7 +100,7 @@ class KeyPointing(QObject):
     # --- inside ---------------------------------------------------------------------------
 
     def _start(self, size: tuple[int, int]) -> Position:
-        """Where the mouse was, or the middle of what is in sight."""
+        """Return where the mouse was, or the middle of what is in sight."""
         if (cursor := self._cursor()) is not None:
             return moved(cursor, "Left", 0.0, size)  # not shown
         place = self._view.place

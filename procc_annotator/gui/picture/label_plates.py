@@ -46,7 +46,7 @@ def anchored(groups: tuple[Labels, ...]) -> tuple[Labels, ...]:
 
 
 def carried(groups: tuple[Labels, ...]) -> tuple[Labels, ...]:
-    """What is at the cursor."""
+    """Return what is at the cursor."""
     return tuple([labels for labels in groups if labels.carried])
 
 
@@ -59,7 +59,8 @@ def arranged(
     unit: float = 1.0,
     times: float = 1.0,
 ) -> tuple[Plate, ...]:
-    """Where texts go so that they do not cover each other; signs of findings stand where they are,
+    """Return where texts go so that they do not cover each other; signs of findings stand where
+    they are,
     and so does what is at the cursor, which nothing gives way to. What needs painting does not
     matter: a part that is painted anew fits the rest.
 
@@ -124,7 +125,7 @@ def _width(text: str, unit: float, times: float) -> float:
 
 
 def _hand_room(signs: CursorSigns | None, letter: float) -> tuple[float, float]:
-    """What the signs of the hand take before and behind a text, device px."""
+    """Return what the signs of the hand take before and behind a text, device px."""
     if signs is None:
         return 0.0, 0.0
     return (SWATCH + GAP) * letter, (MAGNET + GAP) * letter if signs.snap else 0.0
@@ -168,7 +169,8 @@ def _paint_hand(
 def place_label(
     point: QPointF, size: QSizeF, room: QRectF, unit: float, *, below: bool = False
 ) -> QRectF:
-    """Where the text of a point goes: right above it (or below it), or to its left or on the other
+    """Return where the text of a point goes: right above it (or below it), or to its left or on
+    the other
     side where that is cut off. It comes into sight if any of the point's mark does.
 
     Args:

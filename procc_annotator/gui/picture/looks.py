@@ -60,7 +60,7 @@ class LookControls(QWidget):
 
     @property
     def look(self) -> DisplayAdjustment:
-        """What the controls show."""
+        """Return what the controls show."""
         return self._look
 
     def set_look(self, look: DisplayAdjustment) -> None:

@@ -141,7 +141,8 @@ class Loupe(QWidget):
 
 
 def place_beside(cursor: QPointF, size: QSize, room: QSize) -> QPoint | None:
-    """Where a box stands next to the cursor: right and below if it fits, else on the other side.
+    """Return where a box stands next to the cursor: right and below if it fits, else on the
+    other side.
 
     Args:
         cursor: in the room, points.

@@ -47,12 +47,12 @@ class MetreMapLegend(Pinned):
 
     @property
     def title(self) -> str:
-        """What the map is of; empty while there is none."""
+        """Return what the map is of; empty while there is none."""
         return self._words.title if self._words is not None else ""
 
     @property
     def lines(self) -> tuple[str, ...]:
-        """What the lines say."""
+        """Return what the lines say."""
         return self._words.lines if self._words is not None else ()
 
     def show_for(self, look: MapStyle, words: MapWords | None, problem: str = "") -> None:
@@ -87,7 +87,7 @@ class MetreMapLegend(Pinned):
         self.put(QRect(QPoint(_EDGE, top), QSize(width, height)))
 
     def _problem_room(self, width: int) -> QRectF:
-        """What the wrapped remark takes."""
+        """Return what the wrapped remark takes."""
         room = QRectF(0, 0, width - 2 * _EDGE, 1000)
         return QFontMetricsF(self.font()).boundingRect(room, _WRAPPED, self.problem)
 

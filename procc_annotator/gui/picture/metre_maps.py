@@ -80,7 +80,7 @@ class MetreMaps(QObject):
 
 
 def _words(found: KnownGround | None) -> MapWords:
-    """What the legend says of the ground; the same room is taken while it is worked out."""
+    """Return what the legend says of the ground; the same room is taken while it is worked out."""
     title, unit = tr("How good the fitted camera is"), tr("metres on the ground, 1 sd")
     lines = []
     for line in UNCERTAINTY.lines:

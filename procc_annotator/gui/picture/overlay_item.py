@@ -56,14 +56,14 @@ class _Seen:
     room: QRectF  # device px
 
     def beside_points(self, groups: tuple[Labels, ...]) -> frozenset[Beside]:
-        """Where texts are that give way to others."""
+        """Return where texts are that give way to others."""
         scale, room = self.world.m11(), self.room
         at = scale, self.world.dx() + 0.5 * scale, self.world.dy() + 0.5 * scale
         box = room.left(), room.top(), room.right(), room.bottom()
         return _beside_points(anchored(groups), at, box, text_times())
 
     def areas_of(self, texts: frozenset[Beside]) -> list[QRectF]:
-        """What they cover, scene coordinates."""
+        """Return what they cover, scene coordinates."""
         point = 1.0 / self.world.m11()
         areas = []
         for (x, y), _, moved in texts:
@@ -158,14 +158,14 @@ class OverlayItem(QGraphicsItem):
                 self.update(area & self._area)
 
     def _given_way(self, before: tuple[Labels, ...], after: tuple[Labels, ...]) -> list[QRectF]:
-        """Where texts go that stay what they are, and come to, as others came or went."""
+        """Return where texts go that stay what they are, and come to, as others came or went."""
         seen = self._painted_at
         if seen is None or anchored(before) == anchored(after):
             return []
         return seen.areas_of(seen.beside_points(before) ^ seen.beside_points(after))
 
     def _room(self, viewport: QSize) -> QRectF:
-        """What can be seen of this item, in points of the viewport."""
+        """Return what can be seen of this item, in points of the viewport."""
         return self.side if self.side is not None else QRectF(QPointF(), QSizeF(viewport))
 
     def boundingRect(self) -> QRectF:
@@ -206,7 +206,7 @@ class OverlayItem(QGraphicsItem):
 
     @property
     def layers(self) -> tuple[Overlay, ...]:
-        """What is painted, first to last."""
+        """Return what is painted, first to last."""
         if self._layers is None:
             below, above = self.overlay, EMPTY_OVERLAY
             if self.wireframes.strokes:
@@ -224,7 +224,7 @@ def split_layers(overlay: Overlay) -> tuple[Overlay, Overlay]:
 
 
 def changed_areas(old: Overlay, new: Overlay, scale: float) -> list[QRectF]:
-    """What has to be painted again, in scene coordinates, place by place.
+    """Return what has to be painted again, in scene coordinates, place by place.
 
     Groups that are the very same are not examined.
     """
@@ -275,7 +275,7 @@ def _rows(group: Strokes | PointMarks | None) -> Positions:
 
 
 def _changed(was: Positions, now: Positions, same_look: bool, margin: float) -> QRectF:
-    """What some lines or points cover that are not painted as they were."""
+    """Return what some lines or points cover that are not painted as they were."""
     if same_look and len(was) == len(now):
         differs = (was != now).any(axis=1)
         was, now = was[differs], now[differs]
@@ -308,7 +308,7 @@ def _whole_area(overlay: Overlay, scale: float) -> QRectF:
 
 
 def _different_rows(was: Positions, now: Positions) -> tuple[Positions, Positions]:
-    """What is left of both when equal rows are taken off their beginnings and ends."""
+    """Return what is left of both when equal rows are taken off their beginnings and ends."""
     common = min(len(was), len(now))
     differs = (was[:common] != now[:common]).any(axis=1)
     head = int(np.argmax(differs)) if differs.any() else common
@@ -332,14 +332,14 @@ def _bounds(was: Positions, now: Positions, margin: float) -> QRectF:
 
 
 def _reach_of_label(place: Sequence[float], text: str, point: float) -> QRectF:
-    """Where a text may lie around its point, scene coordinates; ``point`` in picture px."""
+    """Return where a text may lie around its point, scene coordinates; ``point`` in picture px."""
     x, y = place
     reach, above, below = (points * point for points in _reach(text))
     return QRectF(x - reach, y - above, 2 * reach, above + below)
 
 
 def _reach(text: str) -> tuple[float, float, float]:
-    """How far a text may reach aside, above and below its point, points."""
+    """Return how far a text may reach aside, above and below its point, points."""
     times = text_times()
     letter = _LETTER if text.isascii() else _WIDE_LETTER
     return (len(text) * letter + _SIGNS) * times + 20, _ABOVE * times, _BELOW * times

@@ -37,7 +37,7 @@ class OverlayLayer:
     def overlay(
         self, judged: Judged, cursor_px: XY | None, colour_by: ColourBy, *, looking: bool = True
     ) -> Overlay:
-        """What to draw; the same object as long as nothing changed.
+        """Return what to draw; the same object as long as nothing changed.
 
         Args:
             judged: measurement and score of the source to draw.

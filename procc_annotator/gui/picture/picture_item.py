@@ -49,7 +49,7 @@ class PictureItem(QGraphicsItem):
 
     @property
     def is_empty(self) -> bool:
-        """Whether there is no picture to be painted."""
+        """Return whether there is no picture to be painted."""
         return self._pixels is None
 
     def boundingRect(self) -> QRectF:

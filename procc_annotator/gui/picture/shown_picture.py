@@ -30,7 +30,7 @@ class ShownPicture(QObject):
 
     @property
     def pixels(self) -> PixelArray | None:
-        """What to show; None without a picture."""
+        """Return what to show; None without a picture."""
         enhanced = self._enhanced.value
         return self._plain.value if enhanced is None else enhanced
 

@@ -30,7 +30,7 @@ class ScreenSnapper:
 
     @property
     def wanted(self) -> bool:
-        """Whether clicks are to snap, and there is a picture to look in."""
+        """Return whether clicks are to snap, and there is a picture to look in."""
         state = self._document.state
         return state.options.snapping and state.picture is not None
 
@@ -53,7 +53,8 @@ class ScreenSnapper:
         return self._found.get((class_name, position, direction)) if self._is_ready() else None
 
     def _is_ready(self) -> bool:
-        """Whether there is something to look in; what was found in another picture, or with another
+        """Return whether there is something to look in; what was found in another picture, or
+        with another
         camera, is forgotten."""
         document = self._document
         # No one waits for the whole picture who only looks: a press does (`Canvas`).

@@ -40,7 +40,7 @@ class NamePlate(Pinned):
 
     @property
     def text(self) -> str:
-        """What it says."""
+        """Return what it says."""
         return self._text
 
     def say(self, text: str, colour: str) -> None:
@@ -182,12 +182,12 @@ class SplitView(QObject):
 
     @property
     def x(self) -> float:
-        """Where the divider is in the viewport; it keeps its share of the width."""
+        """Return where the divider is in the viewport; it keeps its share of the width."""
         return round(self._share * self._viewport.width())
 
     @property
     def shown(self) -> bool:
-        """Whether the picture is divided."""
+        """Return whether the picture is divided."""
         return self._shown
 
     def move_to(self, x: float) -> None:

@@ -225,7 +225,7 @@ class PictureView(QGraphicsView):
 
     @property
     def panning(self) -> bool:
-        """Whether the mouse moves the picture now rather than the tool."""
+        """Return whether the mouse moves the picture now rather than the tool."""
         return self._pan_from is not None
 
     def _wants_pan(self, event: QMouseEvent) -> bool:
@@ -330,7 +330,7 @@ class PictureView(QGraphicsView):
         event.ignore()  # the scroll area would scroll with the arrows
 
     def tapped(self, event: QKeyEvent) -> bool:
-        """Whether a key that comes up is the space bar, which panned nothing meanwhile."""
+        """Return whether a key that comes up is the space bar, which panned nothing meanwhile."""
         space = event.key() == Qt.Key.Key_Space and not event.isAutoRepeat()
         return space and self._space_held and not self._panned
 

@@ -132,7 +132,7 @@ class PlotPage(QWidget, Generic[D]):
 
     @property
     def is_empty(self) -> bool:
-        """Whether there is nothing but words."""
+        """Return whether there is nothing but words."""
         return self._pages.currentWidget() is self.empty
 
     def say_empty(self, why: str) -> None:

@@ -217,7 +217,7 @@ def no_points(request: PlotRequest) -> str:
 
 
 def left_out(points: tuple[Points, ...]) -> str:
-    """What to say of points without a distance."""
+    """Return what to say of points without a distance."""
     count = sum(p.undefined for p in points)
     if not count:
         return ""

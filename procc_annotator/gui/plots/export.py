@@ -106,7 +106,7 @@ class PlotPicture:
 
 
 def picture_writer(picture: PlotPicture, path: Path) -> Callable[[], bytes]:
-    """What gives the bytes of a file of this name, SVG or PNG, from any thread.
+    """Return what gives the bytes of a file of this name, SVG or PNG, from any thread.
 
     Call this itself on the interface thread: only there plots can be painted.
     """

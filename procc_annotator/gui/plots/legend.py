@@ -28,7 +28,7 @@ class Legend(QWidget):
 
     @property
     def text(self) -> str:
-        """What it says."""
+        """Return what it says."""
         return ", ".join(_entry(source, more) for source, more in self._sources)
 
     def show_sources(self, sources: Sequence[tuple[PlottedSource, str]]) -> None:

@@ -227,7 +227,7 @@ class PlotsPanel(TakingAlong):
 
     @property
     def busy(self) -> bool:
-        """Whether numbers are being computed."""
+        """Return whether numbers are being computed."""
         return self._computing.running
 
     def _turn_page(self) -> None:
@@ -292,7 +292,7 @@ class PlotsPanel(TakingAlong):
         return self._sources.request(scope, None if row == _ALL_CLASSES else row)
 
     def _key(self, page: PlotPage[Any], request: PlotRequest) -> tuple[object, ...]:
-        """What the drawing depends on; marks are moved without it."""
+        """Return what the drawing depends on; marks are moved without it."""
         frame = request.current if request.scope == "frame" else None
         return (
             type(page),
@@ -350,7 +350,7 @@ class PlotsPanel(TakingAlong):
         self.more.setEnabled(not page.is_empty)
 
     def _count(self, source: Any, request: PlotRequest) -> str:
-        """How much a source's part of the plot rests on."""
+        """Return how much a source's part of the plot rests on."""
         if request.scope == "frame":
             name = request.frames[request.current] if request.current >= 0 else ""
             if request.blind:

@@ -93,7 +93,7 @@ class PlotRequest:
         )
 
     def audits(self, source: PlottedSource) -> list[FrameAudit]:
-        """What the scope holds of a source, in the order of the frames."""
+        """Return what the scope holds of a source, in the order of the frames."""
         if self.scope == "frame":
             name = self.frames[self.current] if self.current >= 0 else ""
             found = source.audits.get(name)

@@ -44,7 +44,8 @@ class PlotSources:
         return self.frame_version + self.set_version if scope == "frame" else self.set_version
 
     def request(self, scope: Scope, class_row: int | None) -> tuple[PlotRequest, Restrict]:
-        """What to plot, and what takes out of it, in any thread, the frames that blind mode hides.
+        """Return what to plot, and what takes out of it, in any thread, the frames that blind
+        mode hides.
 
         The plots of one frame need nothing taken out any more.
         """

@@ -77,7 +77,7 @@ class TakingAlong(QWidget):
 
     @property
     def _unfinished(self) -> bool:
-        """Whether the plot is not of all frames yet."""
+        """Return whether the plot is not of all frames yet."""
         request = self._request
         of_set = request is not None and request.scope == "set"
         return of_set and self._document.set_scores.running

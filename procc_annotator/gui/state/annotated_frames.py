@@ -77,7 +77,7 @@ class AnnotatedIndices(QObject):
 
 
 def is_annotated(workspace: Workspace, index: int) -> bool:
-    """Whether a frame has an annotation, even one that cannot be read."""
+    """Return whether a frame has an annotation, even one that cannot be read."""
     try:
         return workspace.annotated_count(index) > 0
     except InputError:

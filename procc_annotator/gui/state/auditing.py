@@ -71,7 +71,7 @@ class Auditing(QObject):
 
     @property
     def waiting(self) -> bool:
-        """Whether something of the frame on screen is not judged anew yet."""
+        """Return whether something of the frame on screen is not judged anew yet."""
         return self._soon.isActive()
 
     def settle(self) -> None:

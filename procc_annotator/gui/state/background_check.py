@@ -43,7 +43,7 @@ class BackgroundCheck(QObject):
 
     @property
     def running(self) -> bool:
-        """Whether frames are being checked."""
+        """Return whether frames are being checked."""
         return self._work.running
 
     def start(

@@ -43,7 +43,8 @@ class BlindLock(QObject):
 
     @property
     def reason(self) -> str:
-        """Who locked the dataset and when, in words; empty when no one did. It may begin with a
+        """Return who locked the dataset and when, in words; empty when no one did. It may begin
+        with a
         name, which is written as its owner writes it."""
         return self._said(lock) if (lock := self.lock) is not None else ""
 
@@ -55,7 +56,7 @@ class BlindLock(QObject):
         return tr("{reason}: there is no live fit in it", reason=reason)
 
     def of_dataset(self) -> dict[str, object]:
-        """What the state is to hold of the dataset whose database is the review's by now."""
+        """Return what the state is to hold of the dataset whose database is the review's by now."""
         return {**self._of_lock(), "committed": self._review.committed_frames()}
 
     def set_blind(self, blind: bool) -> None:

@@ -43,7 +43,7 @@ class CameraSource:
 
     @property
     def name(self) -> str:
-        """What the user calls it."""
+        """Return what the user calls it."""
         return self.camera_set.name
 
     @property
@@ -62,7 +62,7 @@ class CameraSource:
 
     @property
     def look(self) -> SourceLook:
-        """How it is shown now, as a value."""
+        """Return how it is shown now, as a value."""
         return SourceLook(self, self.camera_set, self.name, self.colour, self.visible)
 
     def forget(self, frames: Iterable[str]) -> None:
@@ -118,7 +118,8 @@ class CameraSource:
         return tuple(model for model, count in self._models.most_common() if count)
 
     def matched(self, frames: Iterable[str]) -> int:
-        """How many of these frames have a camera that can be used, as far as it was tried."""
+        """Return how many of these frames have a camera that can be used, as far as it was
+        tried."""
         there, problems = self.camera_set.frames, self.problems
         return sum(frame in there and frame not in problems for frame in frames)
 
@@ -152,7 +153,7 @@ def free_name(wanted: str, sources: Sequence[CameraSource]) -> str:
 
 
 def same_files(some: CameraSet | None, other: CameraSet) -> bool:
-    """Whether two sets are the same files read the same way."""
+    """Return whether two sets are the same files read the same way."""
     if some is None:
         return False
     places = (os.path.abspath(cameras.path) for cameras in (some, other))
@@ -160,7 +161,7 @@ def same_files(some: CameraSet | None, other: CameraSet) -> bool:
 
 
 def where_else(path: Path) -> str:
-    """What to do about a folder without cameras."""
+    """Return what to do about a folder without cameras."""
     try:
         inner = sorted(p.name for p in path.iterdir() if p.is_dir() and not p.name.startswith("."))
     except OSError:  # a single file or an archive

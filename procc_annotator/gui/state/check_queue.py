@@ -42,7 +42,7 @@ class CheckQueue(QObject):
 
     @property
     def running(self) -> bool:
-        """Whether the set is being checked."""
+        """Return whether the set is being checked."""
         return self._set_run.running
 
     def check_set(self) -> None:

@@ -44,13 +44,13 @@ class Corrections(QObject):
 
     @property
     def rules(self) -> bool:
-        """Whether nothing was annotated here since the camera was corrected."""
+        """Return whether nothing was annotated here since the camera was corrected."""
         found = self.here
         return found is not None and found.annotation == self._store.state.annotation
 
     @property
     def looking(self) -> bool:
-        """Whether the lines of the camera on screen are being looked for."""
+        """Return whether the lines of the camera on screen are being looked for."""
         return self._look.working
 
     def put(self, correction: CameraCorrection | None) -> None:

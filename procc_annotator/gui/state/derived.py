@@ -128,27 +128,27 @@ class Derived(QObject, Generic[T]):
 
     @property
     def working(self) -> bool:
-        """Whether the value is still to come."""
+        """Return whether the value is still to come."""
         now = self._now()
         return isinstance(now, tuple) and self._answer(now) is None
 
     def known(self, *inputs: object) -> T | None:
-        """What was found of some inputs, if that is kept."""
+        """Return what was found of some inputs, if that is kept."""
         answer = self._known(inputs)
         return None if answer is None else answer.value
 
     def answered(self, *inputs: object) -> bool:
-        """Whether some inputs were worked out, whether to nothing, and that is kept."""
+        """Return whether some inputs were worked out, whether to nothing, and that is kept."""
         return self._known(inputs) is not None
 
     @property
     def latest(self) -> T | None:
-        """What was found, or asked for and known, last; of whatever inputs."""
+        """Return what was found, or asked for and known, last; of whatever inputs."""
         return self._answers[0].value if self._answers else None
 
     @property
     def wanted(self) -> bool:
-        """Whether a person wants it; nothing is worked out otherwise."""
+        """Return whether a person wants it; nothing is worked out otherwise."""
         return self._wanted
 
     def set_wanted(self, wanted: bool) -> None:

@@ -36,7 +36,7 @@ class Compared:
 
     @property
     def same(self) -> bool:
-        """Whether both mean the same point by every pixel."""
+        """Return whether both mean the same point by every pixel."""
         largest = self.values.statistics.metres.maximum
         return largest is not None and largest < _SAME_M
 

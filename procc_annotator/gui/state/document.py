@@ -168,7 +168,7 @@ class Document(QObject):
 
     @property
     def camera_notice(self) -> str:
-        """What to know about the frame's camera (scaled from another size, missing)."""
+        """Return what to know about the frame's camera (scaled from another size, missing)."""
         return self.judge.shown.notice
 
     @property

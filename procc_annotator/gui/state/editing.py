@@ -161,7 +161,8 @@ class Editing(QObject):
 
     @property
     def steps(self) -> tuple[str | None, str | None]:
-        """What undo would take back of this frame and what redo would do again; None: nothing."""
+        """Return what undo would take back of this frame and what redo would do again; None:
+        nothing."""
         state = self._store.state
         if state.workspace is None or state.frame is None:
             return None, None
@@ -299,7 +300,7 @@ class Editing(QObject):
             say(self._store, "; ".join(filter(None, (done, said))))
 
     def _would_take_away(self, workspace: Workspace) -> bool:
-        """Whether undo would take away what another person saved, and was not reported so
+        """Return whether undo would take away what another person saved, and was not reported so
         before: it
         is their work, and who presses the key means a step of their own."""
         history = workspace.state(self._store.state.frame_index).history
@@ -332,7 +333,7 @@ class Editing(QObject):
             self._auditing.frame_edited()
 
     def _acquire(self) -> bool:
-        """Whether the frame is this window's: anyone who had it may have left it by now."""
+        """Return whether the frame is this window's: anyone who had it may have left it by now."""
         owned = self.presence.acquire()
         self._store.set(holder=self.presence.holder)
         return owned
@@ -354,7 +355,7 @@ class Editing(QObject):
 
 
 def held(workspace: Workspace, index: int) -> dict[str, object]:
-    """What the state is to hold of a frame's file and history."""
+    """Return what the state is to hold of a frame's file and history."""
     found = workspace.state(index)
     return {
         "annotation": found.history.current,

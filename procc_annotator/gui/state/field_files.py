@@ -15,7 +15,8 @@ from procc_annotator.field.model import Field
 def mismatch_among(
     classes: frozenset[str], field: Field, own_files: Sequence[Path]
 ) -> Mismatch | None:
-    """What is to say of classes on a field, where it does not know all of them; reads the files."""
+    """Return what is to say of classes on a field, where it does not know all of them; reads the
+    files."""
     if not any(not field.knows(name) for name in classes):
         return None
     more = []

@@ -62,7 +62,7 @@ class FitSource(QObject):
 
     @property
     def listed(self) -> bool:
-        """Whether the fit is among the sources."""
+        """Return whether the fit is among the sources."""
         return self.source in self._store.state.sources
 
     def look(self) -> None:
@@ -106,7 +106,7 @@ class FitSource(QObject):
             self._sources.show_source_again(self.source)
 
     def _outlived(self, frame: str, known: FittedFrame | None) -> bool:
-        """Whether what is known of a frame must not be shown any more."""
+        """Return whether what is known of a frame must not be shown any more."""
         if known is None or known.annotation is self._store.state.annotation:
             return False
         came = self._frame != frame  # others may have edited it meanwhile

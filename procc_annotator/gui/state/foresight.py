@@ -63,17 +63,17 @@ class Foresight(QObject):
 
     @property
     def allowed(self) -> bool:
-        """Whether it may be shown: blind mode is for clicks that nothing has influenced."""
+        """Return whether it may be shown: blind mode is for clicks that nothing has influenced."""
         return self._live_fit.allowed
 
     @property
     def wanted(self) -> bool:
-        """Whether there is a camera to go by, or a person wants one."""
+        """Return whether there is a camera to go by, or a person wants one."""
         return self._live_fit.wanted or self.found is not None
 
     @property
     def working(self) -> bool:
-        """Whether more may be known in a moment."""
+        """Return whether more may be known in a moment."""
         return self._live_fit.working or self._stand_in.working
 
     @property
@@ -90,7 +90,7 @@ class Foresight(QObject):
 
     @property
     def insight(self) -> FrameAnalysis | None:
-        """What the camera says; None while that is worked out, or to be hidden."""
+        """Return what the camera says; None while that is worked out, or to be hidden."""
         stand_in = self._stand_in.value
         if stand_in is not None and stand_in.fit.camera is not None:
             return stand_in
@@ -108,7 +108,7 @@ class Foresight(QObject):
 
     @property
     def stands_in(self) -> bool:
-        """Whether what is shown follows from a camera that was found without clicks."""
+        """Return whether what is shown follows from a camera that was found without clicks."""
         insight = self.insight
         return insight is not None and not insight.from_clicks
 

@@ -97,7 +97,7 @@ class FrameWalk(QObject):
 
     @property
     def coming(self) -> bool:
-        """Whether a frame is still to be come to."""
+        """Return whether a frame is still to be come to."""
         return self._bringing.running
 
     def _come(self, index: int) -> None:
@@ -139,7 +139,7 @@ class FrameWalk(QObject):
         self._auditing.settle()
 
     def arrival(self, workspace: Workspace, index: int) -> dict[str, object]:
-        """What the state is to hold of a frame that is come to; -1 for none."""
+        """Return what the state is to hold of a frame that is come to; -1 for none."""
         frame = workspace.frames[index] if index >= 0 else None
         name = frame.name if frame is not None else None
         self._whole.cancel()
@@ -220,7 +220,7 @@ class FrameWalk(QObject):
 
 
 def _is_unannotated(workspace: Workspace, index: int) -> bool:
-    """Whether a frame has no annotation yet; an unreadable one has."""
+    """Return whether a frame has no annotation yet; an unreadable one has."""
     try:
         return not workspace.annotated_count(index)
     except InputError:

@@ -75,7 +75,7 @@ class Ghosts(QObject):
 
     @property
     def wanted(self) -> bool:
-        """Whether a person wants to see ghosts."""
+        """Return whether a person wants to see ghosts."""
         return self._wanted
 
     def set_wanted(self, wanted: bool) -> None:
@@ -86,7 +86,7 @@ class Ghosts(QObject):
 
     @property
     def insight(self) -> FrameAnalysis | None:
-        """What the ghosts follow from; None where none may be shown."""
+        """Return what the ghosts follow from; None where none may be shown."""
         return self._foresight.insight if self._wanted else None
 
     @property
@@ -98,7 +98,8 @@ class Ghosts(QObject):
 
     @property
     def painted(self) -> tuple[Ghost, ...]:
-        """What to show: while new ghosts are worked out, those of before that are still missing,
+        """Return what to show: while new ghosts are worked out, those of before that are still
+        missing,
         so that they do not flicker with every click."""
         return self._painted
 
@@ -126,7 +127,7 @@ class Ghosts(QObject):
 
     @property
     def suggesting(self) -> bool:
-        """Whether suggestions of what to annotate next are wanted, and may be."""
+        """Return whether suggestions of what to annotate next are wanted, and may be."""
         return self._suggesting and self._foresight.wanted and self._foresight.allowed
 
     def set_suggesting(self, suggesting: bool) -> None:
@@ -144,7 +145,7 @@ class Ghosts(QObject):
 
     @property
     def suggested_at(self) -> tuple[float, float] | None:
-        """Where in the picture the element to draw next is expected, px."""
+        """Return where in the picture the element to draw next is expected, px."""
         found, latest = self._suggestion, self._latest
         if found is None or latest is None or latest.fit.camera is None:
             return None
@@ -169,7 +170,8 @@ class Ghosts(QObject):
 
     @property
     def gains(self) -> Mapping[str, float]:
-        """What annotating the classes that are missing would bring, px; empty where none of it is
+        """Return what annotating the classes that are missing would bring, px; empty where none
+        of it is
         worth a word, or no one wants to hear of it."""
         if not self.suggesting or self._latest is None:
             return {}
@@ -190,7 +192,8 @@ class Ghosts(QObject):
 
     @property
     def walking(self) -> bool:
-        """Whether a walk through the ghosts is under way; it goes on while a fit is worked out."""
+        """Return whether a walk through the ghosts is under way; it goes on while a fit is
+        worked out."""
         return self._walking
 
     @property
@@ -227,7 +230,7 @@ class Ghosts(QObject):
 
     @property
     def resumes(self) -> bool:
-        """Whether the next step goes on behind the place where a walk was left."""
+        """Return whether the next step goes on behind the place where a walk was left."""
         return self._at is not None and bool(self._beyond(self.painted, 1))
 
     def go_to(self, name: str) -> None:
@@ -254,7 +257,7 @@ class Ghosts(QObject):
         return None if asked is None else self._points.known(*asked)
 
     def _search_for(self, ghost: Ghost | None) -> Inputs | None:
-        """What the points of a ghost follow from."""
+        """Return what the points of a ghost follow from."""
         state = self._store.state
         if ghost is None or state.picture is None:
             return None
@@ -316,7 +319,7 @@ class Ghosts(QObject):
 
     @property
     def _may_come(self) -> bool:
-        """Whether ghosts are being worked out."""
+        """Return whether ghosts are being worked out."""
         foresight = self._foresight
         return foresight.allowed and foresight.wanted and foresight.working
 

@@ -49,7 +49,7 @@ class KnownChecks:
         return tuple(found for found in kept.found if found.key not in ignored)
 
     def ignored_here(self) -> int:
-        """How many findings of the frame on screen are ignored."""
+        """Return how many findings of the frame on screen are ignored."""
         name = self._store.state.frame_name
         kept = self.check_of(name) if name is not None else None
         if name is None or kept is None:
@@ -58,20 +58,20 @@ class KnownChecks:
         return sum(found.key in ignored for found in kept.found)
 
     def is_known(self, frame: str) -> bool:
-        """Whether a frame was checked as it is, by every rule that may be shown."""
+        """Return whether a frame was checked as it is, by every rule that may be shown."""
         kept = self.check_of(frame)
         if kept is None or not kept.content:
             return False
         return kept.fitted or not self._store.state.reveals(frame)
 
     def severities_of(self, frame: str) -> frozenset[Severity] | None:
-        """How sure the findings of a frame are; None if it was not checked."""
+        """Return how sure the findings of a frame are; None if it was not checked."""
         if not self.is_known(frame):
             return None
         return frozenset(found.finding.severity for found in self.of(frame))
 
     def worst(self, frame: str) -> Severity | None:
-        """How sure the surest finding of a frame is; None for none."""
+        """Return how sure the surest finding of a frame is; None for none."""
         return worst_severity(self.of(frame))
 
     def in_set(self) -> tuple[tuple[str, StoredFinding], ...]:
@@ -85,7 +85,7 @@ class KnownChecks:
 
     @property
     def count(self) -> int:
-        """How many frames were checked."""
+        """Return how many frames were checked."""
         return sum(self.is_known(name) for name in self._frames)
 
     # --- taking down --------------------------------------------------------------------------

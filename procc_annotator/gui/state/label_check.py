@@ -123,7 +123,7 @@ class LabelCheck(QObject):
 
     @property
     def working(self) -> bool:
-        """Whether the frame on screen is still examined, as it is now: more may be found."""
+        """Return whether the frame on screen is still examined, as it is now: more may be found."""
         if self._store.state.frame_name is None:
             return False
         return (self.fit_shown and self._live_fit.working) or self._without_fit.working
@@ -133,7 +133,7 @@ class LabelCheck(QObject):
 
     @property
     def fit_shown(self) -> bool:
-        """Whether findings that hang on a camera are looked for in the frame on screen."""
+        """Return whether findings that hang on a camera are looked for in the frame on screen."""
         return self._live_fit.wanted and self._live_fit.allowed
 
     # --- the current finding ----------------------------------------------------------------
@@ -192,7 +192,7 @@ class LabelCheck(QObject):
         self._announce()
 
     def _waits_for_paint(self, name: str) -> bool:
-        """Whether what an edit does to the paint under it is known in a moment: signs of the
+        """Return whether what an edit does to the paint under it is known in a moment: signs of the
         picture are not to go and come with every click."""
         kept = self.known.get(name)
         return kept is not None and kept.with_paint and self._paint.working
@@ -294,7 +294,7 @@ class LabelCheck(QObject):
 
     @property
     def running(self) -> bool:
-        """Whether the set is being checked."""
+        """Return whether the set is being checked."""
         return self._queue.running
 
     def check_set(self) -> None:
@@ -337,7 +337,7 @@ class LabelCheck(QObject):
         self._announce()
 
     def _is_newest(self, name: str, checked: FrameCheck) -> bool:
-        """Whether a check is of what a frame holds now, as far as this window knows."""
+        """Return whether a check is of what a frame holds now, as far as this window knows."""
         workspace = self._store.state.workspace
         index = workspace.index.get(name) if workspace is not None else None
         if workspace is None or index is None:

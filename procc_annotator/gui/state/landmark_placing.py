@@ -32,7 +32,7 @@ class PlacedLandmarks(Protocol):
 
     @property
     def file(self) -> LandmarkFile:
-        """What the dataset has."""
+        """Return what the dataset has."""
 
     @property
     def groups(self) -> ViewGroups:

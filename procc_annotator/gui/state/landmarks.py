@@ -283,7 +283,8 @@ class Landmarks(QObject):
 
     @property
     def ellipses(self) -> tuple[ShownEllipse, ...]:
-        """How surely the frame on screen shows the landmarks; the same object as long as nothing
+        """Return how surely the frame on screen shows the landmarks; the same object as long as
+        nothing
         changed."""
         return self._ellipses.value or ()
 

@@ -99,18 +99,20 @@ class LiveFit(Derived[Fitted]):
 
     @property
     def wanted(self) -> bool:
-        """Whether the fit is on: a person wants one, and the dataset is not locked to blind
+        """Return whether the fit is on: a person wants one, and the dataset is not locked to blind
         mode, where nothing that follows from the clicks may come to guide them."""
         return self.chosen and self._blind_lock.lock is None
 
     @property
     def allowed(self) -> bool:
-        """Whether the fit may be shown: blind mode is for clicks that nothing has influenced."""
+        """Return whether the fit may be shown: blind mode is for clicks that nothing has
+        influenced."""
         return self._store.state.projection_visible
 
     @property
     def insight(self) -> FrameAnalysis | None:
-        """What the annotation on screen says; None while that is worked out, or to be hidden."""
+        """Return what the annotation on screen says; None while that is worked out, or to be
+        hidden."""
         return found.insight if (found := self.value) is not None else None
 
     @property
@@ -120,7 +122,8 @@ class LiveFit(Derived[Fitted]):
 
     @property
     def shown(self) -> SourceFrame | None:
-        """What the fit shows of the frame on screen, where that is known under today's terms."""
+        """Return what the fit shows of the frame on screen, where that is known under today's
+        terms."""
         found = self.value
         same_terms = found is not None and found.setup == self._store.state.setup
         return found.shown if found is not None and same_terms else None

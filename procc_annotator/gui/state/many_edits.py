@@ -68,7 +68,7 @@ class ManyEdits(QObject):
 
     @property
     def running(self) -> bool:
-        """Whether frames are still to be edited or written."""
+        """Return whether frames are still to be edited or written."""
         return self._outcome is not None
 
     def start(self, indices: Sequence[int], edit: EditFrame) -> None:

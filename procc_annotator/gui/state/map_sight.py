@@ -45,7 +45,7 @@ class MapSight(QObject):
 
     @property
     def wanted(self) -> bool:
-        """Whether the map follows the camera."""
+        """Return whether the map follows the camera."""
         return self._wanted
 
     def set_wanted(self, wanted: bool) -> None:
@@ -56,7 +56,8 @@ class MapSight(QObject):
 
     @property
     def shown(self) -> VisibleField | None:
-        """What is in sight in the frame on screen; None where no camera is known, or may be."""
+        """Return what is in sight in the frame on screen; None where no camera is known, or may
+        be."""
         return self._sight if self._allowed else None
 
     @property

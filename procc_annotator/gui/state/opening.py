@@ -65,7 +65,8 @@ class Opening(QObject):
         return True
 
     def reopener(self) -> Callable[[], Workspace]:
-        """What opens the dataset as it is on disk, in a thread of its own: this dataset with this
+        """Return what opens the dataset as it is on disk, in a thread of its own: this dataset
+        with this
         field, whatever is shown by then. It raises `ProccError` if that cannot be opened any more.
 
         Raises:

@@ -73,7 +73,7 @@ class Presence(QObject):
 
     @property
     def owned(self) -> bool:
-        """Whether this window has taken the frame on screen."""
+        """Return whether this window has taken the frame on screen."""
         return self._owned
 
     def still_owned(self) -> bool:

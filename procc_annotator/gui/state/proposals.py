@@ -64,7 +64,7 @@ class Proposals(QObject):
 
     @property
     def wanted(self) -> bool:
-        """Whether a person wants cameras to be proposed."""
+        """Return whether a person wants cameras to be proposed."""
         return self._wanted
 
     def set_wanted(self, wanted: bool) -> None:
@@ -76,7 +76,8 @@ class Proposals(QObject):
 
     @property
     def allowed(self) -> bool:
-        """Whether a camera may be shown of the frame on screen before anything is clicked."""
+        """Return whether a camera may be shown of the frame on screen before anything is
+        clicked."""
         return self.allowed_in(self._store.state.frame_name)
 
     def allowed_in(self, frame: str | None) -> bool:
@@ -85,7 +86,8 @@ class Proposals(QObject):
 
     @property
     def here(self) -> Proposal | None:
-        """What was found in the frame on screen; None while it is looked for, and where it is
+        """Return what was found in the frame on screen; None while it is looked for, and where
+        it is
         not."""
         if not (self._wanted and self.allowed):
             return None
@@ -94,7 +96,7 @@ class Proposals(QObject):
 
     @property
     def working(self) -> bool:
-        """Whether the frame on screen is examined, or about to be."""
+        """Return whether the frame on screen is examined, or about to be."""
         state = self._store.state
         return self._is_asked(state.frame_index) and not self._derived.answered(
             state.frame, state.field
@@ -126,7 +128,7 @@ class Proposals(QObject):
         yield from (i for i in (here, *(here + step for step in _NEIGHBOURS)) if 0 <= i < count)
 
     def _is_asked(self, index: int) -> bool:
-        """Whether a camera should be proposed for a frame: no one annotated it."""
+        """Return whether a camera should be proposed for a frame: no one annotated it."""
         state = self._store.state
         workspace = state.workspace
         if workspace is None or index < 0 or not self._wanted or self._blind_lock.lock is not None:

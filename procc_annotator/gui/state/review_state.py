@@ -98,7 +98,7 @@ class ReviewState(QObject):
     # --- status -------------------------------------------------------------------------------
 
     def record(self, frame: str) -> FrameRecord:
-        """What is known about a frame."""
+        """Return what is known about a frame."""
         return self.database.record(frame) if self.database is not None else _NO_RECORD
 
     def status(self, frame: str) -> Status:
@@ -186,7 +186,8 @@ class ReviewState(QObject):
     # --- verdicts -----------------------------------------------------------------------------
 
     def verdict(self, frame: str, source: str, place: str) -> Verdict | None:
-        """Whose fault a frame's score is under the camera source at a place, if a person said so;
+        """Return whose fault a frame's score is under the camera source at a place, if a person
+        said so;
         what an older database says of its name holds unless something else was said."""
         if self.database is None:
             return None
@@ -194,7 +195,7 @@ class ReviewState(QObject):
         return found.get(place) or found.get(place_by_name(source))
 
     def all_verdicts(self) -> Mapping[str, Mapping[str, Verdict]]:
-        """What was found of every frame, by frame and the camera source's place."""
+        """Return what was found of every frame, by frame and the camera source's place."""
         return self.database.all_verdicts() if self.database is not None else {}
 
     def set_verdict(
@@ -233,7 +234,7 @@ class ReviewState(QObject):
         return tr("for you alone: the dataset's folder cannot be written")
 
     def setting(self, key: str) -> str | None:
-        """What the dataset was given under a key; None when nothing is."""
+        """Return what the dataset was given under a key; None when nothing is."""
         return self.database.setting(key) if self.database is not None else None
 
     def set_setting(self, key: str, value: str | None) -> None:
@@ -245,7 +246,7 @@ class ReviewState(QObject):
     # --- provenance ---------------------------------------------------------------------------
 
     def origins(self, frame: str) -> Mapping[PointKey, Origin]:
-        """How the points of a frame came to be, as far as known."""
+        """Return how the points of a frame came to be, as far as known."""
         if self.database is None:
             return {}
         found = self._origins.get(frame)
@@ -290,7 +291,7 @@ class ReviewState(QObject):
                 self.originsChanged.emit()
 
     def origin_counts(self, frame: str, annotation: FrameAnnotation) -> dict[OriginKind, int]:
-        """How many points of an annotation are of each kind."""
+        """Return how many points of an annotation are of each kind."""
         return count_points_by_origin(annotation, self.origins(frame))
 
     # --- time ---------------------------------------------------------------------------------

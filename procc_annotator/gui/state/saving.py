@@ -78,7 +78,8 @@ class Saver(QObject):
 
     @property
     def under_way(self) -> bool:
-        """Whether something is being written, or about to be: until it is kept nothing says that it
+        """Return whether something is being written, or about to be: until it is kept nothing
+        says that it
         is saved."""
         return self._writing is not None or bool(self._again)
 
@@ -170,7 +171,7 @@ class Saver(QObject):
         self.reloaded.emit(index)
 
     def _has_changes(self, index: int) -> bool:
-        """Whether a frame is to be written; if not, whatever failed before is over."""
+        """Return whether a frame is to be written; if not, whatever failed before is over."""
         if self._workspace is None or self._workspace.state(index).dirty:
             return self._workspace is not None
         # Undone until it is what was saved last; a person may have changed the file since.

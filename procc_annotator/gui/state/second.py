@@ -53,7 +53,7 @@ class SecondAnnotator(QObject):
 
     @property
     def is_open(self) -> bool:
-        """Whether a second folder is open."""
+        """Return whether a second folder is open."""
         return self._source is not None
 
     def open(self, path: Path) -> None:
@@ -134,7 +134,7 @@ class SecondAnnotator(QObject):
     def agreement(
         self, annotation: FrameAnnotation, size: tuple[int, int]
     ) -> FrameAgreement | None:
-        """How both agree in this frame, in px of a size; None where the other has none."""
+        """Return how both agree in this frame, in px of a size; None where the other has none."""
         if self.annotation is None:
             return None
         return compare_annotations(annotation, self.annotation, self._store.state.field, size)

@@ -94,7 +94,8 @@ def without_points(selection: ChosenElement) -> ChosenElement:
 def that_survives(
     selection: ChosenElement, before: FrameAnnotation, after: FrameAnnotation, *, stepped: bool
 ) -> ChosenElement:
-    """What stays chosen when an annotation becomes another one; an element whose points changed is
+    """Return what stays chosen when an annotation becomes another one; an element whose points
+    changed is
     not continued by clicks.
 
     Args:

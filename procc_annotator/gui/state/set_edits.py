@@ -28,7 +28,7 @@ class LeftAlone(StrEnum):
 def why_left_alone(
     before: FrameAnnotation, incoming: FrameAnnotation, *, replacing: bool
 ) -> LeftAlone | None:
-    """Whether there is anything to import into a frame that holds ``before``."""
+    """Return whether there is anything to import into a frame that holds ``before``."""
     if before.same_content(incoming):
         return LeftAlone.SAME
     return LeftAlone.ANNOTATED if before.annotated and not replacing else None
@@ -118,7 +118,7 @@ def _put_elsewhere(
 
 
 def imported(incoming: FrameAnnotation, *, replacing: bool) -> Change:
-    """What an import makes of a frame.
+    """Return what an import makes of a frame.
 
     Unconfirmed elements of other classes stay, and so do further entries of the file.
 
@@ -134,7 +134,8 @@ def imported(incoming: FrameAnnotation, *, replacing: bool) -> Change:
 
 
 def merged(before: FrameAnnotation, incoming: FrameAnnotation) -> FrameAnnotation:
-    """What a frame holds after an import: the elements that came, and what has no other place."""
+    """Return what a frame holds after an import: the elements that came, and what has no other
+    place."""
     classes = {p.class_name for p in incoming.polylines}
     return replace(
         incoming,

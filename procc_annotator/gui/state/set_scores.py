@@ -93,7 +93,7 @@ class SetScores(QObject):
 
     @property
     def running(self) -> bool:
-        """Whether the set is being audited."""
+        """Return whether the set is being audited."""
         return self._set_work.running
 
     def cancel(self) -> None:

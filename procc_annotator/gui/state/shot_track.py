@@ -47,7 +47,7 @@ class ShotTrack(QObject):
 
     @property
     def here(self) -> TrackedFrame | None:
-        """What is known of the frame on screen."""
+        """Return what is known of the frame on screen."""
         sequence, index = self._sequence.value, self._store.state.frame_index
         if sequence is None or not 0 <= index < len(sequence.numbers):
             return None
@@ -167,6 +167,6 @@ class ShotTrack(QObject):
 
 
 def _own_elements(field: Field) -> tuple[Element, ...]:
-    """What of a field is painted, whatever landmarks its dataset has."""
+    """Return what of a field is painted, whatever landmarks its dataset has."""
     landmarks = {mark.name for mark in field.landmarks}
     return tuple(element for element in field.elements if element.name not in landmarks)

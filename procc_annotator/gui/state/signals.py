@@ -116,14 +116,15 @@ def _differs(old: State, new: State, select: Callable[[State], object]) -> bool:
 
 
 def _judged(state: State) -> object:
-    """What the score of the frame on screen is of, but for a gesture under way."""
+    """Return what the score of the frame on screen is of, but for a gesture under way."""
     terms = state.setup, state.tau, state.noise_floor, state.projection_visible
     frame = state.annotation, state.counts, state.damage
     return frame, terms, state.active, state.cameras_of(state.active)
 
 
 def _sources(state: State) -> object:
-    """How the sources are listed and drawn. Cameras fitted to the clicks come and go with these."""
+    """Return how the sources are listed and drawn. Cameras fitted to the clicks come and go with
+    these."""
     looks = tuple(
         (k.source, k.name, k.colour, k.visible, k.cameras if k.source.files is not None else None)
         for k in state.looks

@@ -89,20 +89,20 @@ class SourceFrames(QObject):
         self._next.changed.connect(self._take)
 
     def of(self, source: CameraSource | None) -> SourceFrame | None:
-        """What a source shows of the frame on screen; None while that is not known."""
+        """Return what a source shows of the frame on screen; None while that is not known."""
         if source is None or self._frame is None:
             return None
         return self.peek(source.camera_set, self._frame)
 
     def peek(self, camera_set: FrameCameras, frame: str) -> SourceFrame | None:
-        """What is known of a frame already."""
+        """Return what is known of a frame already."""
         found = self._known.get((camera_set, frame))
         if found is not None:
             self._known.move_to_end((camera_set, frame))
         return found
 
     def look_up(self, camera_set: FrameCameras, frame: str, setup: EvaluationSetup) -> SourceFrame:
-        """What a source shows of a frame, read now if it is not known."""
+        """Return what a source shows of a frame, read now if it is not known."""
         self.set_setup(setup)
         found = self.peek(camera_set, frame)
         if found is None:
@@ -162,6 +162,6 @@ class SourceFrames(QObject):
             self.changed.emit()
 
     def _is_complete(self) -> bool:
-        """Whether all is known of the frame on screen."""
+        """Return whether all is known of the frame on screen."""
         key = self._missing()
         return key is None or key[1] != self._frame

@@ -61,7 +61,8 @@ class Sources(QObject):
         return True
 
     def _only_below(self, cameras: CameraSet) -> bool:
-        """Whether all cameras lie in folders of it, and none by the place of a frame: sets of
+        """Return whether all cameras lie in folders of it, and none by the place of a frame:
+        sets of
         their own."""
         return self._none_matches(cameras) and all("/" in name for name in cameras.frames)
 
@@ -71,7 +72,7 @@ class Sources(QObject):
         return bool(frames) and not any(frame.name in cameras.frames for frame in frames)
 
     def _no_match(self, cameras: CameraSet) -> Iterator[str]:
-        """What to say of cameras that belong to no frame of the dataset."""
+        """Return what to say of cameras that belong to no frame of the dataset."""
         workspace = self._store.state.workspace
         if workspace is not None and self._none_matches(cameras):
             frames = workspace.frames

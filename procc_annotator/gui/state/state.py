@@ -192,7 +192,7 @@ class State:
 
     @property
     def editable(self) -> bool:
-        """Whether there is a frame that can be edited."""
+        """Return whether there is a frame that can be edited."""
         return self.frame is not None and not self.why_not_editable
 
     @property
@@ -210,12 +210,12 @@ class State:
     # --- blind mode: the one gate that everything about a camera passes -----------------------
 
     def reveals(self, frame: str | None) -> bool:
-        """Whether something of a camera may be shown of a frame."""
+        """Return whether something of a camera may be shown of a frame."""
         return not self.blind or frame in self.committed
 
     @property
     def projection_visible(self) -> bool:
-        """Whether something of a camera may be shown of the frame on screen."""
+        """Return whether something of a camera may be shown of the frame on screen."""
         return self.reveals(self.frame_name)
 
     @property
@@ -237,7 +237,7 @@ class State:
         return chosen if chosen in others else others[0]
 
     def look_of(self, source: CameraSource | None) -> SourceLook | None:
-        """How a source is shown now; None for one that is not among the sources."""
+        """Return how a source is shown now; None for one that is not among the sources."""
         return next((look for look in self.looks if look.source is source), None)
 
     def cameras_of(self, source: CameraSource | None) -> FrameCameras | None:
@@ -263,7 +263,7 @@ _VALUES = (
 
 
 def same(some: object, other: object) -> bool:
-    """Whether two values of the state are the same: the same thing, or small and equal."""
+    """Return whether two values of the state are the same: the same thing, or small and equal."""
     if some is other:
         return True
     if type(some) is not type(other):

@@ -38,7 +38,7 @@ class _Watch:
         self._selected = select(state)
 
     def differs(self, state: State) -> bool:
-        """Whether they are to be called."""
+        """Return whether they are to be called."""
         return not same(self._select(state), self._selected)
 
     def tell(self, state: State) -> bool:
@@ -84,12 +84,13 @@ class Store(QObject):
 
     @property
     def busy(self) -> bool:
-        """Whether something is still to be reported."""
+        """Return whether something is still to be reported."""
         return self._telling or self._begun is not None
 
     @contextmanager
     def together(self) -> Iterator[None]:
-        """What is changed within is there at once, and reported as one step at its end, but for
+        """Return what is changed within is there at once, and reported as one step at its end,
+        but for
         lines
         that are said: each is a step of its own to those who listen to `changed`."""
         if self.busy:
@@ -184,6 +185,6 @@ class Store(QObject):
 
 
 def _is_alive(then: Callable[[Any], object]) -> bool:
-    """Whether the owner of a method, if it is Qt's, is not deleted."""
+    """Return whether the owner of a method, if it is Qt's, is not deleted."""
     owner = getattr(then, "__self__", None)
     return not isinstance(owner, QObject) or shiboken6.isValid(owner)

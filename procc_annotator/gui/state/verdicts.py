@@ -15,7 +15,8 @@ class KeptVerdicts:
         self._store, self._review = store, review
 
     def shown_verdict(self, name: str) -> FaultParty | None:
-        """Whose fault a frame's score is under the active source; None while blind mode hides
+        """Return whose fault a frame's score is under the active source; None while blind mode
+        hides
         what is known of the camera there."""
         source = self._store.state.active
         if source is None or not self._store.state.reveals(name):
@@ -24,7 +25,8 @@ class KeptVerdicts:
         return None if verdict is None else verdict.fault
 
     def verdict(self, name: str, source: CameraSource) -> Verdict | None:
-        """Whose fault a frame's score is under a source, also where blind mode hides it; None for
+        """Return whose fault a frame's score is under a source, also where blind mode hides it;
+        None for
         fits."""
         if source.files is None:
             return None
@@ -43,7 +45,7 @@ class KeptVerdicts:
             self._review.rename_source(place, before, source.name)
 
     def place(self, source: CameraSource) -> str:
-        """What verdicts know a source by, whatever it is called; empty without a dataset or
+        """Return what verdicts know a source by, whatever it is called; empty without a dataset or
         files."""
         cameras, workspace = source.files, self._store.state.workspace
         if workspace is None or cameras is None:

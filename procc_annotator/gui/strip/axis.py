@@ -37,11 +37,11 @@ class Axis:
 
     @property
     def is_whole(self) -> bool:
-        """Whether all frames are in sight."""
+        """Return whether all frames are in sight."""
         return self.end - self.begin >= self.last + 1 - self.first
 
     def x_of(self, number: float) -> float:
-        """Where a frame begins, px."""
+        """Return where a frame begins, px."""
         return (number - self.begin) * self.per_frame
 
     def middle_of(self, number: float) -> float:

@@ -53,7 +53,7 @@ class StripContent(QObject):
 
     @property
     def hidden(self) -> bool:
-        """Whether nothing of a camera may be shown."""
+        """Return whether nothing of a camera may be shown."""
         return self._document.blind
 
     @property

@@ -40,7 +40,7 @@ class StripPlace(QObject):
 
     @property
     def wanted(self) -> bool:
-        """Whether a person wants it where there is one."""
+        """Return whether a person wants it where there is one."""
         return self._wanted
 
     def set_wanted(self, wanted: bool) -> None:

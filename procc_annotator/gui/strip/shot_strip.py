@@ -40,7 +40,7 @@ class StripTask(Protocol):
     marked: Callable[[], tuple[int, int] | None]
 
     def words(self) -> str:
-        """How far it is; "" while it does nothing."""
+        """Return how far it is; "" while it does nothing."""
         ...
 
 

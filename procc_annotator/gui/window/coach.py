@@ -109,7 +109,7 @@ class Coach(QObject):
             self._tick(2 if self._taken(frame.name, now[1] - before[1]) else 0)
 
     def _taken(self, frame: str, names: frozenset[str]) -> bool:
-        """Whether elements came to be by taking what the camera expects."""
+        """Return whether elements came to be by taking what the camera expects."""
         document = self._document
         origins = document.review.origins(frame)
         lines = filter(None, map(document.annotation.get, names))

@@ -158,7 +158,7 @@ class CommandPalette(QFrame):
         return event.type() == QEvent.Type.KeyPress and self._key(Qt.Key(event.key()))
 
     def _key(self, key: Qt.Key) -> bool:
-        """Whether a key was for the list."""
+        """Return whether a key was for the list."""
         if key in _MOVES:
             last = self.model.rowCount() - 1
             row = self.list.currentIndex().row() + _MOVES[key]

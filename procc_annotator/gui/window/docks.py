@@ -235,7 +235,7 @@ class Docks:
         return self._window.saveState(_VERSION)
 
     def desks(self) -> dict[str, object]:
-        """How every desk looks and which one is in sight, to be remembered."""
+        """Return how every desk looks and which one is in sight, to be remembered."""
         looks = self._looks | {self.desk: self._look()}
         return {"desk": self.desk, **{name: asdict(look) for name, look in looks.items()}}
 

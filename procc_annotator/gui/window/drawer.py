@@ -45,7 +45,7 @@ class Drawer(QToolButton):
 
     @property
     def is_open(self) -> bool:
-        """Whether the plots are in sight, in the drawer or torn off."""
+        """Return whether the plots are in sight, in the drawer or torn off."""
         return not self._dock.isHidden()
 
     def _show_state(self) -> None:

@@ -28,7 +28,7 @@ class FindingTips(QObject):
             QToolTip.showText(event.globalPos(), text, self._canvas.viewport())
 
     def tip_at(self, cursor: QPointF) -> str:
-        """What was found at a place of the viewport; empty where no sign is."""
+        """Return what was found at a place of the viewport; empty where no sign is."""
         if self._canvas.drawing.hidden:
             return ""
         near = [f for f in self._document.label_check.shown if self._stands_at(f, cursor)]

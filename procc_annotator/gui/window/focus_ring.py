@@ -29,7 +29,7 @@ class FocusRing(QObject):
 
     @property
     def shown(self) -> bool:
-        """Whether the ring is in sight."""
+        """Return whether the ring is in sight."""
         return bool(self._edges) and not self._edges[0].isHidden()
 
     def _follow(self, _old: QWidget | None, new: QWidget | None) -> None:

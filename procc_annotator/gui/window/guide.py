@@ -29,7 +29,7 @@ _PICTURE = re.compile(r"!\[[^\]]*\]\([^)]*\)|<picture>.*?</picture>|<img[^>]*>",
 
 
 def guide_folder() -> Path | None:
-    """Where the pages are; a package of others may have left them out."""
+    """Return where the pages are; a package of others may have left them out."""
     package = Path(__file__).resolve().parents[2]
     folders = (package / "_guide", package.parent / "docs")  # installed, or a checkout
     return next((folder for folder in folders if (folder / _FIRST).is_file()), None)

@@ -70,7 +70,7 @@ class IconButton(QToolButton):
             self.update()
 
     def height_with_key(self) -> int:
-        """How high it is with its key."""
+        """Return how high it is with its key."""
         return self._icon_side() + QFontMetrics(self._key_font()).height() + _PAD + 2
 
     def sizeHint(self) -> QSize:

@@ -49,7 +49,8 @@ class SheetRow:
     english: str = ""
 
     def holds(self, words: Sequence[str], title: str) -> bool:
-        """Whether it has all of some words, in small letters, or the title of its section has."""
+        """Return whether it has all of some words, in small letters, or the title of its section
+        has."""
         text = f"{' '.join(self.keys)} {self.text} {self.english} {title}".casefold()
         return all(word in text for word in words)
 
@@ -226,7 +227,7 @@ def _bold(font: QFont) -> QFont:
 
 
 def _tall(metrics: QFontMetrics, width: int, text: str) -> int:
-    """How high a text is in a width, px."""
+    """Return how high a text is in a width, px."""
     plain = text.replace(_BREAK, "").isascii()  # other letters may be higher
     if plain and metrics.horizontalAdvance(text) <= width:
         return metrics.height()

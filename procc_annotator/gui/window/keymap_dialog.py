@@ -71,7 +71,7 @@ class KeyRow:
 
     @property
     def text(self) -> str:
-        """What it is and where it is found."""
+        """Return what it is and where it is found."""
         return tr("{menu}: {action}", menu=self.place, action=self.title)
 
     @property
@@ -80,7 +80,7 @@ class KeyRow:
         return keys_text(tuple(QKeySequence(key).toString(NATIVE) for key in self.keys))
 
     def holds(self, words: list[str]) -> bool:
-        """Whether it has all of some words, in small letters."""
+        """Return whether it has all of some words, in small letters."""
         text = f"{self.text} {self.keys_text} {self.english}".casefold()
         return all(word in text for word in words)
 
@@ -137,7 +137,7 @@ class KeymapDialog(QDialog):
         layout.addWidget(self._buttons())
 
     def _editing(self) -> QHBoxLayout:
-        """What changes the keys of the row that is chosen."""
+        """Return what changes the keys of the row that is chosen."""
         self.chosen = QLabel()
         self.pressed = _PressedKeys()
         self.add = QPushButton(tr("Add"))

@@ -75,7 +75,8 @@ class KeysBack(QObject):
         return True
 
     def _meant(self, widget: QObject, event: QKeyEvent) -> Callable[[], None] | None:
-        """What a key does before the keyboard goes back; None for a key that is the widget's."""
+        """Return what a key does before the keyboard goes back; None for a key that is the
+        widget's."""
         name = _NAMES.get(Qt.Key(event.key()))
         held = event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
         shift = held == Qt.KeyboardModifier.ShiftModifier

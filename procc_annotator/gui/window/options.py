@@ -52,7 +52,7 @@ class Options:
         }
 
     def value(self, setting: Setting[T]) -> T:
-        """What holds now."""
+        """Return what holds now."""
         if setting.key in SWITCHES:
             shown = self._action(setting.key).isChecked
             return self._chosen.get(setting.key, shown)()  # type: ignore[return-value]

@@ -59,7 +59,7 @@ class Entry:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """What it is called by: its name, and the English one if that is another."""
+        """Return what it is called by: its name, and the English one if that is another."""
         return (self.title,) if self.english in ("", self.title) else (self.title, self.english)
 
 
@@ -83,7 +83,8 @@ class PaletteEntries:
         self._show_setting = show_setting
 
     def found(self, text: str, called: Iterable[str] = ()) -> list[Entry]:
-        """What fits a text, best first; for an empty one what was called last, then all actions.
+        """Return what fits a text, best first; for an empty one what was called last, then all
+        actions.
 
         Args:
             text: as it was typed.
@@ -194,7 +195,7 @@ class PaletteEntries:
                 )
 
     def _of_numbers(self, text: str) -> Iterator[Entry]:
-        """What a number alone may mean: a threshold, a frame."""
+        """Return what a number alone may mean: a threshold, a frame."""
         document = self._document
         try:
             number = float(text.replace(",", "."))

@@ -66,7 +66,7 @@ def _holds(region: QWidget, focus: QWidget | None) -> bool:
 
 
 def _target(region: QWidget) -> QWidget | None:
-    """What had the keyboard there last, or else what is first."""
+    """Return what had the keyboard there last, or else what is first."""
     if _takes(region):
         return region
     last = region.focusWidget()

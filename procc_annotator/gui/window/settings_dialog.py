@@ -72,7 +72,8 @@ class SettingRow(QWidget):
         self.refresh()
 
     def holds(self, words: list[str]) -> bool:
-        """Whether it has all of some words, in small letters, as they are shown or in English."""
+        """Return whether it has all of some words, in small letters, as they are shown or in
+        English."""
         shown = self._shown
         choices = [title for _, title in shown.choices]
         english = [shown.group, shown.title, self.setting.text, *choices]

@@ -74,7 +74,8 @@ class ElidedLabel(PaintedText):
         return QSize(40, self.fontMetrics().height() + 2)
 
     def text_for(self, width: int) -> str:
-        """What is shown in a width, px: before how to go on is cut, the title in front is."""
+        """Return what is shown in a width, px: before how to go on is cut, the title in front
+        is."""
         metrics = self.fontMetrics()
         whole = self.text()
         if metrics.horizontalAdvance(whole) <= width:
@@ -117,7 +118,7 @@ class ElidedLabel(PaintedText):
 
 
 def _most(widths: Sequence[int], room: int) -> int:
-    """How wide the widest may be so that all together take no more than the room, px."""
+    """Return how wide the widest may be so that all together take no more than the room, px."""
     for count, width in zip(range(len(widths), 0, -1), sorted(widths), strict=True):
         if width * count > room:
             return room // count

@@ -110,7 +110,7 @@ class WordsButton(QToolButton):
         return self.fontMetrics().horizontalAdvance("▾ ") if self.menu() is not None else 0
 
     def _beside(self) -> int:
-        """What is next to the words, px."""
+        """Return what is next to the words, px."""
         return self.fontMetrics().height() + 3 * _PAD + self._arrow()
 
 

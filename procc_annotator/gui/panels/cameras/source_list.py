@@ -158,7 +158,7 @@ class SourceList(QWidget):
         return tr("{model} here, several models", model=words) if len(models) > 1 else words
 
     def _matched(self, source: CameraSource) -> tuple[str, str]:
-        """How many frames have a camera, and which of these cannot be used."""
+        """Return how many frames have a camera, and which of these cannot be used."""
         workspace, cameras = self._document.workspace, source.camera_set
         if source is self._document.shot_track.source:
             count = len(cameras.frames)

@@ -208,7 +208,7 @@ class FieldMapPanel(QWidget):
         return "\n".join(filter(None, lines))
 
     def _heading(self, name: str) -> str:
-        """What a class is called, and its key."""
+        """Return what a class is called, and its key."""
         title = class_title(self._document.field, name)
         keys = key_text(self._document.field, name, self._document.state.keymap)
         return f"{title}  ({keys})" if keys else title
@@ -216,7 +216,7 @@ class FieldMapPanel(QWidget):
     # --- what next -----------------------------------------------------------------------------
 
     def place_of_next(self) -> QPointF | None:
-        """Where in the widget the element to annotate next is in sight."""
+        """Return where in the widget the element to annotate next is in sight."""
         if self._next is None or self._next.name not in self._shape.names:
             return None
         place = np.array([self._next.place_world])
@@ -252,7 +252,7 @@ class FieldMapPanel(QWidget):
         )
 
     def _placement(self) -> Placement:
-        """Where the field is in the widget; worked out again only when that changes."""
+        """Return where the field is in the widget; worked out again only when that changes."""
         room, view, sight = self._room(), self._view, self._document.map_sight
         needed = {*self._states, self._document.selected_class}
         part = part_to_show(self._shape, sight, needed, room)
@@ -294,7 +294,8 @@ class FieldMapPanel(QWidget):
             paint_metres(painter, placed, found.field)
 
     def _out_of_sight(self, name: str) -> bool:
-        """Whether an element is faint: the camera does not see it, and no one asks for it."""
+        """Return whether an element is faint: the camera does not see it, and no one asks for
+        it."""
         document = self._document
         if (sight := document.map_sight.shown) is None or name in sight.names:
             return False

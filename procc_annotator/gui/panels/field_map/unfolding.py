@@ -48,7 +48,7 @@ class _Thing:
 
 
 def unfolded(elements: tuple[Element, ...], ground: Bounds) -> list[Unfold]:
-    """How to lay each element flat: functions of (n, 3) metres to (n, 2) map metres.
+    """Return how to lay each element flat: functions of (n, 3) metres to (n, 2) map metres.
 
     What is on the ground stays where it is, a border above the ground becomes a second one around
     it, and whatever else stands or hangs is laid outwards behind its end of the field, seen from
@@ -77,7 +77,8 @@ def unfolded(elements: tuple[Element, ...], ground: Bounds) -> list[Unfold]:
 def unfolded_spots(
     places: FloatArray, elements: tuple[Element, ...], ways: Sequence[Unfold], ground: Bounds
 ) -> list[Unfold]:
-    """How to lay single places flat that are none of the field's own: next to the thing in the air
+    """Return how to lay single places flat that are none of the field's own: next to the thing
+    in the air
     that they belong to, else where they are.
 
     Args:

@@ -84,7 +84,7 @@ class FindingsModel(QAbstractListModel):
         return None
 
     def severity(self, row: int) -> Severity:
-        """How sure a row's finding is."""
+        """Return how sure a row's finding is."""
         return self.entries[row][1].finding.severity
 
     def texts(self, row: int) -> tuple[str, str, str]:
@@ -209,7 +209,7 @@ def _bold(font: QFont) -> QFont:
 
 
 def _boxes(row: QRect, texts: tuple[str, str, str], font: QFont) -> tuple[QRect, QRect, QRect]:
-    """Where frame, head and reason go in a row of this width."""
+    """Return where frame, head and reason go in a row of this width."""
     left = row.left() + _PAD + _SIGN + _GAP
     width = max(40, row.right() - _PAD - left)
     boxes = []

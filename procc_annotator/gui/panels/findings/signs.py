@@ -28,7 +28,7 @@ def findings_by_element(document: Document) -> dict[str, tuple[StoredFinding, ..
 
 
 def reasons_of(found: Iterable[StoredFinding]) -> str:
-    """What is wrong, a line each."""
+    """Return what is wrong, a line each."""
     return "\n".join(f"{tr(WORDS[f.finding.severity])}: {tr(f.finding.reason)}" for f in found)
 
 
@@ -46,7 +46,7 @@ class FindingSigns:
 
     @property
     def any_shown(self) -> bool:
-        """Whether some element has a sign."""
+        """Return whether some element has a sign."""
         return bool(self._shown)
 
     def show(

@@ -91,7 +91,7 @@ def set_words(document: Document) -> str:
 
 
 def so_many(severity: Severity, count: int) -> str:
-    """How many findings are that sure: "2 errors"."""
+    """Return how many findings are that sure: "2 errors"."""
     match severity:
         case Severity.ERROR:
             return tr_count(count, "{n:,} error", "{n:,} errors")

@@ -36,7 +36,7 @@ class FrameFilter(QObject):
 
     @property
     def depends_on_work(self) -> bool:
-        """Whether an edit, a status or a score can change what matches."""
+        """Return whether an edit, a status or a score can change what matches."""
         return not self._query.is_empty
 
     def set_text(self, text: str) -> None:
@@ -69,7 +69,7 @@ class FrameFilter(QObject):
         self._searching.start(work, self.found.emit)
 
     def _asker(self, workspace: Workspace) -> Callable[[int], FrameFacts]:
-        """What is known of each frame, from values that another thread may look at."""
+        """Return what is known of each frame, from values that another thread may look at."""
         document = self._document
         database = document.review.database
         records: Mapping[str, FrameRecord] = dict(database.records()) if database else {}
@@ -125,7 +125,7 @@ class _Verdicts:
     allowed: Callable[[str], bool] | None
 
     def faults_in(self, name: str) -> frozenset[str]:
-        """What was said of a frame under any source."""
+        """Return what was said of a frame under any source."""
         if name not in self.by_frame or (self.allowed is not None and not self.allowed(name)):
             return frozenset()
         return frozenset(str(verdict.fault) for verdict in self.by_frame[name].values())

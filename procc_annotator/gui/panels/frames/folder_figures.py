@@ -50,7 +50,7 @@ class FolderFigures(QObject):
             self._soon.start()
 
     def done(self, folder: Folder) -> int:
-        """How many of a folder's frames are done or approved."""
+        """Return how many of a folder's frames are done or approved."""
         return int(self._done[folder.first : folder.past].sum())
 
     def jac(self, folder: Folder) -> float | None:

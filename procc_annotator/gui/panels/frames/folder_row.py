@@ -13,7 +13,7 @@ _SIGN = 14
 
 
 def indent(depth: int) -> int:
-    """How far a row is moved in, px."""
+    """Return how far a row is moved in, px."""
     return _STEP * min(depth, _MOST)
 
 

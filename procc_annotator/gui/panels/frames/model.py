@@ -128,12 +128,12 @@ class FramesModel(QAbstractListModel):
 
     @property
     def total(self) -> int:
-        """How many frames there are, shown or not."""
+        """Return how many frames there are, shown or not."""
         return self._count
 
     @property
     def shown(self) -> int:
-        """How many frames the filter lets through, in folded folders, too."""
+        """Return how many frames the filter lets through, in folded folders, too."""
         return self._count if self._shown is None else len(self._shown)
 
     def frame_index(self, row: int) -> int:
@@ -162,7 +162,7 @@ class FramesModel(QAbstractListModel):
         return -1
 
     def is_folded(self, folder: Folder) -> bool:
-        """Whether a folder's frames are not shown."""
+        """Return whether a folder's frames are not shown."""
         return folder.path in self._now_folded
 
     def fold(self, folder: Folder, folded: bool) -> int:
@@ -195,7 +195,7 @@ class FramesModel(QAbstractListModel):
         return max((self.row_of(-1 - k) for k in around), default=-1)
 
     def folder_info(self, row: int) -> FolderInfo | None:
-        """What the row of a folder shows now; None where it is a frame's."""
+        """Return what the row of a folder shows now; None where it is a frame's."""
         folder = self.folder_at(row)
         if folder is None:
             return None
@@ -258,7 +258,8 @@ class FramesModel(QAbstractListModel):
     # --- details -------------------------------------------------------------------------------
 
     def info(self, row: int) -> RowInfo | None:
-        """What a row shows now; what is missing is fetched, and the row reported to be another
+        """Return what a row shows now; what is missing is fetched, and the row reported to be
+        another
         one."""
         workspace = self._document.workspace
         if workspace is None:
@@ -295,7 +296,7 @@ class FramesModel(QAbstractListModel):
         )
 
     def _depth(self, frame_index: int) -> int:
-        """How many folders a frame is shown in."""
+        """Return how many folders a frame is shown in."""
         if not self.folders:
             return 0
         place = bisect_right(self.folders, frame_index, key=lambda folder: folder.first) - 1

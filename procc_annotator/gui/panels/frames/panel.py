@@ -308,5 +308,5 @@ class FramesPanel(QWidget):
 
 
 def _help_table() -> str:
-    """What can be written into the filter, one line each, for its tip."""
+    """Return what can be written into the filter, one line each, for its tip."""
     return "\n".join(f"{query}   {tr(words)}" for query, words in QUERY_HELP)

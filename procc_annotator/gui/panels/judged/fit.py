@@ -305,7 +305,8 @@ def _chosen_words(fit: FitResult) -> str:
 
 
 def _counted_words(score: FrameScore) -> str:
-    """What the JaC is made of: few elements in good order give a low one while most are missing."""
+    """Return what the JaC is made of: few elements in good order give a low one while most are
+    missing."""
     every = Counter(ElementState(element.status) for element in score.elements)
     waiting = every.pop(ElementState.NOT_ANNOTATED, 0)
     passing, annotated = every[ElementState.PASSES], every.total()

@@ -64,7 +64,7 @@ def fit_rows(fit: FitResult, annotation: FrameAnnotation, field: Field) -> list[
 def _worst_point(
     element: ElementResidual, annotation: FrameAnnotation, size: tuple[int, int]
 ) -> int | None:
-    """Where in its polyline the point with the largest distance is."""
+    """Return where in its polyline the point with the largest distance is."""
     polyline = annotation.get(element.name)
     distances = element.distances_of(polyline, size) if polyline is not None else {}
     return max(distances, key=distances.__getitem__, default=None)
@@ -100,7 +100,8 @@ class FitTableModel(ElementRowsModel[FitRow]):
 
 
 def pose_figures(fit: FitResult) -> list[tuple[str, str, str]]:
-    """What the camera is and how surely, line by line: name, value, standard deviation; empty for
+    """Return what the camera is and how surely, line by line: name, value, standard deviation;
+    empty for
     a homography, which has no pose."""
     camera, sd = fit.camera, fit.deviations
     if not isinstance(camera, PosedCamera) or sd is None:

@@ -114,7 +114,7 @@ class ScoreTableModel(ElementRowsModel[ScoreRow]):
 
 
 def _samples() -> dict[int, str]:
-    """What the columns have room for."""
+    """Return what the columns have room for."""
     states = max(map(words_for, ElementState), key=len)
     return {
         STATUS: f"{states} ",

@@ -255,7 +255,7 @@ class ScoresPanel(QWidget):
         show_note(self.mirrored, f"⇄ {tr(_MIRRORED)}" if score.mirrored else "")
 
     def _points_by_origin(self) -> str | None:
-        """How many points of each origin the score rests on."""
+        """Return how many points of each origin the score rests on."""
         document = self._document
         if (frame := document.frame) is None:
             return None
@@ -325,7 +325,8 @@ class ScoresPanel(QWidget):
             self._document.flyTo.emit(*target)
 
     def _target(self, class_name: str, element: ScoreExplanation) -> tuple[float, float] | None:
-        """Where the verdict is decided, picture px: a point, or the middle of a projection."""
+        """Return where the verdict is decided, picture px: a point, or the middle of a
+        projection."""
         size = self._document.picture_size
         measurement = self._document.measurement
         if size is None or measurement is None:

@@ -103,13 +103,13 @@ class _Bars(QWidget):
         item.layout.activate()  # else the names of bars are cut until the next turn
 
     def names_width(self, names: Sequence[str]) -> int:
-        """How wide the plot must be for the names of its bars to lie side by side."""
+        """Return how wide the plot must be for the names of its bars to lie side by side."""
         advance = self.fontMetrics().horizontalAdvance
         widest = max((advance(word) for name in names for word in name.split("\n")), default=0)
         return round((len(names) + 0.5) * (widest + _BETWEEN)) + self.figures_width() + _AXIS
 
     def figures_width(self) -> int:
-        """How wide the figures at the left axis are, in logical pixels."""
+        """Return how wide the figures at the left axis are, in logical pixels."""
         ticks = count_ticks(max(self.bars.opts["height"], default=0))
         return max(self.fontMetrics().horizontalAdvance(text) for _, text in ticks)
 

@@ -45,7 +45,7 @@ _AS_THEY_WERE = word(
 
 
 def _with_unconfirmed(words: str, count: int) -> str:
-    """What came of it, and how many points show no paint."""
+    """Return what came of it, and how many points show no paint."""
     if not count:
         return words
     unconfirmed = tr_count(
@@ -73,7 +73,7 @@ class Assistant(QObject):
 
     @property
     def busy(self) -> bool:
-        """Whether something is being worked out."""
+        """Return whether something is being worked out."""
         return self._work.running
 
     # --- regularising ---------------------------------------------------------------------

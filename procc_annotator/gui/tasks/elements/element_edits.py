@@ -188,7 +188,7 @@ class ElementEdits:
                 )
 
     def _unconfirmed(self) -> int:
-        """How many elements are unconfirmed; says so where none is."""
+        """Return how many elements are unconfirmed; says so where none is."""
         self._document.aboutToLeave.emit()
         waiting = len(self._document.annotation.unconfirmed)
         if not waiting:

@@ -77,7 +77,7 @@ class GhostAccepting(QObject):
 
     @property
     def busy(self) -> bool:
-        """Whether points are being looked for."""
+        """Return whether points are being looked for."""
         return self._asked is not None
 
     def accept_one(self, made_for: FrameAnalysis, found: GhostPoints) -> bool:
@@ -173,7 +173,8 @@ class GhostAccepting(QObject):
         return True
 
     def _accepted_words(self, what: str, found: GhostPoints | None = None) -> str:
-        """What was accepted and, while the frame is left, where; of one ghost how its line is."""
+        """Return what was accepted and, while the frame is left, where; of one ghost how its
+        line is."""
         if found is None:
             if self._where:
                 return tr("accepted {what} on {frame}", what=what, frame=self._where)
@@ -191,7 +192,7 @@ class GhostAccepting(QObject):
         self._say("; ".join(filter(None, (words, self._unsure(found), more))))
 
     def _unsure(self, found: AllPoints) -> str:
-        """What is said of ends that the picture does not show."""
+        """Return what is said of ends that the picture does not show."""
         ends = sum(f.unsure_ends for f in found)
         if not ends:
             return ""

@@ -326,7 +326,7 @@ class GhostTasks(QObject):
 
 
 def _passed_end(left: int, *, last: bool) -> str:
-    """What is said at the end of a walk, forward or back."""
+    """Return what is said at the end of a walk, forward or back."""
     if last:
         return tr_count(
             left,

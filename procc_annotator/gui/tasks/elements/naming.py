@@ -176,7 +176,7 @@ class Naming(QObject):
         return rank_classes(drawn, expected, usual, farthest=_FARTHEST * size[0])
 
     def _before(self, size: tuple[int, int], there: set[str]) -> dict[str, list[FloatArray]]:
-        """What the frame before had and this one has not yet, px of this picture."""
+        """Return what the frame before had and this one has not yet, px of this picture."""
         document = self._document
         if document.workspace is None:
             return {}

@@ -146,12 +146,12 @@ class FieldDimensionsDialog(QDialog):
 
     @property
     def breaks_a_rule(self) -> bool:
-        """Whether the rules do not allow the numbers together."""
+        """Return whether the rules do not allow the numbers together."""
         return bool(self._broken)
 
     @property
     def lines(self) -> str:
-        """Where the clicks lie, one of `LINES`."""
+        """Return where the clicks lie, one of `LINES`."""
         return str(self.lines_box.currentData())
 
     def set_values(self, values: Mapping[str, float]) -> None:
@@ -294,7 +294,7 @@ def _decimals(dimension: Dimension) -> int:
 
 
 def _step(dimension: Dimension) -> float:
-    """What an arrow adds: so that the range is some tens of steps."""
+    """Return what an arrow adds: so that the range is some tens of steps."""
     steps = (0.1, 0.05, 0.01, 0.005, 0.001)
     reach = dimension.maximum - dimension.minimum
     return float(next((step for step in steps if reach >= 10 * step), 10.0**-_FINEST))

@@ -141,7 +141,7 @@ class FieldDimensionsTask(DialogTask):
 
 
 def _in_words(estimate: Estimate, hidden: int) -> str:
-    """What came of it; ``hidden``: frames that blind mode kept out."""
+    """Return what came of it; ``hidden``: frames that blind mode kept out."""
     stadium = estimate.stadium
     lines = [_line(d) for d in stadium.dimensions]
     lines.append(

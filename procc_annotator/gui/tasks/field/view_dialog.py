@@ -96,7 +96,7 @@ def _counts(named: NamedViews) -> str:
 
 
 def _together(sizes: list[int]) -> str:
-    """How many frames are in groups, and of how many the groups are."""
+    """Return how many frames are in groups, and of how many the groups are."""
     frames = tr_count(sum(sizes), "{n:,} frame", "{n:,} frames")
     if len(set(sizes)) < 2:
         return tr_count(

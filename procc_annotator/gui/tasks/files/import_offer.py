@@ -57,7 +57,7 @@ class ImportOffer(QObject):
 
     @property
     def looking(self) -> bool:
-        """Whether it is not known yet what is in the dataset."""
+        """Return whether it is not known yet what is in the dataset."""
         return self._work.running
 
     def _look(self) -> None:

@@ -186,7 +186,7 @@ class AnnotationImporter(DialogTask):
 
 
 def _said(outcome: EditedFrames, format_title: str) -> list[str]:
-    """What came of an import, a line each."""
+    """Return what came of an import, a line each."""
     reasons = Counter(why for _, why in outcome.left)
     annotated, same = reasons[LeftAlone.ANNOTATED], reasons[LeftAlone.SAME]
     imported = tr_count(

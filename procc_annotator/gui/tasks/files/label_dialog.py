@@ -97,7 +97,7 @@ class LabelDialog(QDialog):
 
     @property
     def rules(self) -> dict[str, Rule]:
-        """What was chosen, by label; labels that stay as they are are missing."""
+        """Return what was chosen, by label; labels that stay as they are are missing."""
         found: dict[str, Rule] = {}
         for one, box, rules in zip(self._proposals, self.choices, self._rules, strict=True):
             rule = rules[box.currentIndex()]

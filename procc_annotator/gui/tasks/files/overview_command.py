@@ -99,7 +99,7 @@ class OverviewCommand:
     def _rows_for(
         self, use: Callable[[list[OverviewRow]], T], *, complete: bool = False
     ) -> Callable[[JobControl], T]:
-        """What gives the rows of all frames to ``use``, in a thread of its own."""
+        """Return what gives the rows of all frames to ``use``, in a thread of its own."""
         document = self._document
         workspace, database = document.workspace, document.review.database
         document.review.note_activity()

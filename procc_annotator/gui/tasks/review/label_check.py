@@ -234,7 +234,7 @@ class LabelCheckCommands(QObject):
         document.say(tr("{done}; Ctrl+Z takes it back", done=done))
 
     def _done(self, finding: Finding, remedy: Remedy) -> TranslatableText:
-        """What a remedy has done, in words."""
+        """Return what a remedy has done, in words."""
 
         def title(name: str) -> TranslatableText:
             return translatable(self._document.field.title_of(name))

@@ -149,7 +149,7 @@ class Triage(QObject):
         return sorted(verdicts, key=lambda v: (places.get(v.frame, len(places)), v.frame, v.source))
 
     def _writing(self, path: Path, verdicts: list[Verdict]) -> Callable[[JobControl], int]:
-        """What writes the verdicts, in a thread of its own, and returns how many."""
+        """Return what writes the verdicts, in a thread of its own, and returns how many."""
         document = self._document
         sets: dict[str, CameraSet] = {}
         for source in document.sources:

@@ -165,7 +165,7 @@ class VersionsModel(QAbstractListModel):
 
     @property
     def current(self) -> FrameAnnotation | None:
-        """What versions are compared with; None if it is not known."""
+        """Return what versions are compared with; None if it is not known."""
         if self._current is None and self.rows:
             newest = self.annotation(0)
             return newest if isinstance(newest, FrameAnnotation) else None
@@ -206,7 +206,7 @@ class VersionsModel(QAbstractListModel):
 
 
 def content_words(annotation: FrameAnnotation) -> str:
-    """How much is annotated: "12 elements, 84 points"."""
+    """Return how much is annotated: "12 elements, 84 points"."""
     elements, points = _counts(annotation)
     if not elements:
         return tr("empty", "a version")
@@ -222,7 +222,7 @@ def _points(count: int) -> str:
 
 
 def difference_words(version: FrameAnnotation, current: FrameAnnotation) -> str:
-    """What restoring a version would add and take away: "+2 elements, −5 points"."""
+    """Return what restoring a version would add and take away: "+2 elements, −5 points"."""
     if version.polylines == current.polylines:
         return tr("as now")
     changes = [

@@ -109,11 +109,11 @@ class StretchAccepting(QObject):
 
     @property
     def running(self) -> bool:
-        """Whether points are looked for, or edits are being made."""
+        """Return whether points are looked for, or edits are being made."""
         return self._looking.running or self._edits.running
 
     def words(self) -> str:
-        """How far it is."""
+        """Return how far it is."""
         if not self._looking.running:
             return ""
         done, total = self._far
@@ -167,7 +167,7 @@ class StretchAccepting(QObject):
     # --- which frames -------------------------------------------------------------------------
 
     def _stretch(self) -> _Stretch | None:
-        """What is asked for; None where nothing was followed."""
+        """Return what is asked for; None where nothing was followed."""
         document, sequence = self._document, self._document.sequence.value
         workspace, shot_track = document.workspace, self._document.shot_track
         if sequence is None or workspace is None or not shot_track.tracked:
@@ -287,7 +287,7 @@ class StretchAccepting(QObject):
 
 
 def _why(outcome: EditedFrames) -> list[str]:
-    """What is said of frames that were left as they were, or could not be saved."""
+    """Return what is said of frames that were left as they were, or could not be saved."""
     whys = dict.fromkeys(why for _, why in (*outcome.left, *outcome.unsaved))
     left = len(outcome.left) + len(outcome.unsaved)
     if not left:

@@ -84,11 +84,11 @@ class ShotFollowing(QObject):
 
     @property
     def running(self) -> bool:
-        """Whether a shot is followed just now."""
+        """Return whether a shot is followed just now."""
         return self._work.running
 
     def words(self) -> str:
-        """How far it is."""
+        """Return how far it is."""
         if not self.running:
             return ""
         done, total = self._far
@@ -238,7 +238,8 @@ class ShotFollowing(QObject):
         self._corrected[number] = None
 
     def _only_accepted(self) -> bool:
-        """Whether all that is annotated here was taken over along the track: that is no news."""
+        """Return whether all that is annotated here was taken over along the track: that is no
+        news."""
         document, frame = self._document, self._document.frame
         if frame is None or not document.annotation.annotated:
             return False
@@ -262,7 +263,7 @@ class ShotFollowing(QObject):
 
 
 def _followed(frames: int, doubtful: int) -> str:
-    """What came of a shot."""
+    """Return what came of a shot."""
     if not doubtful:
         return tr_count(
             frames,

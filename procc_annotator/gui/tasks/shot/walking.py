@@ -88,7 +88,7 @@ class ShotWalk(QObject):
 
     @property
     def playing(self) -> bool:
-        """Whether frames are shown one after the other."""
+        """Return whether frames are shown one after the other."""
         return self._at is not None
 
     def play(self) -> None:
