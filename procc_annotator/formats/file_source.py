@@ -41,8 +41,7 @@ def walk(
     Args:
         root: the place.
         on_unread: called for each folder below it that cannot be listed, which is then left out;
-            None:
-            that is raised.
+            None: that is raised.
 
     Yields:
         The folder below the place with a slash at its end (``game/img1/``; empty for the place

@@ -76,8 +76,7 @@ class DatabaseWriter:
         self._waiting: list[Write] = []
         self._questions: list[Callable[[], None]] = []
         # What this session has written already: reported again to a file that takes the place of
-        # this
-        # one (a folder deleted, a backup put back).
+        # this one (a folder deleted, a backup put back).
         self._written: list[Write] = []
         self._asked = 0  # flushes asked for, and those of them that had their round
         self._served = 0

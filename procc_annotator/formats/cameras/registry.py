@@ -224,9 +224,8 @@ def json_records(data: bytes, *, path: str, name: str | None = None) -> CameraRe
 
 
 def detected_title(data: bytes, path: str) -> str:
-    """The title of the format a file of cameras is by its content, as of
-    `read_json`;
-    empty for any other file, damaged ones too."""
+    """The title of the format a file of cameras is by its content, as of `read_json`; empty for any
+    other file, damaged ones too."""
     try:
         if _is_lines(data):
             return TVCALIB.title
