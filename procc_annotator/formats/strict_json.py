@@ -160,6 +160,10 @@ _KINDS = {
     "str": "text", "int": "a whole number", "float": "a number", "bool": "true or false",
     "array": "a list", "object": "an object", "null": "null",
 }  # fmt: skip
+_PHRASES = (
+    ("Object missing required field", "lacks the key"), ("Expected", "expected"),
+    (", got", ", found"), ("<=", "at most"), (">=", "at least"),
+)  # fmt: skip
 
 
 def convert_as(
@@ -185,12 +189,12 @@ def convert_as(
         return msgspec.convert(value, kind)
     except msgspec.ValidationError as problem:
         text, _, inside = str(problem).partition(" - at `$")
-        text = text.replace("Object missing required field", "lacks the key")
+        for theirs, ours in _PHRASES:
+            text = text.replace(theirs, ours)
         text = _QUOTED.sub(
             lambda m: " or ".join(_KINDS.get(k, repr(k)) for k in m[1].split(" | ")), text
         )
-        what = text[0].lower() + text[1:].replace(", got", ", found")
-        raise error(path, what, place=place + inside[:-1], advice="correct the file") from problem
+        raise error(path, text, place=place + inside[:-1], advice="correct the file") from problem
 
 
 def is_finite_number(value: object) -> TypeGuard[float]:

@@ -105,7 +105,7 @@ def _entry(**keys: object) -> object:
         (_entry(position="here"), "landmarks[1].position", "expected a list or null, found text"),
         (_entry(position=[1, "2", 3]), "landmarks[1].position[1]", "expected a number, found text"),
         (_entry(position=[1, float("nan"), 3]), "landmarks[1].position[1]", "expected a number"),
-        (_entry(position=[1, 2, 1e9]), "landmarks[1].position[2]", "a number <= 1000"),
+        (_entry(position=[1, 2, 1e9]), "landmarks[1].position[2]", "at most 1000"),
         (_entry(colour="red"), "landmarks[1].colour", "expected #rrggbb"),
         (_entry(moving=1), "landmarks[1].moving", "expected true or false, found a whole number"),
         (_entry(title=None), "landmarks[1].title", "expected text, found null"),
