@@ -16,9 +16,7 @@ from procc_annotator.errors import CameraError
 from procc_annotator.field.load import load_field
 from procc_annotator.formats.annotations.soccernet import read_annotation
 from procc_annotator.formats.cameras.soccernet import read_camera
-from procc_annotator.metrics.curve_projection import project_curves
-from procc_annotator.metrics.measurement import measure, measure_projected
-from procc_annotator.metrics.projection import ProjectedField, project_field
+from procc_annotator.metrics.measurement import measure
 from procc_annotator.metrics.score import jac_curve, score
 from procc_annotator.metrics.sets import SetAccumulator
 from procc_annotator.metrics.setup import EvaluationSetup
@@ -109,27 +107,6 @@ def test_the_curve_passes_through_every_score(real_set: RealSet):
             measurement = measure(annotation, camera, setup)
             one_by_one = [score(measurement, tau).jac for tau in taus]
             np.testing.assert_allclose(jac_curve(measurement, taus), one_by_one, err_msg=name)
-
-
-@pytest.mark.parametrize("every", [6, pytest.param(1, marks=pytest.mark.soak)])
-def test_halving_the_spacing_of_the_procc_protocol_moves_no_distance(real_set: RealSet, every: int):
-    """By more than 0.01 px; with the same elements visible and nothing undefined."""
-    real_set.every = every
-    setup = EvaluationSetup(FIELD, protocol="procc", allow_mirrored=True)
-    for name, annotation, camera in real_set.frames():
-        if camera is None:
-            continue
-        here = project_field(camera, setup)
-        finer = project_curves(camera, FIELD, setup.curves, setup.size, halvings=1)
-        assert here.polylines.detected.tolist() == finer.in_sight.detected.tolist(), name
-        first = measure_projected(annotation, here, setup)
-        shown = ProjectedField(here.names, finer.in_sight, finer.unclipped)
-        second = measure_projected(annotation, shown, setup)
-        turned = zip(first.mirrored, second.mirrored, strict=True)
-        for one, two in ((first.plain, second.plain), *turned):
-            assert np.isfinite(one.all_distances).all(), name
-            moved = np.abs(one.all_distances - two.all_distances)
-            assert moved.max(initial=0) < 0.01, name
 
 
 def test_the_protocols_agree_where_the_official_one_has_no_artefact(shared_data: Path):
