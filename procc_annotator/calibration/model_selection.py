@@ -303,15 +303,11 @@ def _refit_wide_angle(
     if not np.isfinite(vector).all():
         return None
     found = refine_wide_angle(seen, field, frame, vector)
-    if (
-        found.has_stale_start
-        or not found.is_consistent
-        or implausible_reason(found.vector, camera_placement_prior(field))
-    ):
+    if found.has_stale_start or not found.is_consistent:
         return None
     near = single_coefficient_vector(found.vector)
     plain = fit_models(found.seen, field, frame, near, found.left_out, ("R+",))["R+"]
-    return (found, model, plain) if wide_angle_explains_more(found, plain) else None
+    return (found, model, plain) if wide_angle_explains_more(found, plain, field) else None
 
 
 def _wide_angle_result(

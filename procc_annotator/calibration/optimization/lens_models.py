@@ -72,21 +72,13 @@ def try_negative_k1(found: CameraSolution, field: Field, frame: ImageFrame) -> C
     """
     if found.vector[KAPPA] != 0 or _predicted_gain(found, frame) < _NEGATIVE_K1_EVIDENCE / 2:
         return found
-    around, seen, free = camera_placement_prior(field), found.seen, found.prior.mean.shape[1]
-    prior = prior_near(found.vector, around, free)
-    residuals = partial(pinhole_residuals, half_diagonal=frame.half_diagonal, free=free)
-    problem = Problem(partial(residuals, seen=seen), seen.weights, ROBUST_LOSS, prior, KAPPA)
+    free = found.prior.mean.shape[1]
     starts = np.tile(found.vector, (len(_NEGATIVE_K1_STARTS), 1))
     starts[:, KAPPA] = _NEGATIVE_K1_STARTS
-    robust = solve(problem, starts, iterations=20, tolerance=1e-3)
-    best = int(np.argmin(robust.costs))
-    left_out = outlier_elements(seen, robust.distances[best])
-    if left_out.sum() > found.left_out.sum():
-        return found
-    other = final_fit(seen, robust.vectors[[best]], left_out, residuals, prior)
-    if implausible_reason(other.vector, around) or not _negative_k1_is_better(other, found):
-        return found
-    return other
+    prior = prior_near(found.vector, camera_placement_prior(field), free)
+    other = _best_fit(FitScene(found.seen, field, frame), starts, prior, prior, bounded=KAPPA)
+    better = other.vector[KAPPA] < 0 and _explains_more(other, found, field, _NEGATIVE_K1_EVIDENCE)
+    return other if better else found
 
 
 def is_negative_k1_supported(found: CameraSolution) -> bool:
@@ -98,18 +90,56 @@ def is_negative_k1_supported(found: CameraSolution) -> bool:
     return saved > _NEGATIVE_K1_EVIDENCE * point_error_sd(found) ** 2
 
 
-def _negative_k1_is_better(barrel: CameraSolution, ordinary: CameraSolution) -> bool:
-    saved = _negative_k1_cost(ordinary) - _negative_k1_cost(barrel)
-    return barrel.vector[KAPPA] < 0 and saved > _NEGATIVE_K1_EVIDENCE * point_error_sd(barrel) ** 2
+def _explains_more(
+    other: CameraSolution, found: CameraSolution, field: Field, evidence: float
+) -> bool:
+    """Return whether a camera is plausible, leaves out no more elements than another one, and
+    costs clearly less.
+
+    Args:
+        other: the one in question.
+        found: the one it is compared with.
+        field: the elements.
+        evidence: what it must save, squares of the error of a point.
+    """
+    if implausible_reason(other.vector, camera_placement_prior(field)):
+        return False
+    saved = found.robust_cost - other.robust_cost
+    clearly = saved > evidence * point_error_sd(other) ** 2
+    return bool(clearly and other.left_out.sum() <= found.left_out.sum())
 
 
-def _negative_k1_cost(found: CameraSolution) -> float:
-    """Return what a camera costs by all the points, those of the elements it leaves out too."""
-    off = (found.vector[: found.prior.mean.shape[1]] - found.prior.mean[0]) * (
-        found.prior.inverse_sd[0]
-    )
-    losses = ROBUST_LOSS.cost_and_weight(found.distances)[0]
-    return float(losses @ found.seen.weights + off @ off / 2)
+def _best_fit(
+    scene: FitScene,
+    starts: FloatArray,
+    prior: GaussianPrior,
+    final_prior: GaussianPrior | None = None,
+    *,
+    bounded: int | None = None,
+    iterations: int = 20,
+    hopeless: float = np.inf,
+) -> CameraSolution:
+    """Descend robustly from (B, n) starts, and fit the best of them to the elements near it.
+
+    Args:
+        scene: what is fitted.
+        starts: parameters that may lead to the camera.
+        prior: of each start, or of all.
+        final_prior: of the final fit; None for `prior_near` the best one.
+        bounded, iterations, hopeless: see `SolveRequest`.
+    """
+    seen, field, frame = scene
+    around, free = camera_placement_prior(field), prior.mean.shape[1]
+    residuals = partial(pinhole_residuals, half_diagonal=frame.half_diagonal, free=free)
+    problem = Problem(partial(residuals, seen=seen), seen.weights, ROBUST_LOSS, prior, bounded)
+    robust = solve(problem, starts, iterations=iterations, tolerance=1e-3, hopeless=hopeless)
+    order = np.argsort(robust.costs, kind="stable").tolist()
+    plausible = (i for i in order if not implausible_reason(robust.vectors[i], around))
+    row = next(plausible, order[0])
+    chosen = robust.vectors[[row]]
+    left_out = outlier_elements(seen, robust.distances[row])
+    near = prior_near(chosen[0], around, free) if final_prior is None else final_prior
+    return final_fit(seen, chosen, left_out, residuals, near)
 
 
 def _predicted_gain(found: CameraSolution, frame: ImageFrame) -> float:
@@ -158,26 +188,13 @@ def try_cropped(found: CameraSolution, field: Field, frame: ImageFrame) -> Camer
     """
     if is_cropped(found) or not _is_poor_fit(found):
         return found
-    seen, around = found.seen, camera_placement_prior(field)
+    around = camera_placement_prior(field)
     side = np.array([camera_side(found.vector, around)])
     prior = wide_prior(side, around, _CROPPED_FREE, centre_sd=CROPPED_CENTRE_SD)
-    residuals = partial(pinhole_residuals, half_diagonal=frame.half_diagonal, free=_CROPPED_FREE)
-    problem = Problem(
-        partial(residuals, seen=seen), seen.weights, ROBUST_LOSS, prior, bounded=KAPPA
-    )
-    robust = solve(
-        problem, _cropped_starts(found.vector), iterations=20, tolerance=1e-3, hopeless=3.0
-    )
-    best = int(np.argmin(robust.costs))
-    saved = _cropped_cost(found.vector, found.distances, found.prior, seen) - float(
-        robust.costs[best]
-    )
-    left_out = outlier_elements(seen, robust.distances[best])
+    scene, starts = FitScene(found.seen, field, frame), _cropped_starts(found.vector)
+    other = _best_fit(scene, starts, prior, prior, bounded=KAPPA, hopeless=3.0)
     worth = _CROPPED_OVER_NEGATIVE_K1_EVIDENCE if found.vector[KAPPA] < 0 else _CROPPED_EVIDENCE
-    if saved < worth or left_out.sum() > found.left_out.sum():
-        return found
-    other = final_fit(seen, robust.vectors[[best]], left_out, residuals, prior)
-    return found if implausible_reason(other.vector, around) else other
+    return other if _explains_more(other, found, field, worth) else found
 
 
 def is_cropped(found: CameraSolution) -> bool:
@@ -206,13 +223,6 @@ def _is_poor_fit(found: CameraSolution) -> bool:
     if np.abs(found.vector[PRINCIPAL_X:]).max() > _CENTRED_PX or found.left_out.any():
         return True
     return float(found.distances.mean()) > _GOOD_FIT_PX
-
-
-def _cropped_cost(
-    vector: FloatArray, distances: FloatArray, prior: GaussianPrior, seen: Observations
-) -> float:
-    off = (vector[: prior.mean.shape[1]] - prior.mean[0]) * prior.inverse_sd[0]
-    return float(ROBUST_LOSS.cost_and_weight(distances)[0] @ seen.weights + off @ off / 2)
 
 
 _WIDE_ANGLE_FREE = FREE_PARAMETERS["R2"]
@@ -312,21 +322,13 @@ def try_wide_angle(
         return None
     fisheye = fit_wide_angle(seen, field, frame, "F", found)
     fits = (fit_wide_angle(seen, field, frame, "R2", found, fisheye), "R2"), (fisheye, "F")
-    around = camera_placement_prior(field)
-    better = [
-        fit
-        for fit in fits
-        if not implausible_reason(fit[0].vector, around) and wide_angle_explains_more(fit[0], found)
-    ]
-    return min(better, key=lambda fit: _wide_angle_cost(fit[0]), default=None)
+    better = [fit for fit in fits if wide_angle_explains_more(fit[0], found, field)]
+    return min(better, key=lambda fit: fit[0].robust_cost, default=None)
 
 
-def wide_angle_explains_more(strong: CameraSolution, plain: CameraSolution) -> bool:
-    """Return whether a strong lens leaves no more elements out than a camera with one coefficient,
-    and costs clearly less."""
-    saved = _wide_angle_cost(plain) - _wide_angle_cost(strong)
-    better = saved > _WIDE_ANGLE_EVIDENCE * point_error_sd(strong) ** 2
-    return bool(better and strong.left_out.sum() <= plain.left_out.sum())
+def wide_angle_explains_more(strong: CameraSolution, plain: CameraSolution, field: Field) -> bool:
+    """Return whether a strong lens explains the points clearly better than one coefficient."""
+    return _explains_more(strong, plain, field, _WIDE_ANGLE_EVIDENCE)
 
 
 def _best_wide_angle(
@@ -334,23 +336,12 @@ def _best_wide_angle(
 ) -> CameraSolution:
     """The strong lens that explains the points best, from (B, 13) that may lead to it."""
     around = camera_placement_prior(field)
-    seen = whitened(seen, linear_map(starts[0]))
-    residuals = partial(pinhole_residuals, half_diagonal=frame.half_diagonal)
     rows = [prior_near(start, around, _WIDE_ANGLE_FREE) for start in starts]
     prior = GaussianPrior(
         np.concatenate([row.mean for row in rows]), np.concatenate([row.inverse_sd for row in rows])
     )
-    problem = Problem(
-        partial(residuals, seen=seen, free=_WIDE_ANGLE_FREE), seen.weights, ROBUST_LOSS, prior
-    )
-    robust = solve(problem, starts, iterations=40, tolerance=1e-3)
-    order = np.argsort(robust.costs, kind="stable").tolist()
-    plausible = (i for i in order if not implausible_reason(robust.vectors[i], around))
-    row = next(plausible, order[0])
-    chosen = robust.vectors[[row]]
-    left_out = outlier_elements(seen, robust.distances[row])
-    near = prior_near(chosen[0], around, _WIDE_ANGLE_FREE)
-    return final_fit(seen, chosen, left_out, partial(residuals, free=_WIDE_ANGLE_FREE), near)
+    scene = FitScene(whitened(seen, linear_map(starts[0])), field, frame)
+    return _best_fit(scene, starts, prior, iterations=40)
 
 
 def _undistort_as_fisheye(seen: Observations, focal: float) -> Observations:
@@ -404,11 +395,3 @@ def _has_bent_lines(seen: Observations) -> bool:
         beside = np.abs(along[0] * off[1] - along[1] * off[0]) / max(length, 1.0)
         bent += bool(beside.max() > _BENT_LINE_PX)
     return bent >= _MIN_BENT_ELEMENTS
-
-
-def _wide_angle_cost(found: CameraSolution) -> float:
-    """Return what a camera costs by all the points, those of the elements it leaves out too."""
-    free = found.prior.mean.shape[1]
-    off = (found.vector[:free] - found.prior.mean[0]) * found.prior.inverse_sd[0]
-    losses = ROBUST_LOSS.cost_and_weight(found.distances)[0]
-    return float(losses @ found.seen.weights + off @ off / 2)

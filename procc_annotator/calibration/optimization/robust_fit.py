@@ -105,6 +105,15 @@ class CameraSolution:
         return residual_components(self.solution.values[0], self.solution.whole[0], counted)
 
     @property
+    def robust_cost(self) -> float:
+        """Cost of all points, those of the elements it leaves out too, and of the prior, px^2."""
+        off = (self.vector[: self.prior.mean.shape[1]] - self.prior.mean[0]) * (
+            self.prior.inverse_sd[0]
+        )
+        losses = ROBUST_LOSS.cost_and_weight(self.distances)[0]
+        return float(losses @ self.seen.weights + off @ off / 2)
+
+    @property
     def is_consistent(self) -> bool:
         """Return whether the elements it leaves out are those that are too far off."""
         return bool((outlier_elements(self.seen, self.distances) == self.left_out).all())
