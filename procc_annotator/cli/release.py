@@ -29,7 +29,7 @@ from procc_annotator.dataset.layout import (
     annotations_of,
     folder_of_dataset,
 )
-from procc_annotator.dataset.picture_sizes import PictureSizes, picture_folders, picture_tree
+from procc_annotator.dataset.picture_sizes import PictureSizes
 from procc_annotator.dataset.records import default_author
 from procc_annotator.dataset.review import ignored_keys
 from procc_annotator.dataset.workspace import Workspace
@@ -167,9 +167,7 @@ def release(given: ReleaseOptions) -> None:
     with open_annotations(place, known) as source:
         input_files.report_remarks(source.notices)
         _check_out(given.out, source, given.dataset, overwrite=given.overwrite)
-        sizes = PictureSizes(
-            picture_folders(given.dataset, place), tree=picture_tree(given.dataset)
-        )
+        sizes = PictureSizes.around(given.dataset, place)
         with progress_bar("reading") as progress:
             found = gather_frames(source, known, splits, sizes, progress)
         if unknown := [frame for frame in splits if frame not in list_annotations(source)]:
