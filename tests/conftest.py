@@ -124,7 +124,22 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
         metafunc.parametrize("lap", laps, ids="lap{}".format, indirect=True)
 
 
+# Files, classes and functions of tests that take over half a second of CPU: only in `make soak`.
+# Those that show that clicks are kept and numbers are right stay in `make test`, however long.
+SLOW = frozenset((ROOT / "tests" / "slow.txt").read_text(encoding="utf-8").split())
+
+
+def _is_slow(test: str) -> bool:
+    names = test.partition("[")[0].split("::")
+    return any("::".join(names[:n]) in SLOW for n in range(1, len(names) + 1))
+
+
+@pytest.hookimpl(tryfirst=True)  # before tests are selected by their marks
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    for item in items:
+        if _is_slow(item.nodeid):
+            item.add_marker(pytest.mark.soak)
+
     def place(item: pytest.Item) -> tuple[int, int]:
         lap = item.callspec.params.get("lap", 0) if hasattr(item, "callspec") else 0
         begins = (i for i, begin in enumerate(LONG) if item.nodeid.startswith(begin))

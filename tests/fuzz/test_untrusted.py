@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import ast
 import io
 import json
 import pickle
+import re
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
@@ -61,72 +61,13 @@ def test_python_objects_are_refused_and_never_built(tmp_path: Path, kind: str, n
     assert not target.exists()
 
 
-FORBIDDEN_MODULES = {"pickle", "cPickle", "_pickle", "dill", "shelve", "marshal", "joblib"}
-FORBIDDEN_CALLS = {"eval", "exec", "compile", "__import__", "read_pickle"}
-
-
-def offences(source: str) -> list[str]:
-    """What of a module's source could run code that stands in a file."""
-    found = []
-    for node in ast.walk(ast.parse(source)):
-        line = f"line {getattr(node, 'lineno', 0)}"
-        names: list[str] = []
-        if isinstance(node, ast.Import):
-            names = [alias.name.split(".")[0] for alias in node.names]
-        elif isinstance(node, ast.ImportFrom):
-            names = [(node.module or "").split(".")[0], *(alias.name for alias in node.names)]
-        elif isinstance(node, ast.Attribute):
-            # np.load with the wrong flag, yaml.load, pandas' and numpy's doors to the same
-            names = ["pickle"] if node.attr == "pickle" else []
-            of_yaml = isinstance(node.value, ast.Name) and node.value.id == "yaml"
-            if of_yaml and node.attr in ("load", "unsafe_load", "full_load"):
-                found.append(f"{line}: {ast.unparse(node)}")
-        elif isinstance(node, ast.Call):
-            called = node.func
-            name = called.id if isinstance(called, ast.Name) else ""
-            if name in FORBIDDEN_CALLS:
-                found.append(f"{line}: {name}(")
-            loads = (
-                isinstance(called, ast.Attribute)
-                and called.attr == "load"
-                and ast.unparse(called) in ("np.load", "numpy.load")
-            )
-            flags = {k.arg: k.value for k in node.keywords}
-            flag = flags.get("allow_pickle")
-            refused = isinstance(flag, ast.Constant) and flag.value is False
-            if (loads or flag is not None) and not refused:
-                found.append(f"{line}: allow_pickle is not False")
-        found += [f"{line}: {n}" for n in names if n in FORBIDDEN_MODULES]
-    return found
-
-
-def test_no_source_can_run_what_stands_in_a_file() -> None:
+def test_arrays_are_never_loaded_with_objects() -> None:
+    """Other ways to run what a file contains are lint errors (pyproject.toml)."""
     files = sorted((ROOT / "procc_annotator").rglob("*.py"))
+    text = "\n".join(f.read_text(encoding="utf-8") for f in files)
     assert len(files) > 60
-    assert {str(f): offences(f.read_text(encoding="utf-8")) for f in files} == {
-        str(f): [] for f in files
-    }
-
-
-@pytest.mark.parametrize(
-    "source",
-    [
-        "import pickle",
-        "from pickle import loads",
-        "import shelve as s",
-        "eval('1')",
-        "exec(text)",
-        "compile(text, '', 'eval')",
-        "yaml.load(text)",
-        "np.load(path)",
-        "np.load(path, allow_pickle=True)",
-        "np.load(path, allow_pickle=flag)",
-        "numpy.lib.format.read_array(f, allow_pickle=True)",
-    ],
-)
-def test_the_search_finds_what_it_looks_for(source: str) -> None:
-    assert offences(source)
-    assert not offences("np.load(path, allow_pickle=False); evaluator.eval(tree); json.loads(x)")
+    assert set(re.findall(r"allow_pickle\s*=\s*(\w+)", text)) == {"False"}
+    assert text.count("allow_pickle") == len(re.findall(r"\b(?:np|numpy)\.(?:load|save)\(", text))
 
 
 # ----------------------------------------------------------------------------- numbers and depth
