@@ -7,9 +7,11 @@ from dataclasses import dataclass, field
 from procc_annotator.annotation import Point, point_from_px, points_px
 from procc_annotator.dataset import editing
 from procc_annotator.dataset.records import PointKey
-from procc_annotator.interaction import gestures
 from procc_annotator.interaction.gestures import (
+    CONTINUE,
+    DRAW,
     IGNORED,
+    MOVE,
     Edit,
     Modifiers,
     Position,
@@ -19,6 +21,7 @@ from procc_annotator.interaction.gestures import (
     confirmation,
     line_direction,
     point_key,
+    step_name,
 )
 from procc_annotator.interaction.overlay_primitives import NO_DRAFT_STATE, Draft, DraftState, Snap
 from procc_annotator.translation import tr, tr_count
@@ -138,7 +141,7 @@ class DrawTool:
         self._snapped.clear()
         goes_on, title = context.polyline(name) is not None, context.title(name)
         edited = editing.append_points(editing.confirm(context.annotation, name), name, points)
-        label = gestures.drawing(title, goes_on=goes_on)
+        label = step_name(CONTINUE if goes_on else DRAW, title)
         edit = Edit(label, edited, snapped=snapped)
         if self.unnamed:
             asked = name if finished else None
@@ -169,7 +172,7 @@ class DrawTool:
             edited = editing.move_point(confirmed, name, 0, point)
         else:
             edited = editing.set_points(confirmed, name, [point])
-        label = gestures.moving(title) if moves else gestures.drawing(title)
+        label = step_name(MOVE if moves else DRAW, title)
         edit = Edit(label, edited)
         return Reaction(edit=edit, select=Selection(name), finished=True, completed=name)
 
