@@ -85,7 +85,7 @@ def copy_moved(
     Args:
         polylines: normalised to ``previous``.
         previous, current: (H, W, 4) pictures; they may differ in size.
-        curved: classes whose direction changes along them.
+        curved: classes that change their direction along them.
         paint: what each class looks like in ``current``.
         spots: classes that are single places, on no line.
     """
@@ -122,7 +122,7 @@ def copy_along_track(
 ) -> Copied:
     """The same elements where the camera of a track shows them, on their paint.
 
-    Elements out of sight, and those whose paint is not seen, do not come along.
+    Elements out of sight, and those without visible paint, do not come along.
 
     Args:
         polylines: of another frame of the shot.

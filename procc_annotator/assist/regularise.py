@@ -27,11 +27,11 @@ REACH_PX = 25.0
 def close_gaps(
     polyline: Polyline, annotation: FrameAnnotation, field: Field, size: ImageSize
 ) -> Polyline:
-    """An element whose ends reach what they fall short of; the same polyline when nothing is near.
+    """Extend the ends of an element to what they fall short of; unchanged when nothing is near.
 
     An end of a straight element is moved along its line, by at most `REACH_PX`: to where it meets
     the line of an annotated straight element that it meets on the field, else to the picture's
-    edge. A circle whose ends are that near is closed with its first point. Points between the ends
+    edge. A circle with ends that near is closed with its first point. Points between the ends
     stay.
 
     Args:
@@ -129,7 +129,8 @@ def regularise(
         Points in the direction of the clicks: the samples that a painted line supports, and the
         clicks that it does not confirm. With support for fewer than two samples, or for less than a
         third of them, the polyline comes back as it is; so does one that is regular already, and
-        one whose clicks go back the way they came. Curves and bars are done until that is reached,
+        one with clicks that go back the way they came. Curves and bars are done until that is
+        reached,
         lest their points creep along with every repetition; the last step is left out where it
         would take a click by more than it may be moved.
     """

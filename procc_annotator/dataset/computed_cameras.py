@@ -18,7 +18,7 @@ FIT_NAME = "fit"  # no cameras from files are called so
 
 @dataclass(frozen=True, eq=False)
 class FittedFrame:
-    """A fit, or the reason why there is none, with the clicks it belongs to."""
+    """A fit, or the reason why it failed, with the clicks it belongs to."""
 
     annotation: FrameAnnotation
     fit: FitResult

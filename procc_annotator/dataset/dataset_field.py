@@ -52,7 +52,7 @@ def read_stadiums(path: Path, field: Field) -> Stadiums:
     """Read such a file.
 
     Raises:
-        InputError: it is none, or gives this field dimensions that it cannot have.
+        InputError: it is another file, or gives this field dimensions that it cannot have.
     """
     header, table = read_frame_table(path, (STADIUM,), _ADVICE)
     _check_header(path, header, field)
@@ -140,7 +140,7 @@ class _Lines(msgspec.Struct):
 
 @dataclass(frozen=True)
 class FieldSettings:
-    """What a workspace keeps of its field, as far as it can be used.
+    """Field settings of a workspace, as far as they can be used.
 
     Attributes:
         dimensions: metres, by name; empty where all are nominal.

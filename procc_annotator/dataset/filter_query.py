@@ -59,7 +59,7 @@ class FrameFacts:
         annotated: classes with points; None when the annotation is not known or unreadable.
         comment_text: the text of all comments.
         jac: JaC of the frame at a tau in px, None for the tau in use; None when it has no score.
-        verdicts: whose fault it is, under whatever camera source.
+        verdicts: the parties at fault, under any camera source.
         findings: how sure the label check's findings are; None: it was not checked.
         has_camera: whether the active source has a camera for it; None: one that cannot be read.
     """

@@ -51,7 +51,7 @@ class Modifiers:
 
 @dataclass(frozen=True, slots=True)
 class ToolContext:
-    """What a tool may look at.
+    """Input of a tool.
 
     Attributes:
         annotation: the finished annotation of the frame.
@@ -143,7 +143,7 @@ class Edit:
 
 @dataclass(frozen=True, slots=True)
 class Selection:
-    """What a gesture selects; ``point`` is an index in the class's polyline."""
+    """Selection by a gesture; ``point`` is an index in the class's polyline."""
 
     class_name: str | None
     point: int | None = None
@@ -152,7 +152,7 @@ class Selection:
 
 @dataclass(frozen=True, slots=True)
 class Reaction:
-    """A tool's answer to an event; what is None stays as it is.
+    """A tool's answer to an event; None leaves a value as it is.
 
     Attributes:
         edit: the gesture ended with this.

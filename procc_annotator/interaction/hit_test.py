@@ -19,7 +19,7 @@ class Hit:
     """A target under the cursor.
 
     Attributes:
-        class_name: whose polyline.
+        class_name: of the polyline.
         kind: ``point``, or ``segment`` between ``index`` and ``index + 1``.
         index: which one.
         distance_screen: screen px from the cursor.

@@ -109,7 +109,7 @@ class MetadataCache:
         return self._known.comments.get(frame, ())
 
     def resolve_comment(self, comment_id: str, resolved: bool) -> None:
-        """Settle a comment, or open it again; nothing happens if there is none of this id."""
+        """Settle a comment, or open it again; an unknown id is ignored."""
         everywhere = (remark for remarks in self._known.comments.values() for remark in remarks)
         found = next((remark for remark in everywhere if remark.id == comment_id), None)
         if found is None:
@@ -137,7 +137,7 @@ class MetadataCache:
         *,
         place: str = "",
     ) -> Verdict | None:
-        """Say whose fault a frame's score is under a camera source; None takes it back.
+        """Set the party at fault for a frame's score under a camera source; None takes it back.
 
         Args:
             source: its name.
