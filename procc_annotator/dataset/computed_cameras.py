@@ -164,8 +164,3 @@ class TrackedCameras:
             else:
                 tracked[name] = frame
         return TrackedCameras(tracked)
-
-    def without(self, frame_names: Collection[str]) -> TrackedCameras:
-        """The same without some frames."""
-        kept = {n: frame for n, frame in self.tracked.items() if n not in frame_names}
-        return TrackedCameras(kept) if len(kept) < len(self.tracked) else self

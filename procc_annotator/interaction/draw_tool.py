@@ -86,7 +86,7 @@ class DrawTool:
         if placed is not None:
             self._snapped.add(placed)
         self.points.append(placed if placed is not None else position)
-        if context.is_two_point_element and self._is_complete(context):
+        if len(self.points) == 2 and self._ends_with_second(context):
             return self.finish(context, finished=True)
         return Reaction(select=Selection(None)) if self.unnamed else Reaction()
 
@@ -175,24 +175,13 @@ class DrawTool:
 
     def is_last_click(self, context: ToolContext) -> bool:
         """Return whether another click would finish the element by itself."""
-        name = self.class_name
-        return (
-            context.is_two_point_element
-            and not self.unnamed  # it may be a curve
-            and len(self.points) == 1
-            and name not in context.curved
-            and context.polyline(name) is None
-        )
+        return len(self.points) == 1 and self._ends_with_second(context)
 
-    def _is_complete(self, context: ToolContext) -> bool:
+    def _ends_with_second(self, context: ToolContext) -> bool:
+        """Return whether the second point finishes what is drawn: a new straight element."""
         name = self.class_name
-        return (
-            name is not None
-            and not self.unnamed
-            and name not in context.curved
-            and len(self.points) == 2
-            and context.polyline(name) is None
-        )
+        is_new = name not in context.curved and context.polyline(name) is None
+        return context.is_two_point_element and not self.unnamed and is_new  # unnamed: maybe curved
 
     def _snap_first_again(self, second: Position, context: ToolContext) -> None:
         """Only now is a straight element's direction known, which finds its line more surely."""

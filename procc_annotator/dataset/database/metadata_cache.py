@@ -82,11 +82,11 @@ class MetadataCache:
             self._put_write(write(schema.SET_STATUS, frame, str(status)))
             self._known.records[frame] = replace(self.record(frame), status=status)
 
-    def set_committed(self, frame: str, committed: bool) -> None:
-        """Say whether a frame's clicks were declared final."""
-        if self.record(frame).committed != committed:
-            self._put_write(write(schema.SET_COMMITTED, frame, int(committed)))
-            self._known.records[frame] = replace(self.record(frame), committed=bool(committed))
+    def commit(self, frame: str) -> None:
+        """Declare a frame's clicks final."""
+        if not self.record(frame).committed:
+            self._put_write(write(schema.SET_COMMITTED, frame, 1))
+            self._known.records[frame] = replace(self.record(frame), committed=True)
 
     def add_seconds(self, frame: str, seconds: float) -> None:
         """Add to the time spent on a frame; what no clock that runs forward says is left out."""
