@@ -54,7 +54,7 @@ LONG = (
     "tests/unit/image/test_decode.py",
     "tests/unit/formats/test_matlab_file.py",
     "tests/test_sample_data.py",
-    "tests/fuzz/test_fuzz_containers.py",
+    "tests/fuzz/test_damaged",
     "tests/gui/test_random_use.py",
     "tests/unit/calibration/joint/test_stadium.py",
     "tests/data/",

@@ -21,9 +21,7 @@ from procc_annotator.dataset.landmarks.dataset_landmarks import field_of_dataset
 from procc_annotator.dataset.layout import annotations_or_path
 from procc_annotator.dataset.picture_sizes import (
     PictureSizes,
-    picture_folders,
     picture_size,
-    picture_tree,
     size_in_annotation,
 )
 from procc_annotator.errors import InputError, ProccError, UsageError
@@ -302,7 +300,7 @@ def _frames(
         names = own_label_map(dataset, field)
     else:
         names = read_label_map(as_path(labels, "labels"), field)
-    sizes = PictureSizes(picture_folders(dataset, place), tree=picture_tree(dataset))
+    sizes = PictureSizes.around(dataset, place)
     with open_files(place) as source:
         reader = SetReader(
             source, field, names,

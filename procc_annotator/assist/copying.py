@@ -74,8 +74,7 @@ def copy_moved(
 
     Each point is moved by the camera's motion and put on its line's centre where its element shows
     paint as at its other points; one that does not goes with the others, and is reported. What
-    leaves
-    the picture is cut off at its edge; a straight element that ended at the edge before is
+    leaves the picture is cut off at its edge; a straight element that ended at the edge before is
     continued to the edge, since the camera has turned to see more of it. Without a trustworthy
     motion (a cut) the polylines come back as they are.
 

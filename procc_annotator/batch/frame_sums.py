@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import zlib
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -233,24 +233,11 @@ class SourceSums:
         return name_with_mark(self.name, self.fitted)
 
     def ratios(self, key: str) -> RatioMetrics:
-        """A figure of the set at each threshold, by its key in `SetSummary`."""
+        """A metric of the set at each threshold, by its key in `RATIOS`."""
         figures = np.array([frame.figures for frame in self.frames])
         figures = figures.reshape(len(self.frames), len(self.thresholds), 5)
-        if key in _MEANS:
-            return RatioMetrics.mean(figures[..., _MEANS[key]])
         there = np.repeat(self.with_camera[:, None], len(self.thresholds), axis=1)
-        if key == "mean_error":
-            # A distance that is undefined leaves the set without a mean.
-            counts = np.where(there, figures[..., 4], 0.0)
-            return RatioMetrics(np.where(there, figures[..., 3], 0.0), counts)
-        every = np.ones(there.shape)
-        if key == "completeness":
-            return RatioMetrics(there.astype(np.float64), every)
-        if key == "final_score":
-            if not self.with_camera.any():  # no mean that the completeness could be taken of
-                every = np.zeros(there.shape)
-            return RatioMetrics(np.where(there, figures[..., 0], 0.0), every)
-        raise KeyError(key)
+        return RATIOS[key].ratio(figures, there)
 
     def curves(self) -> RatioMetrics:
         """The mean JaC at each of `TAU_GRID`."""
@@ -262,7 +249,50 @@ class SourceSums:
         )
 
 
-_MEANS = {"mean_jac": 0, "mean_precision": 1, "mean_recall": 2}
+def _mean_error(figures: FloatArray, there: BoolArray) -> RatioMetrics:
+    # A distance that is undefined leaves the set without a mean.
+    return RatioMetrics(
+        np.where(there, figures[..., 3], 0.0), np.where(there, figures[..., 4], 0.0)
+    )
+
+
+def _final_score(figures: FloatArray, there: BoolArray) -> RatioMetrics:
+    # Without any camera there is no mean that the completeness could be multiplied by.
+    return RatioMetrics(
+        np.where(there, figures[..., 0], 0.0), np.full(there.shape, there.any(), float)
+    )
+
+
+@dataclass(frozen=True)
+class SetRatio:
+    """A metric of sets that has intervals, as a ratio of sums over frames.
+
+    Attributes:
+        ratio: from (F, T, 5) `FrameSums.figures` and (F, T) whether the frame has a camera.
+        better: +1 where more is better, -1 where less is.
+        compared: whether sources are compared by it; the others follow from these.
+        over_all: whether frames without a camera count.
+    """
+
+    ratio: Callable[[FloatArray, BoolArray], RatioMetrics]
+    better: int = +1
+    compared: bool = False
+    over_all: bool = False
+
+
+# By the key of `SetSummary`.
+RATIOS = {
+    "mean_jac": SetRatio(lambda f, _: RatioMetrics.mean(f[..., 0]), compared=True),
+    "completeness": SetRatio(
+        lambda _, there: RatioMetrics(there.astype(np.float64), np.ones(there.shape)),
+        compared=True, over_all=True,
+    ),
+    "final_score": SetRatio(_final_score, compared=True, over_all=True),
+    "mean_precision": SetRatio(lambda f, _: RatioMetrics.mean(f[..., 1])),
+    "mean_recall": SetRatio(lambda f, _: RatioMetrics.mean(f[..., 2])),
+    "mean_error": SetRatio(_mean_error, better=-1, compared=True),
+}  # fmt: skip
+COMPARED = tuple(key for key, one in RATIOS.items() if one.compared)
 
 
 # Bands are smooth: every 0.5 px is enough, and a few hundredths of a second for a thousand frames.

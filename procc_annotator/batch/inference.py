@@ -10,7 +10,7 @@ from itertools import combinations
 import numpy as np
 
 from procc_annotator.arrays import BoolArray, FloatArray
-from procc_annotator.batch.frame_sums import SPARSE, SPARSE_TAUS, SourceSums
+from procc_annotator.batch.frame_sums import COMPARED, RATIOS, SPARSE, SPARSE_TAUS, SourceSums
 from procc_annotator.batch.grouping import Clusters
 from procc_annotator.errors import UsageError
 from procc_annotator.messages import pluralize
@@ -40,21 +40,8 @@ from procc_annotator.metrics.statistics.significance import (
     significantly_best,
 )
 
-# Figures with an interval, attributes of `SetSummary`, and whether more is better.
-BETTER = {
-    "mean_jac": +1,
-    "completeness": +1,
-    "final_score": +1,
-    "mean_precision": +1,
-    "mean_recall": +1,
-    "mean_error": -1,
-}
-# Those that sources are compared by; the others follow from them.
-COMPARED = ("mean_jac", "final_score", "mean_error", "completeness")
 # 435 pairs take some seconds to be tested; of 100 sources it would be 4,950.
 MAX_COMPARED = 30
-# Taken over all frames that count, with a camera or not.
-_OVER_ALL = ("completeness", "final_score")
 _FEW = 10  # clusters
 _BAND_DRAWS = 2000  # the largest deviation of a whole curve takes no more
 
@@ -146,9 +133,9 @@ class Inference:
     @cached_property
     def intervals(self) -> tuple[Mapping[tuple[str, float], Interval | None], ...]:
         """Of each source: (key, threshold) -> the interval of the set's figure."""
-        keys = [(key, tau) for key in BETTER for tau in self.thresholds]
+        keys = [(key, tau) for key in RATIOS for tau in self.thresholds]
         # All sources at once: drawing sets costs more than what is summed over them.
-        every = [source.ratios(key) for source in self.sources for key in BETTER]
+        every = [source.ratios(key) for source in self.sources for key in RATIOS]
         ends = iter(
             confidence_intervals(self._sampled(RatioMetrics.beside(every)), self.draws, self.method)
         )
@@ -201,14 +188,18 @@ class Inference:
     def ranks(self, key: str, tau: float) -> list[int | None]:
         """The place of each source; those that the data cannot distinguish share it."""
         found: list[int | None] = [None] * len(self.sources)
-        places = significant_ranks(len(self.methods), self._among_methods(key, tau), BETTER[key])
+        places = significant_ranks(
+            len(self.methods), self._among_methods(key, tau), RATIOS[key].better
+        )
         for at, place in zip(self.methods, places, strict=True):
             found[at] = place
         return found
 
     def best(self, key: str, tau: float) -> int | None:
         """Which source is better than all others beyond chance."""
-        best = significantly_best(len(self.methods), self._among_methods(key, tau), BETTER[key])
+        best = significantly_best(
+            len(self.methods), self._among_methods(key, tau), RATIOS[key].better
+        )
         return None if best is None else self.methods[best]
 
     def can_be_bold(self, a: int, b: int, key: str) -> bool:
@@ -302,7 +293,7 @@ class Inference:
         several = []
         for key in COMPARED:
             ratios = source.ratios(key)
-            several.append(ratios if key in _OVER_ALL else ratios.of(shared))
+            several.append(ratios if RATIOS[key].over_all else ratios.of(shared))
         return RatioMetrics.beside(several)
 
     def _only(self, a: int, b: int) -> tuple[str, ...]:
@@ -314,7 +305,7 @@ def _possible(key: str, interval: Interval | None) -> Interval | None:
     """No share is below 0 or above 1, and no error below 0."""
     if interval is None:
         return None
-    highest = 1.0 if BETTER[key] > 0 else interval.high
+    highest = 1.0 if RATIOS[key].better > 0 else interval.high
     return replace(interval, low=max(0.0, interval.low), high=min(highest, interval.high))
 
 

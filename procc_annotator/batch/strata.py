@@ -11,9 +11,9 @@ import numpy as np
 from natsort import natsorted
 
 from procc_annotator.batch.audit import Pose
-from procc_annotator.batch.frame_sums import FrameSums, SourceSums
+from procc_annotator.batch.frame_sums import COMPARED, FrameSums, SourceSums
 from procc_annotator.batch.grouping import MODEL, SHOT, Clusters, FrameOrder, shots_in
-from procc_annotator.batch.inference import COMPARED, Inference
+from procc_annotator.batch.inference import Inference
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.metrics.ground_plane import field_rectangle

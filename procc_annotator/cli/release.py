@@ -1,14 +1,15 @@
-"""``procc-annotator release``: what a keeper of a dataset publishes."""
+"""``procc-annotator release``: publish a dataset."""
 
 from __future__ import annotations
 
 import datetime
 import re
 import tempfile
-from collections.abc import Callable, Mapping
+from collections import Counter
+from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated, TypeVar
+from typing import Annotated
 
 import typer
 
@@ -29,7 +30,7 @@ from procc_annotator.dataset.layout import (
     annotations_of,
     folder_of_dataset,
 )
-from procc_annotator.dataset.picture_sizes import PictureSizes, picture_folders, picture_tree
+from procc_annotator.dataset.picture_sizes import PictureSizes
 from procc_annotator.dataset.records import default_author
 from procc_annotator.dataset.review import ignored_keys
 from procc_annotator.dataset.workspace import Workspace
@@ -43,19 +44,16 @@ from procc_annotator.formats.frame_names import FrameTable
 from procc_annotator.messages import list_names, pluralize
 from procc_annotator.report import agreement, label_check
 from procc_annotator.report.outputs import is_archive
-from procc_annotator.report.release.contents import (
+from procc_annotator.report.provenance import export_provenance
+from procc_annotator.report.release import (
     AGREEMENT_FILE,
     FIELD_COPY,
     FINDINGS_FILE,
     PROVENANCE_FILE,
     Release,
     ReleaseDescription,
-    export_provenance,
-)
-from procc_annotator.report.release.publish import (
+    count_origins,
     gather_frames,
-    origins_of,
-    severities,
     write_release,
 )
 
@@ -79,8 +77,6 @@ Example:
 
 _AGREEMENT_TAU = 5.0
 _SPLIT = re.compile(r"[\w][\w .\-]{0,60}")
-
-T = TypeVar("T")
 
 Name = Annotated[
     str | None, typer.Option(metavar="TEXT", show_default=False, help="Of the dataset.")
@@ -156,34 +152,45 @@ def release(given: ReleaseOptions) -> None:
     folder = folder_of_dataset(place)
     known = chosen_field(given.field, given.dataset, lines=given.lines)
     called = given.name or (folder or given.dataset).absolute().stem
-    said = "" if given.citation is None else read_file(given.citation).decode("utf-8", "replace")
+    citation = b"" if given.citation is None else read_file(given.citation)
     if not given.version.strip():
         raise UsageError("--version: names no version")
     splits = _splits(given.splits)
     terms = ReleaseDescription(
-        called, called, given.version, _date(given.date),
-        given.licence, tuple(given.by or ()), given.url, given.description, said,
+        called, given.version, _date(given.date), given.licence, tuple(given.by or ()), given.url,
+        given.description, citation.decode("utf-8", "replace"),
     )  # fmt: skip
     with open_annotations(place, known) as source:
         input_files.report_remarks(source.notices)
         _check_out(given.out, source, given.dataset, overwrite=given.overwrite)
-        sizes = PictureSizes(
-            picture_folders(given.dataset, place), tree=picture_tree(given.dataset)
-        )
+        sizes = PictureSizes.around(given.dataset, place)
         with progress_bar("reading") as progress:
-            found = gather_frames(source, known, splits, sizes, progress)
+            frames, problems = gather_frames(source, known, splits, sizes, progress)
         if unknown := [frame for frame in splits if frame not in list_annotations(source)]:
             echo(f"note: in a split, but not annotated: {list_names(unknown, 'frame')}", err=True)
-        released = FrameTable((frame.name, None) for frame in found.frames)
-        made = _ReleaseBuilder(source, given.dataset, folder, known, released)
+        # Nothing is reported of frames that are not released.
+        released = FrameTable((frame.name, None) for frame in frames)
         files: dict[str, bytes] = {}
-        open_findings = made.findings(files) if given.check else None
-        agreed = "" if given.second is None else made.agreement(given.second, files)
-        origins = made.provenance(files)
-        made.field_file(files)
+        open_findings = None
+        if given.check:
+            found = _findings(source, given.dataset, folder, known, released)
+            files[FINDINGS_FILE] = label_check.findings_csv(found)
+            counts = Counter(told.finding.severity.value for told in found.found)
+            open_findings = {n: counts[n] for n in ("error", "warning", "hint") if counts[n]}
+        agreed = ""
+        if given.second is not None:
+            with open_annotations(annotations_of(given.second), known) as other:
+                agreed, files[AGREEMENT_FILE] = _agreement(source, other, known, released)
+        origins = None
+        if folder is not None:
+            if provenance := _provenance(given.dataset, folder, known, released):
+                files[PROVENANCE_FILE], origins = provenance, count_origins(provenance)
+            for name, copy in ((FIELD_FILE, FIELD_COPY), (STADIUMS_FILE, STADIUMS_FILE)):
+                if (folder / name).is_file():
+                    files[copy] = read_file(folder / name)
         whole = Release(
-            terms, tuple(found.frames), known, made.fingerprint, open_findings, agreed, origins,
-            given.pictures, tuple(files.items()),
+            terms, frames, known, field_fingerprint(known), open_findings, agreed, origins,
+            given.pictures, files,
         )  # fmt: skip
         with (
             outputs.replacing_nothing(given.out, (), "release", overwrite=given.overwrite),
@@ -198,7 +205,7 @@ def release(given: ReleaseOptions) -> None:
         pictures = len(changes.pictures)
         echo(said + (f", {pictures} with another picture" if pictures else ""))
     echo(f"release {given.version} of {called} written to {given.out}")
-    raise typer.Exit(input_files.report_unreadable(found.problems, "left out"))
+    raise typer.Exit(input_files.report_unreadable(problems, "left out"))
 
 
 def _check_out(out: Path, source: FileSource, dataset: Path, *, overwrite: bool) -> None:
@@ -237,76 +244,42 @@ def _date(text: str | None) -> str:
         raise UsageError(f"--date {text}: expected a day, YYYY-MM-DD") from None
 
 
-class _ReleaseBuilder:
-    """Facts about a dataset for its release; its files are added as they come.
-
-    Nothing is reported of frames that are not released.
-    """
-
-    def __init__(
-        self,
-        source: FileSource,
-        dataset: Path,
-        folder: Path | None,
-        known: Field,
-        released: FrameTable[None],
-    ) -> None:
-        self._source, self._dataset, self._folder, self._known = source, dataset, folder, known
-        self._released = released
-        self.fingerprint = field_fingerprint(known)
-
-    def findings(self, files: dict[str, bytes]) -> Mapping[str, int]:
-        """By severity, without those that a person ignored."""
-        sizes = fit_sizes(self._source, self._source.path, self._dataset, None)
-        run = CheckRun(self._source, self._known, sizes, "R", looks=True)
-        run.frames = [frame for frame in run.frames if frame.name in self._released]
-        report = label_check.check_set(run, with_progress)
-        ignored = {} if self._folder is None else ignored_keys(read_settings(self._folder)[0])
-        report.found = [
-            told for told in report.found if told.key not in ignored.get(told.frame, frozenset())
-        ]
-        files[FINDINGS_FILE] = label_check.findings_csv(report)
-        return severities(told.finding.severity.value for told in report.found)
-
-    def agreement(self, second: Path, files: dict[str, bytes]) -> str:
-        """In one line."""
-        with open_annotations(annotations_of(second), self._known) as other:
-            run = AgreementRun(
-                self._source, other, self._known, (960, 540), (_AGREEMENT_TAU,), own=self._released
-            )
-            agreed, files[AGREEMENT_FILE] = _as_file(
-                ".json", lambda path: agreement.agree_sets(run, outputs=(path,))
-            )
-        return agreement.inter_annotator_line(agreed)
-
-    def provenance(self, files: dict[str, bytes]) -> Mapping[str, int] | None:
-        """Origin -> number of points; None where no workspace knows of any."""
-        folder = self._folder
-        if folder is None or not self._dataset.is_dir():
-            return None
-        if not database_path(folder).exists() and fallback_path_of(folder) is None:
-            return None
-        workspace = Workspace.open(folder, self._known)
-        database = WorkspaceDatabase.open(folder, default_author())
-        try:
-            _, data = _as_file(
-                ".json",
-                lambda path: export_provenance(workspace, database, path, only=self._released),
-            )
-        finally:
-            database.close()
-        files[PROVENANCE_FILE] = data
-        return origins_of(data)
-
-    def field_file(self, files: dict[str, bytes]) -> None:
-        """The dataset's own field, and the dimensions of its stadiums, where it has them."""
-        for name, copy in ((FIELD_FILE, FIELD_COPY), (STADIUMS_FILE, STADIUMS_FILE)):
-            path = None if self._folder is None else self._folder / name
-            if path is not None and path.is_file():
-                files[copy] = read_file(path)
+def _findings(
+    source: FileSource, dataset: Path, folder: Path | None, known: Field, own: FrameTable[None]
+) -> label_check.CheckReport:
+    """Findings of the label check that nobody has ignored."""
+    sizes = fit_sizes(source, source.path, dataset, None)
+    run = CheckRun(source, known, sizes, "R", looks=True)
+    run.frames = [frame for frame in run.frames if frame.name in own]
+    report = label_check.check_set(run, with_progress)
+    ignored = {} if folder is None else ignored_keys(read_settings(folder)[0])
+    report.found = [
+        told for told in report.found if told.key not in ignored.get(told.frame, frozenset())
+    ]
+    return report
 
 
-def _as_file(suffix: str, write: Callable[[Path], T]) -> tuple[T, bytes]:
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / f"file{suffix}"
-        return write(path), path.read_bytes()
+def _agreement(
+    source: FileSource, other: FileSource, known: Field, own: FrameTable[None]
+) -> tuple[str, bytes]:
+    """Agreement with a second annotator, in one line and as JSON."""
+    run = AgreementRun(source, other, known, (960, 540), (_AGREEMENT_TAU,), own=own)
+    with tempfile.TemporaryDirectory() as place:
+        path = Path(place) / AGREEMENT_FILE
+        agreed = agreement.agree_sets(run, outputs=(path,))
+        return agreement.inter_annotator_line(agreed), path.read_bytes()
+
+
+def _provenance(dataset: Path, folder: Path, known: Field, own: FrameTable[None]) -> bytes:
+    """Origins of the points as JSON; empty where no workspace knows of any."""
+    has_database = database_path(folder).exists() or fallback_path_of(folder) is not None
+    if not dataset.is_dir() or not has_database:
+        return b""
+    workspace = Workspace.open(folder, known)
+    with (
+        closing(WorkspaceDatabase.open(folder, default_author())) as database,
+        tempfile.TemporaryDirectory() as place,
+    ):
+        path = Path(place) / PROVENANCE_FILE
+        export_provenance(workspace, database, path, only=own)
+        return path.read_bytes()

@@ -9,18 +9,12 @@ from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
-from typing import Self
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.dataset.diagnostics import refuse_other_content
 from procc_annotator.dataset.frames import Frame
 from procc_annotator.dataset.layout import annotations_of, find_pictures, folder_of_dataset
-from procc_annotator.dataset.picture_sizes import (
-    PictureSizes,
-    picture_folders,
-    picture_tree,
-    size_in_annotation,
-)
+from procc_annotator.dataset.picture_sizes import PictureSizes, size_in_annotation
 from procc_annotator.errors import AnnotationError, InputError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.formats.annotations.exchange import ExchangedFrame
@@ -34,7 +28,13 @@ from procc_annotator.formats.annotations.registry import (
 )
 from procc_annotator.formats.annotations.soccernet import write_annotation
 from procc_annotator.formats.file_listing import AnnotationFiles, list_annotations
-from procc_annotator.formats.file_source import FileSource, FolderSource, open_source, read_optional
+from procc_annotator.formats.file_source import (
+    FileSource,
+    FolderSource,
+    OpenedSource,
+    open_source,
+    read_optional,
+)
 from procc_annotator.messages import pluralize
 
 _SUFFIX = ".json"
@@ -107,7 +107,7 @@ def read_labels(path: Path, field: Field) -> ReadSet:
 
 
 def _read(source: FileSource, place: Path, field: Field, names: LabelMap | None) -> ReadSet:
-    sizes = PictureSizes(picture_folders(place, place), tree=picture_tree(place))
+    sizes = PictureSizes.around(place, place)
     return read_set(
         source, field, names, size_of=sizes.size, pictures=sizes.names(), called=sizes.called
     )
@@ -135,7 +135,7 @@ def _nothing_in(path: Path, found: ReadSet) -> UsageError:
     )
 
 
-class ReadSource:
+class ReadSource(OpenedSource):
     """Annotations that were read from another format, as a source of this program's files.
 
     What could not be read is a file too, which cannot be read.
@@ -175,9 +175,6 @@ class ReadSource:
     def tree(self) -> list[str]:
         return list(self._files)
 
-    def folders(self) -> list[str]:
-        return []
-
     def read(self, name: str) -> bytes:
         found = self._files[name]
         if isinstance(found, InputError):
@@ -189,12 +186,6 @@ class ReadSource:
 
     def opener(self, base: Path) -> Callable[[], FileSource]:
         return partial(self._opening, base=base)
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(self, *failure: object) -> None:
-        return None
 
 
 def _written(frame: ExchangedFrame) -> bytes:

@@ -204,9 +204,8 @@ def camera_name_remark(pictures: Iterable[str]) -> str:
 
 
 def camera_name_remark_in(place: Path) -> str:
-    """`camera_name_remark` of the pictures that belong to a folder of annotations, next to them
-    or in the
-    folder above.
+    """`camera_name_remark` of the pictures that belong to a folder of annotations, next to them or
+    in the folder above.
 
     Raises:
         InputError: a folder cannot be listed.

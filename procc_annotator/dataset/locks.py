@@ -1,10 +1,9 @@
 """Frame locks between windows and machines on one dataset folder.
 
-The file names the author; its modification time, renewed by each beat, shows that the lock is in
-use.
-A lock informs and never prevents saving, so no disk failure is raised here. Ages are measured by
-the
-clock of the file server: against the time of a file made at the same moment next to it.
+A lock file holds the author; its modification time, renewed by each beat, shows that the lock is in
+use, and a minute without a beat frees the frame. A lock informs and never prevents saving, so no
+disk failure is raised here. Ages are measured by the clock of the file server: against the time of
+a file made at the same moment next to it.
 """
 
 from __future__ import annotations
@@ -23,13 +22,13 @@ from pathlib import Path
 
 from procc_annotator.regular_file import read_head
 
-_LARGEST = 4096  # bytes of a lock file that are looked at
+EXPIRY_S = 60.0  # six beats of a window: a busy or sleeping machine may miss some
+_LARGEST = 4096  # bytes of a lock file that are read
 
 
-@lru_cache(maxsize=16)  # asked for with every click
+@lru_cache(maxsize=16)  # needed with every click
 def _file_of(frame: str) -> str:
-    """Readable, but distinguished by the hash: names may hold anything and be as long as
-    allowed."""
+    """File name of a frame's lock; the hash keeps apart names that read alike once cleaned."""
     readable = re.sub(r"[^A-Za-z0-9_-]+", "_", frame)[:60]
     mark = hashlib.sha256(frame.encode("utf-8", "surrogatepass")).hexdigest()[:16]
     return f"{readable}-{mark}.lock"
@@ -42,7 +41,7 @@ class LockHolder:
     Attributes:
         author, host: as they named themselves; empty when the lock cannot be read.
         since: when they began, seconds since 1970 by their clock; 0 when unknown.
-        age: seconds since they last said so.
+        age: seconds since their last beat.
     """
 
     author: str
@@ -53,83 +52,61 @@ class LockHolder:
 
 @dataclass(frozen=True, slots=True)
 class _LockContent:
-    """Content of a lock file; ``machine`` is its host as `_machine` has it."""
-
     author: str
     host: str
-    machine: str
-    pid: int
-    session: str
+    session: str  # of one window
     since: float
 
 
 def locks_folder(dataset: Path) -> Path:
-    """Return where the locks of a dataset lie; a single picture's are its folder's."""
+    """Return the folder of a dataset's locks; a single picture's are its folder's."""
     return (dataset.parent if dataset.is_file() else dataset) / ".procc" / "locks"
 
 
 class FrameLocks:
-    """The locks this window holds, and those of others. Belongs to one thread.
+    """The locks of this window, and those of others. Belongs to one thread.
 
     Args:
         folder: see `locks_folder`; made with the first lock, but a dataset's own folder never is.
         author: shown to others.
-        expiry_s: a lock that has not been refreshed for so long counts for nothing.
-        host, pid: who we are; found out unless given.
     """
 
-    def __init__(
-        self,
-        folder: Path,
-        author: str,
-        *,
-        expiry_s: float = 60.0,
-        host: str | None = None,
-        pid: int | None = None,
-    ) -> None:
+    def __init__(self, folder: Path, author: str) -> None:
         self._folder = folder
-        self._expiry_s = expiry_s
-        self._me = _LockContent(
-            author,
-            socket.gethostname() if host is None else host,
-            _machine(),
-            os.getpid() if pid is None else pid,
-            uuid.uuid4().hex,
-            0.0,
-        )
+        self._me = _LockContent(author, socket.gethostname(), uuid.uuid4().hex, 0.0)
         self._held: dict[str, _LockContent] = {}
 
     @property
     def held(self) -> frozenset[str]:
-        """The frames locked by this window, as far as it knows."""
+        """The frames locked by this window, as of the last beat."""
         return frozenset(self._held)
 
     def set_author(self, author: str) -> None:
-        """Show another name to others, in locks that are held with the next beat."""
+        """Show another name to others; in existing locks from the next beat on."""
         self._me = replace(self._me, author=author)
         self._held = {frame: replace(note, author=author) for frame, note in self._held.items()}
 
     def acquire(self, frame: str) -> LockHolder | None:
-        """Lock a frame; a lock left behind by a crash is taken over.
+        """Lock a frame; an expired lock is taken over.
 
         Of two who take over one lock in the same moment both may believe it theirs until the next
         beat.
 
         Returns:
-            None when it is ours now, or when the folder cannot be written (saving will report
-            it) or is
-            a link out of the dataset; else who has it.
+            None when it is ours now, or when the folder cannot be written (saving will report it)
+            or is a link out of the dataset; else who has it.
         """
         if frame in self._held or self._leads_out():
             return None
         path, note = self._path(frame), replace(self._me, since=time.time())
         try:
             with suppress(FileNotFoundError, NotADirectoryError):
-                if (holder := self._judge(path)) is not None:
+                if (holder := self._living_holder(path)) is not None:
                     return holder
-            self._make_folder()
+            self._folder.parent.mkdir(exist_ok=True)
+            self._folder.mkdir(exist_ok=True)
             self._write(path, note, new=not os.path.exists(path))
-        except FileExistsError:  # somebody was quicker
+        except FileExistsError:  # another window was quicker
             return self.holder(frame)
         except OSError:
             return None
@@ -137,16 +114,16 @@ class FrameLocks:
         return None
 
     def holder(self, frame: str) -> LockHolder | None:
-        """Return who else is editing a frame; costs one look for a file when no one is."""
+        """Return who else is editing a frame; a single `stat` when no one is."""
         if frame in self._held:
             return None
         try:
-            return self._judge(self._path(frame))
-        except OSError:  # no lock, or none that could be seen
+            return self._living_holder(self._path(frame))
+        except OSError:  # no lock, or none that could be read
             return None
 
     def beat(self) -> frozenset[str]:
-        """Say that the locks of this window are still in use; call it every ten seconds or so.
+        """Renew the locks of this window; call it every ten seconds or so.
 
         Returns:
             The frames whose lock was lost: taken by a person who saw no beat for long (a laptop
@@ -158,7 +135,7 @@ class FrameLocks:
             try:
                 found = _read(path)
                 ours = self._is_ours(found)
-                if ours and found != note:  # another name since
+                if ours and found != note:  # the author changed
                     self._write(path, note)
                 elif ours:
                     os.utime(path)
@@ -173,7 +150,7 @@ class FrameLocks:
         return frozenset(lost)
 
     def is_there(self, frame: str) -> bool:
-        """Return whether the lock file of a frame exists; one look at the folder."""
+        """Return whether the lock file of a frame exists."""
         return os.path.exists(os.path.join(self._folder, _file_of(frame)))
 
     def release(self, frame: str) -> None:
@@ -194,7 +171,7 @@ class FrameLocks:
         return self._folder / _file_of(frame)
 
     def _write(self, path: Path, note: _LockContent, *, new: bool = False) -> None:
-        """Write a lock in one step; a new one fails where there is one by now."""
+        """Write a lock in one step; a new one fails if the file exists by now."""
         data = json.dumps(asdict(note)).encode("ascii")
         if new:
             _create(path, data)
@@ -210,19 +187,11 @@ class FrameLocks:
         dataset = os.path.realpath(self._folder.parent.parent)
         return not Path(os.path.realpath(self._folder)).is_relative_to(dataset)
 
-    def _make_folder(self) -> None:
-        if not self._folder.is_dir():
-            self._folder.parent.mkdir(exist_ok=True)
-            self._folder.mkdir(exist_ok=True)
-
-    def _judge(self, path: Path) -> LockHolder | None:
-        """The living holder of a lock file, or None for a dead one or our own."""
+    def _living_holder(self, path: Path) -> LockHolder | None:
+        """The holder of a lock file, or None for an expired one or our own."""
         os.stat(path)  # by far the most frequent answer, and the cheapest: there is none
         note = _read(path)
-        if self._is_ours(note) or (note is not None and self._has_ended(note)):
-            return None
-        age = self._age(path)
-        if age > self._expiry_s:
+        if self._is_ours(note) or (age := self._age(path)) > EXPIRY_S:
             return None
         if note is None:
             return LockHolder("", "", 0.0, age)
@@ -231,21 +200,8 @@ class FrameLocks:
     def _is_ours(self, note: _LockContent | None) -> bool:
         return note is not None and note.session == self._me.session
 
-    def _has_ended(self, note: _LockContent) -> bool:
-        """Return whether the process is known to be gone: only its own machine can say, not
-        Windows."""
-        if os.name != "posix" or (note.host, note.machine) != (self._me.host, self._me.machine):
-            return False
-        try:
-            os.kill(note.pid, 0)
-        except (ProcessLookupError, OverflowError):
-            return True
-        except OSError:  # another user's
-            return False
-        return False
-
     def _age(self, path: Path) -> float:
-        """Seconds since a file was written, by the clock of the server; 0 when no one can say.
+        """Seconds since a file was written, by the clock of the server; 0 if unknown.
 
         A time in the future counts like one in the past: the server's clock was set.
         """
@@ -263,15 +219,6 @@ class FrameLocks:
         return abs(now - os.stat(path).st_mtime)
 
 
-def _machine() -> str:
-    """Report containers of one host name apart, and a machine before and after a restart
-    (Linux)."""
-    with suppress(OSError):
-        boot = Path("/proc/sys/kernel/random/boot_id").read_text(encoding="ascii").strip()
-        return f"{boot} {os.readlink('/proc/self/ns/pid')}"
-    return ""
-
-
 def _create(path: Path, data: bytes) -> None:
     flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)
     descriptor = os.open(path, flags, 0o666)
@@ -285,19 +232,14 @@ def _create(path: Path, data: bytes) -> None:
 
 
 def _read(path: Path) -> _LockContent | None:
-    """Return what a lock says; None for one that is half written, damaged or not ours to
-    understand."""
+    """Content of a lock; None for one that is half written, damaged or of an unknown kind."""
     try:
         entries = json.loads(read_head(path, _LARGEST))
-        author, host, machine, session = (
-            _line(entries[key]) for key in ("author", "host", "machine", "session")
-        )
-        pid, since = entries["pid"], float(entries["since"])
+        author, host, session = (_line(entries[key]) for key in ("author", "host", "session"))
+        since = float(entries["since"])
     except (ValueError, RecursionError, KeyError, TypeError):
         return None
-    if not session or type(pid) is not int or pid <= 0 or not abs(since) < 1e12:
-        return None
-    return _LockContent(author, host, machine, pid, session, since)
+    return _LockContent(author, host, session, since) if session and abs(since) < 1e12 else None
 
 
 def _line(text: object) -> str:

@@ -92,6 +92,25 @@ class PictureSizes:
             for frame, picture in found.frames():
                 self._paths.setdefault(frame, tree / picture)
 
+    @classmethod
+    def around(
+        cls, dataset: Path, annotations: Path, otherwise: Size | None = None
+    ) -> PictureSizes:
+        """The pictures of a dataset: of a folder those in it, next to its annotations or next to
+        its ``annotations/``, or however deep below it; of an archive or a file those next to it.
+
+        Args:
+            dataset: as the user named it: a folder, archive or file.
+            annotations: what its annotations are read from: the same, or a folder in it.
+            otherwise: the size of those that are not there.
+        """
+        found = [annotations, dataset] if dataset.is_dir() else []
+        whole = dataset.resolve()
+        if found and whole.name != ANNOTATIONS_FOLDER:
+            return cls(found, otherwise, dataset)
+        tree = whole.parent if found and is_known_dataset(whole.parent) else None
+        return cls([*found, whole.parent], otherwise, tree)
+
     def size(self, frame: str) -> Size | None:
         """(width, height) px of a frame's picture as it is shown; None if no one knows."""
         path = self._paths.get(self.called(frame))
@@ -135,33 +154,6 @@ class PictureSizes:
             stem, suffix = os.path.splitext(name)
             if suffix.lower() in PICTURE_SUFFIXES and not name.startswith("."):
                 self._paths.setdefault(stem, folder / name)
-
-
-def picture_folders(dataset: Path, annotations: Path) -> list[Path]:
-    """Return where the pictures of a dataset may be, the likeliest place first.
-
-    Args:
-        dataset: as the user named it: a folder, archive or file.
-        annotations: what its annotations are read from: the same, or a folder in it.
-    """
-    found = [annotations, dataset] if dataset.is_dir() else []
-    if not dataset.is_dir() or dataset.resolve().name == ANNOTATIONS_FOLDER:
-        found.append(dataset.resolve().parent)
-    return found
-
-
-def picture_tree(dataset: Path) -> Path | None:
-    """The folder below which the pictures of a dataset may lie; None where no one named any.
-
-    Args:
-        dataset: as the user named it.
-    """
-    if not dataset.is_dir():
-        return None
-    above = dataset.resolve().parent
-    if dataset.resolve().name != ANNOTATIONS_FOLDER:
-        return dataset
-    return above if is_known_dataset(above) else None
 
 
 def picture_size(path: Path) -> Size:
@@ -211,15 +203,15 @@ class FitSizes:
 
     Attributes:
         asked: one size for all frames; None for 960 px in the shape of each picture.
-        folders: where the pictures may be, absolute; earlier ones count first.
+        dataset, annotations: absolute, as of `PictureSizes.around`; without them there is no
+            picture.
         otherwise: the size of pictures that are not there.
-        tree: absolute; looked through where those folders hold no picture.
     """
 
     asked: Size | None = None
-    folders: tuple[Path, ...] = ()
+    dataset: Path | None = None
+    annotations: Path | None = None
     otherwise: Size | None = None
-    tree: Path | None = None
 
     @classmethod
     def of(
@@ -234,17 +226,16 @@ class FitSizes:
             frames: their names; one without a picture is taken to have the size of the first
                 picture that there is, or of the video that the frames are of.
         """
-        folders = tuple(f.absolute() for f in picture_folders(dataset, annotations))
-        tree = picture_tree(dataset)
-        tree = None if tree is None else tree.absolute()
-        pictures = PictureSizes(folders, tree=tree)
-        sizes = (pictures.size(name) for name in frames)
+        dataset, annotations = dataset.absolute(), annotations.absolute()
+        sizes = map(PictureSizes.around(dataset, annotations).size, frames)
         first = next((s for s in sizes if s is not None), None)
-        return cls(asked, folders, first or _size_of_video(annotations.absolute()), tree)
+        return cls(asked, dataset, annotations, first or _size_of_video(annotations))
 
     @cached_property
     def _pictures(self) -> PictureSizes:
-        return PictureSizes(self.folders, tree=self.tree)
+        if self.dataset is None or self.annotations is None:
+            return PictureSizes([])
+        return PictureSizes.around(self.dataset, self.annotations)
 
     def picture_of(self, name: str) -> Path | None:
         """The picture of a frame, if there is one."""
@@ -277,8 +268,7 @@ def pictures_of_another_shape(
         frames: names; of many some are examined.
         sizes: (width, height) px that are compared at.
     """
-    folders = picture_folders(annotations, annotations)
-    pictures = PictureSizes(folders, tree=picture_tree(annotations))
+    pictures = PictureSizes.around(annotations, annotations)
     looked_at = frames[:: max(1, len(frames) // _LOOKED_AT)]
     found = dict.fromkeys(size for size in map(pictures.size, looked_at) if size is not None)
     return [

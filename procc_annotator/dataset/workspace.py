@@ -42,9 +42,8 @@ SAVED_ELSEWHERE = word("what was saved elsewhere")  # the step that `refresh` ma
 class Workspace:
     """The frames of a folder (or one picture), loaded one by one when asked for.
 
-    Annotations lie next to the pictures, in the folder's ``annotations/`` when it holds any
-    JSON, or
-    in a folder chosen by the user; the file is always ``{picture's stem}.json``.
+    Annotations lie next to the pictures, in the folder's ``annotations/`` when it holds any JSON,
+    or in a folder chosen by the user; the file is always ``{picture's stem}.json``.
 
     Attributes:
         root: what was opened: a folder, or a single picture.

@@ -12,7 +12,7 @@ from dataclasses import replace
 from functools import cache, lru_cache
 from pathlib import Path
 
-from procc_annotator.errors import FieldError
+from procc_annotator.errors import FieldError, InputError
 from procc_annotator.field.file_reader import line_number_of, read_field
 from procc_annotator.field.formulas import did_you_mean
 from procc_annotator.field.landmarks import field_at, with_landmarks
@@ -40,7 +40,7 @@ def field_titles() -> dict[str, str]:
     titles = {}
     for name in field_names():
         # What stands before the first table is read at once; the elements take far longer.
-        head = _read_text(builtin_field_file(name)).split("\n[", 1)[0]
+        head = read_toml_text(builtin_field_file(name)).split("\n[", 1)[0]
         titles[name] = str(tomllib.loads(head)["title"])
     return dict(sorted(titles.items(), key=lambda item: item[1].casefold()))
 
@@ -96,7 +96,7 @@ def _load(
             )
         path = builtin_field_file(str(name_or_path))
     chosen = tuple((name, type(value), value) for name, value in dimensions.items())
-    return _field_from_text(path, _read_text(path), chosen, lines, related)
+    return _field_from_text(path, read_toml_text(path), chosen, lines, related)
 
 
 # A command, and a window even more so, asks for the same field many times; evaluating its formulas
@@ -141,7 +141,7 @@ def place_in_file(field: Field, place: str) -> str:
     """
     if field.source is None or is_builtin_field(field.source):
         return f"{field.name}: {place}"
-    line = line_number_of(_read_text(field.source), place)
+    line = line_number_of(read_toml_text(field.source), place)
     return f"{field.source}: {place}" if line is None else f"{field.source}: line {line}: {place}"
 
 
@@ -212,27 +212,28 @@ def _with_dataset_additions(loaded: Field, of: Field) -> Field:
     return found if of.stadiums is None else replace(found, stadiums=of.stadiums)
 
 
-def _read_text(path: Path) -> str:
+def read_toml_text(path: Path, error: type[InputError] = FieldError) -> str:
+    """The text of a TOML file that is small enough to be parsed at once.
+
+    Raises:
+        error: it cannot be read, is too large, no UTF-8, or has a key of too many parts.
+    """
     try:
         data = read_head(path, _MAX_FILE_BYTES + 1)
         if len(data) > _MAX_FILE_BYTES:
-            raise FieldError(
-                path,
-                f"is larger than {_MAX_FILE_BYTES // 1024} kB, expected a field description",
-                advice="is it this file?",
-            )
+            size = _MAX_FILE_BYTES // 1024
+            raise error(path, f"is larger than {size} kB", advice="is it this file?")
         text = data.decode("utf-8-sig")  # some editors put a mark in front
-    except FileNotFoundError as error:
-        raise FieldError(path, "no such file") from error
-    except OSError as error:
-        raise FieldError(path, f"cannot be read: {error.strerror or error}") from error
-    except ValueError as error:  # not UTF-8, or no possible path
-        raise FieldError(path, f"cannot be read as UTF-8 text: {error}") from error
+    except FileNotFoundError as problem:
+        raise error(path, "no such file") from problem
+    except OSError as problem:
+        raise error(path, f"cannot be read: {problem.strerror or problem}") from problem
+    except ValueError as problem:  # not UTF-8, or no possible path
+        raise error(path, f"cannot be read as UTF-8 text: {problem}") from problem
     for number, line in enumerate(text.splitlines(), 1):
         if line.count(".") > _MAX_KEY_DOTS:
-            raise FieldError(
-                path, f"has more than {_MAX_KEY_DOTS} dots in a line", place=f"line {number}"
-            )
+            what = f"has more than {_MAX_KEY_DOTS} dots in a line"
+            raise error(path, what, place=f"line {number}")
     return text
 
 

@@ -176,12 +176,11 @@ class Field:
     and its edition. ``source`` is the file it was read from, which can be read again for other
     dimensions; ``own_file`` is that file's name where a shipped field has the same name and is
     another one, else empty. ``cameras`` is None where the file leaves it to the size of the field.
-    ``relations`` are what the rules say of several dimensions together.
-    ``landmarks`` are all that the dataset knows; some of the elements and classes are theirs, as
-    they are at ``instant``, and ``instants`` says when its frames were taken
-    (`field.landmarks.with_landmarks`). ``lines`` is one of `LINES`,
-    ``usual_lines`` the one that its file says. ``stadiums`` gives frames dimensions of their own
-    (`field.load`).
+    ``relations`` are what the rules say of several dimensions together. ``landmarks`` are all that
+    the dataset knows; some of the elements and classes are theirs, as they are at ``instant``, and
+    ``instants`` says when its frames were taken (`field.landmarks.with_landmarks`). ``lines`` is
+    one of `LINES`, ``usual_lines`` the one that its file says. ``stadiums`` gives frames dimensions
+    of their own (`field.load`).
     """
 
     name: str

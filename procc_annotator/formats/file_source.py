@@ -41,8 +41,7 @@ def walk(
     Args:
         root: the place.
         on_unread: called for each folder below it that cannot be listed, which is then left out;
-            None:
-            that is raised.
+            None: that is raised.
 
     Yields:
         The folder below the place with a slash at its end (``game/img1/``; empty for the place
@@ -209,12 +208,15 @@ def _from(base: Path | None, path: Path) -> Path:
     return path if base is None else base / path
 
 
-class _Opened:
+class OpenedSource:
     """A source of files as they are; those that open each file anew have nothing to close."""
 
     path: Path
     notices: tuple[str, ...] = ()
     decoded: tuple[str, ...] = ()
+
+    def folders(self) -> list[str]:
+        return []
 
     def opener(self, base: Path) -> Callable[[], FileSource]:
         return partial(open_source, self.path, base)
@@ -232,7 +234,7 @@ def _in_order(names: tuple[str, ...]) -> tuple[str, ...]:
     return tuple(natsorted(names))
 
 
-class FolderSource(_Opened):
+class FolderSource(OpenedSource):
     """Files of a folder.
 
     Attributes:
@@ -273,7 +275,7 @@ class FolderSource(_Opened):
         return partial(open_source, self.path, base, self.of_tree)
 
 
-class SingleFileSource(_Opened):
+class SingleFileSource(OpenedSource):
     """One file, as a source that holds nothing else."""
 
     def __init__(self, path: Path, base: Path | None = None) -> None:
@@ -286,9 +288,6 @@ class SingleFileSource(_Opened):
     def tree(self) -> list[str]:
         return self.files()
 
-    def folders(self) -> list[str]:
-        return []
-
     def read(self, name: str) -> bytes:
         return read_file(self._place.with_name(name), shown_as=self.path.with_name(name))
 
@@ -296,7 +295,7 @@ class SingleFileSource(_Opened):
         return str(self.path)
 
 
-class ZipSource(_Opened):
+class ZipSource(OpenedSource):
     """Files of a zip archive; the archive stays open until the source is closed.
 
     Nothing is ever unpacked to disk, and yet an archive is refused as a whole when it holds a name

@@ -13,55 +13,50 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 
 import msgspec
 import numpy as np
 
 from procc_annotator.errors import InputError
 from procc_annotator.field.formulas import MAX_COORDINATE_M
-from procc_annotator.field.geometry import Covariance, Vector
 from procc_annotator.field.model import Landmark
 from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.formats.file_source import read_file
-from procc_annotator.formats.strict_json import (
-    decode_strict,
-    is_finite_number,
-    json_kind,
-    json_repr,
-)
+from procc_annotator.formats.strict_json import convert_as, decode_strict, json_kind, json_repr
 
 LANDMARKS_FILE = "landmarks.json"
 
-_LONGEST_TEXT = 200
 _MOST = 10_000
-_COLOUR = re.compile(r"#[0-9a-fA-F]{6}\Z")
+_COLOUR = re.compile(r"(#[0-9a-fA-F]{6})?")
 _CORRECT = "correct the file"
 # Of the largest entry: what rounding leaves of a matrix that was symmetric and positive.
 _ROUNDING = 1e-9
 
+_Text = Annotated[str, msgspec.Meta(max_length=200)]
+_Metres = Annotated[float, msgspec.Meta(ge=-MAX_COORDINATE_M, le=MAX_COORDINATE_M)]
+_Finite = Annotated[float, msgspec.Meta(ge=-1e300, le=1e300)]
+_Row = tuple[_Finite, _Finite, _Finite]
+
 
 class _Entry(msgspec.Struct, omit_defaults=True):
-    """A landmark as it is written; keys in this order."""
+    """A landmark in the file; keys are written in this order."""
 
-    name: str
-    title: str = ""
-    position: tuple[float, float, float] | None = None
-    covariance: (
-        tuple[tuple[float, float, float], tuple[float, float, float], tuple[float, float, float]]
-        | None
-    ) = None
-    instant: str | None = None
+    name: _Text
+    title: _Text = ""
+    position: tuple[_Metres, _Metres, _Metres] | None = None
+    covariance: tuple[_Row, _Row, _Row] | None = None
+    instant: _Text | None = None
     moving: bool = False
     surveyed: bool = True
-    colour: str = ""
-    shortcut: str = ""
-    note: str = ""
-    frames: tuple[str, ...] = ()
+    colour: _Text = ""
+    shortcut: _Text = ""
+    note: _Text = ""
+    frames: tuple[_Text, ...] = ()
 
 
-_KEYS = frozenset(_Entry.__struct_fields__)
-_TEXTS = ("name", "title", "colour", "shortcut", "note")
+_KEYS = _Entry.__struct_fields__
+_TEXTS = ("name", "title", "instant", "shortcut", "note")
 
 
 @dataclass(frozen=True)
@@ -136,7 +131,7 @@ def read_landmarks(data: bytes, *, path: str) -> LandmarkFile:
     landmarks: list[Landmark] = []
     seen: dict[tuple[str, str | None], int] = {}
     for i, entry in enumerate(entries):
-        landmark = _Reader(path, f"landmarks[{i}]").landmark(entry)
+        landmark = _landmark(entry, path, f"landmarks[{i}]")
         key = landmark.name.strip(), landmark.instant
         if key in seen:
             again = f" at instant {json_repr(key[1])}" if key[1] is not None else ""
@@ -157,130 +152,39 @@ def encode_landmarks(landmarks: LandmarkFile) -> bytes:
     """The content of the file; reading it gives the same landmarks, to the last digit."""
     entries = []
     for mark in landmarks.landmarks:
-        known = msgspec.to_builtins(
-            _Entry(
-                mark.name,
-                mark.title,
-                mark.position,
-                mark.covariance,
-                mark.instant,
-                mark.moving,
-                mark.surveyed,
-                mark.colour,
-                mark.shortcut,
-                mark.note,
-                mark.frames,
-            )
-        )
+        known = msgspec.to_builtins(_Entry(*(getattr(mark, key) for key in _KEYS)))
         entries.append({**known, **dict(mark.extra)})
     content = {**dict(landmarks.extra), "landmarks": entries}
     return msgspec.json.format(msgspec.json.encode(content), indent=1) + b"\n"
 
 
-class _Reader:
-    """Reads one entry; every error names its place in the file."""
+def _landmark(entry: object, path: str, place: str) -> Landmark:
+    def wrong(key: str, problem: str) -> InputError:
+        return InputError(path, problem, place=f"{place}.{key}", advice=_CORRECT)
 
-    def __init__(self, path: str, place: str) -> None:
-        self._path = path
-        self._place = place
-
-    def landmark(self, entry: object) -> Landmark:
-        if type(entry) is not dict:
-            raise self._error("", f"expected an object, found {json_kind(entry)}")
-        if "name" not in entry:
-            raise self._error("", "the key 'name' is missing")
-        name, title, colour, shortcut, note = (
-            self._text(key, entry.get(key, "")) for key in _TEXTS
-        )
-        landmark = Landmark(
-            name,
-            title,
-            colour=colour,
-            shortcut=shortcut,
-            note=note,
-            moving=self._flag("moving", entry.get("moving", False)),
-            surveyed=self._flag("surveyed", entry.get("surveyed", True)),
-            position=self._position(entry.get("position")),
-            covariance=self._covariance(entry.get("covariance")),
-            instant=self._instant(entry.get("instant")),
-            frames=self._frames(entry.get("frames", [])),
-            extra=tuple((k, v) for k, v in entry.items() if k not in _KEYS),
-        )
-        if not landmark.name.strip():
-            raise self._error("name", "is empty")
-        if landmark.colour and not _COLOUR.match(landmark.colour):
-            raise self._error("colour", f"expected #rrggbb, found {json_repr(landmark.colour)}")
-        if landmark.covariance is not None and landmark.position is None:
-            raise self._error("covariance", "is of no use without a position")
-        return landmark
-
-    def _text(self, key: str, value: object) -> str:
-        if type(value) is not str:
-            raise self._error(key, f"expected text, found {json_repr(value)}")
-        if len(value) > _LONGEST_TEXT or not value.isprintable():
-            raise self._error(
-                key, f"expected one printable line of at most {_LONGEST_TEXT} characters"
-            )
-        return value
-
-    def _flag(self, key: str, value: object) -> bool:
-        if type(value) is not bool:
-            raise self._error(key, f"expected true or false, found {json_repr(value)}")
-        return value
-
-    def _instant(self, value: object) -> str | None:
-        return None if value is None else self._text("instant", value)
-
-    def _frames(self, value: object) -> tuple[str, ...]:
-        if type(value) is not list:
-            raise self._error("frames", f"expected a list of names, found {json_kind(value)}")
-        return tuple([self._text(f"frames[{i}]", frame) for i, frame in enumerate(value)])
-
-    def _position(self, value: object) -> Vector | None:
-        if value is None:
-            return None
-        position = self._vector("position", value)
-        for i, metres in enumerate(position):
-            if abs(metres) > MAX_COORDINATE_M:
-                raise self._error(
-                    f"position[{i}]",
-                    f"expected metres from the field's centre, at most {MAX_COORDINATE_M:g},"
-                    f" found {metres:g}",
-                )
-        return position
-
-    def _vector(self, key: str, value: object) -> Vector:
-        if type(value) is not list or len(value) != 3:
-            found = f"{len(value)} values" if type(value) is list else json_repr(value)
-            raise self._error(key, f"expected 3 numbers, found {found}")
-        for i, number in enumerate(value):
-            if not is_finite_number(number):
-                raise self._error(
-                    f"{key}[{i}]", f"expected a finite number, found {json_repr(number)}"
-                )
-        x, y, z = (float(number) for number in value)
-        return x, y, z
-
-    def _covariance(self, value: object) -> Covariance | None:
-        if value is None:
-            return None
-        if type(value) is not list or len(value) != 3:
-            found = f"{len(value)} values" if type(value) is list else json_repr(value)
-            raise self._error("covariance", f"expected 3 rows of 3 numbers, found {found}")
-        first, second, third = (
-            self._vector(f"covariance[{i}]", row) for i, row in enumerate(value)
-        )
-        matrix = np.array((first, second, third))
+    found = convert_as(entry, _Entry, path=path, place=place)
+    assert type(entry) is dict
+    extra = tuple((k, v) for k, v in entry.items() if k not in _KEYS)
+    landmark = Landmark(**msgspec.structs.asdict(found), extra=extra)
+    texts = ((key, getattr(found, key) or "") for key in _TEXTS)
+    frames = ((f"frames[{i}]", frame) for i, frame in enumerate(found.frames))
+    for key, text in (*texts, *frames):
+        if not text.isprintable():
+            raise wrong(key, "expected one printable line")
+    if not found.name.strip():
+        raise wrong("name", "is empty")
+    if not _COLOUR.fullmatch(found.colour):
+        raise wrong("colour", f"expected #rrggbb, found {json_repr(found.colour)}")
+    if found.covariance is not None:
+        if found.position is None:
+            raise wrong("covariance", "is of no use without a position")
+        matrix = np.array(found.covariance)
         limit = _ROUNDING * max(float(np.abs(matrix).max()), 1e-300)
         if np.abs(matrix - matrix.T).max() > limit:
-            raise self._error("covariance", "expected a symmetric matrix")
+            raise wrong("covariance", "expected a symmetric matrix")
         if np.linalg.eigvalsh(matrix)[0] < -limit:
-            raise self._error("covariance", "expected no negative variance in any direction")
-        return first, second, third
-
-    def _error(self, key: str, problem: str) -> InputError:
-        place = f"{self._place}.{key}" if key else self._place
-        return InputError(self._path, problem, place=place, advice=_CORRECT)
+            raise wrong("covariance", "expected no negative variance in any direction")
+    return landmark
 
 
 def _check_motion(path: str, landmarks: Sequence[Landmark]) -> None:

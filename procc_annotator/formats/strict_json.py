@@ -21,6 +21,7 @@ _BOM = b"\xef\xbb\xbf"
 # some depth that depends on who called it.
 _DEEPEST = 64
 _LONGEST_KEY = 60
+_QUOTED = re.compile("`([^`]*)`")
 
 
 class DuplicateKeyError(ValueError):
@@ -153,6 +154,47 @@ def decode_as(
         raise error(path, f"is no {what}: {problem}") from problem
     except RecursionError as problem:
         raise _too_deep(path, error) from problem
+
+
+_KINDS = {
+    "str": "text", "int": "a whole number", "float": "a number", "bool": "true or false",
+    "array": "a list", "object": "an object", "null": "null",
+}  # fmt: skip
+_PHRASES = (
+    ("Object missing required field", "lacks the key"), ("Expected", "expected"),
+    (", got", ", found"), ("<=", "at most"), (">=", "at least"),
+)  # fmt: skip
+
+
+def convert_as(
+    value: object,
+    kind: type[T],
+    *,
+    path: Path | str,
+    place: str,
+    error: type[InputError] = InputError,
+) -> T:
+    """A decoded value as a type of msgspec; keys that the type does not know are left out.
+
+    Args:
+        value: as of `decode_strict`.
+        kind: of the value.
+        path, place: the file, and where in it the value stands, for the message.
+        error: what to raise.
+
+    Raises:
+        error: it is of another type: the place inside it, and what was expected.
+    """
+    try:
+        return msgspec.convert(value, kind)
+    except msgspec.ValidationError as problem:
+        text, _, inside = str(problem).partition(" - at `$")
+        for theirs, ours in _PHRASES:
+            text = text.replace(theirs, ours)
+        text = _QUOTED.sub(
+            lambda m: " or ".join(_KINDS.get(k, repr(k)) for k in m[1].split(" | ")), text
+        )
+        raise error(path, text, place=place + inside[:-1], advice="correct the file") from problem
 
 
 def is_finite_number(value: object) -> TypeGuard[float]:

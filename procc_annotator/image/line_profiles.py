@@ -105,8 +105,7 @@ class ImagePatch:
     def around(
         cls, picture: PixelArray, point: tuple[float, float], reach_px: float, shrink: int = 1
     ) -> ImagePatch:
-        """Return what is within a distance, at the picture's border less; so many times
-        smaller."""
+        """Return what is within a distance, at the picture's border less; so many times smaller."""
         x, y = point
         reach = math.ceil(reach_px) + 2
         left, top = max(0, round(x) - reach), max(0, round(y) - reach)

@@ -1,9 +1,8 @@
 """Snap clicked points to the centre of the line marking nearby.
 
-Profiles across the line are averaged along it; the centre is where the smoothed profile curves
-most (Steger 1998, "An unbiased detector of curvilinear structures", without its width model), in
-the colour that separates the band from its flanks. A band convinces when nearly every cut across
-shows
+Profiles across the line are averaged along it; the centre is where the smoothed profile curves most
+(Steger 1998, "An unbiased detector of curvilinear structures", without its width model), in the
+colour that separates the band from its flanks. A band convinces when nearly every cut across shows
 it, when it is as wide and as coloured as what is sought, and when it goes on along the line. Of two
 that convince as much neither does.
 """

@@ -202,8 +202,7 @@ class WireframePoint:
         world: metres.
         px: where the camera shows it.
         along: the direction of its line, metres; None for a place that can be distinguished from
-            all others
-            on its line: an end, a corner, a crossing, a spot.
+            all others on its line: an end, a corner, a crossing, a spot.
     """
 
     name: str

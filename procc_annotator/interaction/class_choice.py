@@ -227,9 +227,8 @@ def _rank_name(wanted: list[str], text: str, name: str) -> int | None:
 
 
 def _letters_in_order(letters: str, name: str) -> bool:
-    """Return whether a name holds the letters in order, from the beginning of one of its words
-    on; not
-    further apart than three places each, or every long name would hold every short word."""
+    """Return whether a name holds the letters in order, from the beginning of one of its words on;
+    not further apart than three places each, or every long name would hold every short word."""
     starts = [i for i in range(len(name)) if i == 0 or name[i - 1] == " "]
     return any(_follows(letters, name[start:]) for start in starts)
 

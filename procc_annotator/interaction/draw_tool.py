@@ -231,8 +231,7 @@ def draft_with_cursor(
     draw: DrawTool, context: ToolContext, cursor: Position | None, held: Modifiers
 ) -> Draft | None:
     """The polyline under way, with its line to the cursor and what is reported there; before the
-    first
-    click what that begins; None where it would begin nothing.
+    first click what that begins; None where it would begin nothing.
 
     Args:
         draw: the tool.

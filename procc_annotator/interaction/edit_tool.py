@@ -74,9 +74,8 @@ class EditTool:
         return "frame" if self.band is not None else self._held
 
     def hover(self, position: Position, context: ToolContext) -> Hit | None:
-        """Return what the next press would take; unconfirmed elements are below the others, but
-        for a
-        selected one."""
+        """Return what the next press would take; unconfirmed elements are below the others, but for
+        a selected one."""
         waiting = FrameAnnotation(polylines=context.annotation.unconfirmed)
         layers = [context.annotation, waiting]
         selected = context.selected_class

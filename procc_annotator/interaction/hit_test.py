@@ -49,8 +49,7 @@ def hit_test(
         picture_size: (width, height) px.
         position: cursor, picture px.
         view_scale: screen px per picture px; the radius does not shrink or grow with zoom.
-        prefer: this class wins where two targets are equally near (crossing elements share
-            points).
+        prefer: this class wins where two targets are equally near (crossing elements share points).
         radius_screen: pick radius in screen px.
     """
     points, owners, starts = _all_points(annotation, picture_size)

@@ -13,9 +13,7 @@ from procc_annotator.dataset.layout import annotations_or_path
 from procc_annotator.dataset.picture_sizes import (
     PicturesByName,
     PictureSizes,
-    picture_folders,
     picture_size,
-    picture_tree,
 )
 from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import CameraError, ImageError, UsageError
@@ -89,7 +87,7 @@ def convert_annotations(
     with open_files(folder) as source:
         if fmt == "auto":
             refuse_other_content(source)
-        sizes = PictureSizes(picture_folders(path, folder), size, picture_tree(path))
+        sizes = PictureSizes.around(path, folder, size)
         reader = SetReader(
             source, field, names,
             fmt=fmt, size_of=sizes.size, pictures=sizes.names(), called=sizes.called,

@@ -19,21 +19,7 @@ from procc_annotator.field.load import load_field
 from procc_annotator.formats.annotations.soccernet import read_annotation, write_annotation
 from procc_annotator.formats.cameras.registry import read_camera_file
 from procc_annotator.formats.cameras.soccernet import write_camera
-from procc_annotator.resources import resources_dir
-
-ROOT = Path(__file__).resolve().parents[2]
-SOCCER = (resources_dir() / "field" / "soccer.toml").read_text(encoding="utf-8")
-FIELD = load_field()
-GOOD_CAMERA = json.loads((ROOT / "sample_data/cameras/true/camera_00001.json").read_text())
-
-
-def in_one_line(error: pytest.ExceptionInfo[Any], name: str) -> str:
-    text = str(error.value)
-    assert text.startswith(name)
-    assert text.isprintable()
-    assert len(text) < len(name) + 500
-    return text
-
+from tests.fuzz.readers import FIELD, GOOD_CAMERA, ROOT, SOCCER, in_one_line
 
 # ------------------------------------------------------------------------------- nothing is run
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import socket
 import struct
@@ -11,7 +10,6 @@ import zipfile
 from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -32,21 +30,7 @@ from procc_annotator.formats.cameras.registry import read_camera_file
 from procc_annotator.formats.file_listing import list_annotations
 from procc_annotator.formats.file_source import LARGEST_FILE, open_source, read_file
 from procc_annotator.image.decoding import decode_bgra
-from procc_annotator.resources import resources_dir
-
-ROOT = Path(__file__).resolve().parents[2]
-SOCCER = (resources_dir() / "field" / "soccer.toml").read_text(encoding="utf-8")
-FIELD = load_field()
-GOOD_CAMERA = json.loads((ROOT / "sample_data/cameras/true/camera_00001.json").read_text())
-
-
-def in_one_line(error: pytest.ExceptionInfo[Any], name: str) -> str:
-    text = str(error.value)
-    assert text.startswith(name)
-    assert text.isprintable()
-    assert len(text) < len(name) + 500
-    return text
-
+from tests.fuzz.readers import FIELD, in_one_line
 
 # ------------------------------------------------------------------------------------- archives
 

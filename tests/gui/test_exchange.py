@@ -121,7 +121,7 @@ def test_other_frames_keep_their_history_too(
 def test_a_frame_somebody_else_edits_is_left_alone(
     window: MainWindow, qtbot: QtBot, dataset: Path, foreign: Path
 ) -> None:
-    other = FrameLocks(locks_folder(dataset), "Ada", host="elsewhere")
+    other = FrameLocks(locks_folder(dataset), "Ada")
     assert other.acquire("frame_1") is None
     said = run_import(window, qtbot, foreign)
     assert "1 of 2 frames imported" in said

@@ -75,10 +75,6 @@ class DatabaseWriter:
         self._changed = threading.Condition()
         self._waiting: list[Write] = []
         self._questions: list[Callable[[], None]] = []
-        # What this session has written already: reported again to a file that takes the place of
-        # this
-        # one (a folder deleted, a backup put back).
-        self._written: list[Write] = []
         self._asked = 0  # flushes asked for, and those of them that had their round
         self._served = 0
         self._closing = False
@@ -209,7 +205,6 @@ class DatabaseWriter:
             else:
                 with self._changed:
                     del self._waiting[: len(batch)]
-                    self._written += batch
                     self.problem = ""
                 return
 
@@ -223,16 +218,11 @@ class DatabaseWriter:
         self._condemned = None
         if opened.notices:
             self._notify(opened.notices)
-        if before is not None:
-            if opened.fresh:  # the lost file can still be read through its open connection
-                copy_readable(before, opened.connection)
+        if before is not None:  # the file that lost its place can still be read
+            copy_readable(before, opened.connection)
             before.close()
         self._connection = opened.connection
-        if opened.identity != self._identity or opened.fresh:
-            self._identity = opened.identity
-            with self._changed:
-                self._waiting[:0] = self._written
-                self._written = []
+        self._identity = opened.identity
 
     def _failed(self, error: Exception) -> bool:
         """Remember why; whether trying again at once makes sense."""

@@ -199,8 +199,7 @@ class ReadContext:
 
     def frame_of_picture(self, picture: Any, path: str, place: str) -> str:
         """The frame that a picture's name in the file belongs to; whatever goes wrong next is
-        reported
-        of it.
+        reported of it.
 
         Raises:
             AnnotationError: it is no text, or cannot be the name of a frame.

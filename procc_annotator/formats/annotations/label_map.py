@@ -18,8 +18,8 @@ from typing import Any
 from procc_annotator.annotation import Point
 from procc_annotator.errors import InputError
 from procc_annotator.field.formulas import did_you_mean, printable_place, short_repr
+from procc_annotator.field.load import read_toml_text
 from procc_annotator.field.model import Field
-from procc_annotator.formats.file_source import read_file
 from procc_annotator.messages import pluralize
 from procc_annotator.resources import resources_dir
 
@@ -137,9 +137,6 @@ LABELS_FILE = "labels.toml"
 TOP_DOWN, LEFT_TO_RIGHT = ORDERS = "top_down", "left_to_right"
 _TABLE = "labels"
 _TEMPLATE = "template"
-# The TOML reader takes time by the square of a dotted key's length.
-_LARGEST = 256 * 1024
-_MOST_DOTS = 60
 _LEFT_OUT = "name a class of the field, or false to leave the label out"
 _NUMBERED = re.compile(r"(.*) \((\d{1,4})\)", re.DOTALL)
 
@@ -256,7 +253,7 @@ def read_label_map(path: Path, field: Field) -> LabelMap:
         InputError: it cannot be read, or says what makes no sense: file, line and what was
             expected.
     """
-    text = _text_of(path)
+    text = read_toml_text(path, InputError)
     try:
         content = tomllib.loads(text)
     except (ValueError, RecursionError) as error:  # tomllib's own error is a ValueError
@@ -273,22 +270,6 @@ def read_label_map(path: Path, field: Field) -> LabelMap:
             raise InputError(path, f"the label {short_repr(label)} is there twice", place=place)
         rules[label.strip()] = _rule(value, field, path, place)
     return LabelMap(path, rules)
-
-
-def _text_of(path: Path) -> str:
-    data = read_file(path)
-    if len(data) > _LARGEST:
-        raise InputError(path, f"is larger than {_LARGEST // 1024} kB", advice="is it this file?")
-    try:
-        text = data.decode("utf-8-sig")
-    except ValueError as error:
-        raise InputError(path, f"cannot be read as UTF-8 text: {error}") from error
-    for number, line in enumerate(text.splitlines(), 1):
-        if line.count(".") > _MOST_DOTS:
-            raise InputError(
-                path, f"has more than {_MOST_DOTS} dots in a line", place=f"line {number}"
-            )
-    return text
 
 
 def _place(text: str, label: str) -> str:

@@ -1,6 +1,4 @@
-"""A camera as read from a file, records of several cameras in one file, and plausibility
-remarks.
-"""
+"""A camera as read from a file, several cameras of one file, and plausibility remarks."""
 
 from __future__ import annotations
 

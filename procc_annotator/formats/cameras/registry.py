@@ -58,7 +58,6 @@ from procc_annotator.formats.cameras.soccernet import (
     is_broadtrack,
     is_soccernet,
     is_tvcalib,
-    tvcalib_from,
     tvcalib_records,
 )
 from procc_annotator.formats.strict_json import decode_fast, json_kind, printable, strip_bom
@@ -138,9 +137,10 @@ SOCCERNET = JsonFormat(
     "soccernet", "SoccerNet camera JSON", _soccernet,
     partial(_by_frame, _is_soccernet, _soccernet), _is_soccernet, "pan_degrees, x_focal_length",
 )  # fmt: skip
-TVCALIB = JsonFormat(  # its lines of JSON are read as text: by `tvcalib_records`
-    "tvcalib", "TVCalib per_sample_output.json", None, lambda *_: None, is_tvcalib, "image_ids"
+TVCALIB = JsonFormat(
+    "tvcalib", "TVCalib per_sample_output.json", None, tvcalib_records, is_tvcalib, "image_ids"
 )
+STORAGE = JsonFormat("opencv", "OpenCV FileStorage", None, lambda *_: None, is_storage)
 JSON_FORMATS = (
     SOCCERNET,
     TVCALIB,
@@ -191,14 +191,9 @@ def read_json(data: bytes, *, path: str, name: str | None = None) -> LoadedCamer
     Raises:
         CameraError: damaged, no camera, or several.
     """
-    if name == TVCALIB.name or (name is None and _is_lines(data)):
-        return only_record(tvcalib_records(data, path=path))
-    content = _decoded(data, path)
-    if name is None and is_storage(content):
+    known, content = _recognised(data, path, name)
+    if known is STORAGE:
         return read_opencv(data, path=path)
-    known = _BY_NAME[name] if name else _detected(content, path)
-    if known is TVCALIB:
-        return tvcalib_from(content, path)
     records = known.many(content, path)
     if records is not None:
         return only_record(records)
@@ -212,28 +207,31 @@ def json_records(data: bytes, *, path: str, name: str | None = None) -> CameraRe
     Raises:
         CameraError: damaged, or no camera.
     """
-    if name == TVCALIB.name or (name is None and _is_lines(data)):
-        return tvcalib_records(data, path=path)
-    content = _decoded(data, path)
-    if name is None and is_storage(content):
-        return None
-    known = _BY_NAME[name] if name else _detected(content, path)
-    if known is TVCALIB:
-        return tvcalib_records(data, path=path)
+    known, content = _recognised(data, path, name)
     return known.many(content, path)
 
 
 def detected_title(data: bytes, path: str) -> str:
-    """The title of the format a file of cameras is by its content, as of
-    `read_json`;
-    empty for any other file, damaged ones too."""
+    """Title of the format that a file of cameras has by its content, as of `read_json`; empty for
+    any other file, damaged ones too."""
     try:
-        if _is_lines(data):
-            return TVCALIB.title
-        content = _decoded(data, path)
-        return "OpenCV FileStorage" if is_storage(content) else _detected(content, path).title
+        return _recognised(data, path, None)[0].title
     except CameraError:
         return ""
+
+
+def _recognised(data: bytes, path: str, name: str | None) -> tuple[JsonFormat, Any]:
+    """The format of a file, by its name or by the content, and what was decoded; of TVCalib's lines
+    the bytes."""
+    if name == TVCALIB.name or (name is None and _is_lines(data)):
+        return TVCALIB, data
+    if is_array_file(data) or path.lower().endswith(ARRAY_SUFFIXES):
+        content: Any = array_content(data, path)
+    else:
+        content = decode_fast(data, path=path, error=CameraError)
+    if name is not None:
+        return _BY_NAME[name], content
+    return STORAGE if is_storage(content) else _detected(content, path), content
 
 
 def only_record(records: CameraRecords) -> LoadedCamera:
@@ -249,12 +247,6 @@ def only_record(records: CameraRecords) -> LoadedCamera:
             advice="give the file itself as the source of cameras",
         )
     return records.read(next(iter(records.entries)))
-
-
-def _decoded(data: bytes, path: str) -> Any:
-    if is_array_file(data) or path.lower().endswith(ARRAY_SUFFIXES):
-        return array_content(data, path)
-    return decode_fast(data, path=path, error=CameraError)
 
 
 def _detected(content: object, path: str) -> JsonFormat:

@@ -156,8 +156,11 @@ def is_tvcalib(content: object) -> bool:
     return type(content) is dict and _NAME_KEYS[0] in content
 
 
-def tvcalib_records(data: bytes, *, path: str) -> CameraRecords:
+def tvcalib_records(content: object, path: str) -> CameraRecords:
     """The records of a file: one a line, or all in one JSON list.
+
+    Args:
+        content: the bytes of the file, or what was decoded of it. path: for messages.
 
     A line that is no record belongs to no frame anyone knows; it is passed over with a notice.
 
@@ -166,10 +169,10 @@ def tvcalib_records(data: bytes, *, path: str) -> CameraRecords:
     """
     found: list[tuple[str, CameraRecord]] = []
     problems: list[CameraError] = []
-    for place, read in _parts(data, path):
+    for place, read in _parts(content, path):
         try:
-            content = read()
-            found.append((_picture(content, path, place), CameraRecord(place, content)))
+            record = read()
+            found.append((_picture(record, path, place), CameraRecord(place, record)))
         except CameraError as error:
             problems.append(error)
     if not found:
@@ -201,17 +204,19 @@ def tvcalib_from(content: object, path: str, inside: str = "") -> LoadedCamera:
     return with_notices(replace(loaded, size_is_usual=False), values.unused("homography"))
 
 
-def _parts(data: bytes, path: str) -> list[tuple[str, Any]]:
+def _parts(content: object, path: str) -> list[tuple[str, Any]]:
     """(place, decoder) of each record."""
-    data = strip_bom(data)
-    if data.lstrip()[:1] == b"[":
-        records = decode_fast(data, path=path, error=CameraError)
-        return [(f"[{i}]", lambda r=record: r) for i, record in enumerate(records)]
-    return [
-        (f"line {number}", lambda text=line, at=number: _decoded(text, path, at))
-        for number, line in enumerate(data.split(b"\n"), 1)
-        if line.strip()
-    ]
+    if isinstance(content, bytes):
+        content = strip_bom(content)
+        if content.lstrip()[:1] != b"[":
+            return [
+                (f"line {number}", lambda text=line, at=number: _decoded(text, path, at))
+                for number, line in enumerate(content.split(b"\n"), 1)
+                if line.strip()
+            ]
+        content = decode_fast(content, path=path, error=CameraError)
+    records = content if isinstance(content, list) else [content]
+    return [(f"[{i}]", lambda r=record: r) for i, record in enumerate(records)]
 
 
 def _decoded(line: bytes, path: str, number: int) -> object:

@@ -6,11 +6,10 @@ import io
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from html import escape
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from procc_annotator.batch.audit import Points, gather
 from procc_annotator.field.appearance import hex_colour, linear_rgb
@@ -82,50 +81,29 @@ def draw_chart(
         number: distinguishes the ids of the page's charts.
         title, text: see `Chart`; the title is also what a screen reader says.
         height_in: inches; the width is that of the page.
-        draw: puts axes on an empty figure, laid out by constraint.
+        draw: puts axes on an empty figure.
     """
     import warnings
 
-    _load_undocumented()
     import matplotlib
     from matplotlib.backends.backend_svg import FigureCanvasSVG
     from matplotlib.figure import Figure
 
-    # The settings of anyone who runs this must not change the report.
+    # A matplotlibrc of the user must not change the report.
     settings: Any = {
         key: value
         for key, value in matplotlib.rcParamsDefault.items()
         if not key.startswith("backend")
     }
     with warnings.catch_warnings(), matplotlib.rc_context(settings | _SETTINGS):
-        # Names in scripts its own font lacks: anyone who shows the page has a font for them.
+        # Names in scripts that its own font lacks: the browser has a font for them.
         warnings.filterwarnings("ignore", message="Glyph")
-        figure = Figure(figsize=(WIDTH_IN, height_in), dpi=72, layout="constrained")
+        figure = Figure(figsize=(WIDTH_IN, height_in), dpi=72)
         canvas: Any = FigureCanvasSVG(figure)
         draw(figure)
-        # Laid out here, without the drawing on trial that saving a figure does for it.
-        engine = figure.get_layout_engine()
-        if engine is not None:
-            engine.execute(figure)
-            figure.set_layout_engine("none")
         stream = io.StringIO()
         canvas.print_svg(stream, metadata=dict.fromkeys(("Date", "Creator", "Format", "Type")))
     return Chart(_inline(stream.getvalue(), number, title), title, text)
-
-
-@lru_cache(maxsize=1)
-def _load_undocumented() -> None:
-    """Load matplotlib without the docstrings of setters that it puts together for every artist: a
-    third of what loading it takes, and no one reads them here."""
-    import matplotlib.artist as artists
-
-    written = artists.kwdoc
-    artists.kwdoc = lambda artist: ""
-    try:
-        import matplotlib.backends.backend_svg
-        import matplotlib.figure  # noqa: F401
-    finally:
-        artists.kwdoc = written
 
 
 def _inline(svg: str, number: int, title: str) -> str:
@@ -149,16 +127,8 @@ def _inline(svg: str, number: int, title: str) -> str:
     for stand_in, colour in _PAGE_COLOURS.items():
         body = body.replace(stand_in, colour)
     start = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{found[1]}" role="img"'
-    return f'{start} aria-label="{_attribute(title)}">{body}'
+    return f'{start} aria-label="{escape(title)}">{body}'
 
-
-def _attribute(text: str) -> str:
-    from html import escape
-
-    return escape(text, quote=True)
-
-
-Floats = NDArray[np.floating[Any]]
 
 # Between them a line has a contrast of 3:1 (WCAG 1.4.11) with white and with the dark page.
 _LIGHTEST, _DARKEST = 0.29, 0.14
@@ -167,23 +137,25 @@ _DASHES = ("-", (0, (5, 2)), (0, (1, 1.3)), (0, (6, 2, 1, 2)), (0, (3, 1)), (0, 
 _MARKERS = ("o", "s", "^", "D", "v", "P")
 
 
-@dataclass(frozen=True, slots=True)
-class MethodStyle:
-    """Look of a source in all charts: never by colour alone."""
+@dataclass(frozen=True, eq=False)
+class ChartedMethod:
+    """A source that has numbers to draw, with its look in all charts: never by colour alone."""
 
-    name: str
+    source: ReportedSource
     colour: str
     dash: Any
     marker: str
-
-
-@dataclass(frozen=True, eq=False)
-class ChartedMethod:
-    """A source that has numbers to draw."""
-
-    source: ReportedSource
-    look: MethodStyle
     points: Points
+
+    @property
+    def label(self) -> str:
+        """Its name in charts."""
+        return chart_label(self.source.marked_name)
+
+    @property
+    def line(self) -> dict[str, Any]:
+        """Arguments of matplotlib for its lines."""
+        return {"color": self.colour, "ls": self.dash, "lw": 1.4, "label": self.label}
 
 
 def charted_sources(report: AuditReport, colours: Sequence[str]) -> list[ChartedMethod]:
@@ -191,16 +163,13 @@ def charted_sources(report: AuditReport, colours: Sequence[str]) -> list[Charted
     return [
         ChartedMethod(
             source,
-            MethodStyle(
-                source.marked_name,
-                readable_on_both_themes(colours[i % len(colours)]),
-                _DASHES[i % len(_DASHES)],
-                _MARKERS[i % len(_MARKERS)],
-            ),
+            readable_on_both_themes(colours[i % len(colours)]),
+            _DASHES[i % len(_DASHES)],
+            _MARKERS[i % len(_MARKERS)],
             gather(list(source.audits.values())),
         )
         for i, source in enumerate(report.sources)
-        if source.audits and (source in report.detailed)
+        if source.audits and source in report.detailed
     ]
 
 
@@ -219,59 +188,29 @@ def readable_on_both_themes(colour: str) -> str:
     return hex_colour(linear)
 
 
-def panels(figure: Figure, rows: int, *, between_in: float, top_in: float = 0.28) -> list[Axes]:
-    """Small panels one below the other; matplotlib's own layout of many takes seconds."""
-    size = figure.get_size_inches()
-    boxes = panel_boxes(size, rows, 1, between_in=between_in, top_in=top_in)
-    figure.set_layout_engine(None)
-    return [figure.add_axes(tuple(box)) for box in boxes / np.tile(size, 2)]
-
-
-def only_panel(figure: Figure) -> Axes:
-    """One panel as large as the figure; without a title."""
-    (axes,) = panels(figure, 1, between_in=0.0, top_in=0.08)
-    return axes
-
-
-def panel_boxes(
-    size: Floats,
-    rows: int,
-    columns: int,
-    *,
-    between_in: float,
-    top_in: float,
-    bottom_in: float = 0.42,
-) -> Floats:
-    """Left, bottom, width and height (N, 4) of panels row by row; all in inches."""
-    width, height = size
-    left, right, beside = 0.6, 0.18, 0.14
-    high = (height - top_in - bottom_in - between_in * (rows - 1)) / rows
-    wide = (width - left - right - beside * (columns - 1)) / columns
-    return np.array(
-        [
-            (
-                left + column * (wide + beside),
-                height - top_in - high - row * (high + between_in),
-                wide,
-                high,
-            )
-            for row in range(rows)
-            for column in range(columns)
-        ]
-    )
+def panels(
+    figure: Figure, rows: int, columns: int = 1, *, between_in: float = 0.26, top_in: float = 0.28
+) -> list[Axes]:
+    """Add axes row by row; constrained layout of as many takes seconds."""
+    width, height = figure.get_size_inches()
+    left_in, right_in, bottom_in, beside_in = 0.6, 0.18, 0.45, 0.14
+    high_in = (height - top_in - bottom_in + between_in) / rows - between_in
+    wide_in = (width - left_in - right_in + beside_in) / columns - beside_in
+    margins = {
+        "left": left_in / width, "right": 1 - right_in / width,
+        "bottom": bottom_in / height, "top": 1 - top_in / height,
+        "hspace": between_in / high_in, "wspace": beside_in / wide_in,
+    }  # fmt: skip
+    found = figure.subplots(rows, columns, squeeze=False, gridspec_kw=margins)
+    return list(found.flat)
 
 
 def legend_above(figure: Figure, charted: Sequence[ChartedMethod]) -> None:
-    """One legend for all panels."""
+    """Add one legend for all panels."""
     from matplotlib.lines import Line2D
 
-    lines = [Line2D([], [], **line_style(one.look)) for one in charted]
+    lines = [Line2D([], [], **one.line) for one in charted]
     figure.legend(handles=lines, loc="upper center", ncols=4, handlelength=4, borderaxespad=0.1)
-
-
-def line_style(look: MethodStyle) -> dict[str, Any]:
-    """Return how matplotlib is to draw the source's lines."""
-    return {"color": look.colour, "ls": look.dash, "lw": 1.4, "label": chart_label(look.name)}
 
 
 def chart_label(name: str) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import combinations
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,8 +29,6 @@ from procc_annotator.report.page.chart_style import (
     charted_sources,
     draw_chart,
     legend_above,
-    line_style,
-    only_panel,
     panels,
     readable_on_both_themes,
 )
@@ -63,7 +61,7 @@ def jitter_chart(found: Sequence[TemporalMetrics], colours: Sequence[str]) -> Ch
     ends = np.cumsum([len(shot.shot.frames) for shot in found[0].shots])[:-1]
 
     def draw(figure: Figure) -> None:
-        rows = panels(figure, len(found), between_in=0.26)
+        rows = panels(figure, len(found))
         for at, (axes, one) in enumerate(zip(rows, found, strict=True)):
             colour = readable_on_both_themes(colours[at % len(colours)])
             places, shown = envelope(values[at], 0, len(values[at]), _MOST_PLACES)
@@ -88,39 +86,40 @@ def jitter_chart(found: Sequence[TemporalMetrics], colours: Sequence[str]) -> Ch
     )
 
 
-Floats = NDArray[np.floating[Any]]
-
 _MAX_FRAME_PAIRS = 3  # of sources; more would fill a page
 _ONE_FRAME, _SMALLEST_MARK, _LARGEST_MARK = 6.0, 2.0, 120.0  # areas, points squared
 
 
 def frame_charts(report: AuditReport, charted: list[ChartedMethod]) -> list[Chart]:
     """The distribution for every source, and pairs of sources where there are several."""
-    jacs: list[Floats] = [100 * report.jac_of_frames(one.source) for one in charted]
+    jacs: list[FloatArray] = [100 * report.jac_of_frames(one.source) for one in charted]
     charts = [_distribution(report, charted, jacs)]
     if len(charted) > 1:
         charts.append(_pairs(report, charted, jacs))
     return charts
 
 
-def _distribution(report: AuditReport, charted: list[ChartedMethod], jacs: list[Floats]) -> Chart:
+def _distribution(
+    report: AuditReport, charted: list[ChartedMethod], jacs: list[FloatArray]
+) -> Chart:
     known = [values[~np.isnan(values)] for values in jacs]
 
     def draw(figure: Figure) -> None:
+        figure.set_layout_engine("constrained")
         violins, curves = figure.subplots(1, 2)
         for place, (one, values) in enumerate(zip(charted, known, strict=True)):
             drawn = violins.violinplot([values], [place], widths=0.8, showextrema=False)
             for body in drawn["bodies"]:
-                body.set(facecolor=one.look.colour, alpha=0.5)
+                body.set(facecolor=one.colour, alpha=0.5)
             low, middle, high = np.percentile(values, (25, 50, 75))
-            violins.plot([place, place], [low, high], color=one.look.colour, lw=4)
+            violins.plot([place, place], [low, high], color=one.colour, lw=4)
             violins.plot(
-                [place], [middle], marker=one.look.marker, color=one.look.colour, ms=8, mec="white",
+                [place], [middle], marker=one.marker, color=one.colour, ms=8, mec="white",
                 mew=1.5,
             )  # fmt: skip
             share = 100 * (np.arange(len(values)) + 0.5) / len(values)
-            curves.plot(share, np.sort(values), **line_style(one.look))
-        names = [chart_label(one.look.name) for one in charted]
+            curves.plot(share, np.sort(values), **one.line)
+        names = [one.label for one in charted]
         violins.set_xticks(range(len(charted)), names, fontsize=7)
         violins.set(ylabel=f"JaC@{report.tau:g}, %", ylim=(-2, 102))
         curves.set(xlabel="frames, %, in the order of their JaC", xlim=(0, 100), ylim=(-2, 102))
@@ -138,15 +137,13 @@ def _distribution(report: AuditReport, charted: list[ChartedMethod], jacs: list[
     )
 
 
-def _pairs(report: AuditReport, charted: list[ChartedMethod], jacs: list[Floats]) -> Chart:
+def _pairs(report: AuditReport, charted: list[ChartedMethod], jacs: list[FloatArray]) -> Chart:
     pairs = list(combinations(range(len(charted)), 2))[:_MAX_FRAME_PAIRS]
 
     def draw(figure: Figure) -> None:
+        figure.set_layout_engine("constrained")
         for row, (i, j) in enumerate(pairs):
-            names = (
-                chart_label(charted[i].source.marked_name),
-                chart_label(charted[j].source.marked_name),
-            )
+            names = charted[i].label, charted[j].label
             both = ~np.isnan(jacs[i]) & ~np.isnan(jacs[j])
             a, b = jacs[i][both], jacs[j][both]
             scatter = figure.add_subplot(len(pairs), 2, 2 * row + 1)
@@ -156,7 +153,7 @@ def _pairs(report: AuditReport, charted: list[ChartedMethod], jacs: list[Floats]
                 places[:, 0],
                 places[:, 1],
                 _mark_areas(counts),
-                color=charted[i].look.colour,
+                color=charted[i].colour,
                 alpha=0.55,
                 linewidths=0,
                 clip_on=False,  # most lie at the ends of the axes
@@ -168,7 +165,7 @@ def _pairs(report: AuditReport, charted: list[ChartedMethod], jacs: list[Floats]
             ordered = figure.add_subplot(len(pairs), 2, 2 * row + 2)
             share = 100 * (np.arange(len(a)) + 0.5) / max(1, len(a))
             ordered.axhline(0, color=FAINT, lw=0.8, ls=":")
-            ordered.plot(share, np.sort(a - b), color=charted[i].look.colour, lw=1.2)
+            ordered.plot(share, np.sort(a - b), color=charted[i].colour, lw=1.2)
             ordered.set(
                 xlabel="frames, %, in the order of the difference",
                 ylabel=f"{names[0]} less {names[1]}, points", xlim=(0, 100),
@@ -187,7 +184,7 @@ def _pairs(report: AuditReport, charted: list[ChartedMethod], jacs: list[Floats]
     )
 
 
-def _mark_areas(counts: NDArray[np.intp]) -> Floats:
+def _mark_areas(counts: NDArray[np.intp]) -> FloatArray:
     """Areas of marks that stand for so many frames: of a large set they would hide each other."""
     one = min(_ONE_FRAME, _LARGEST_MARK / counts.max(initial=1))
     return np.asarray(np.maximum(one * counts, _SMALLEST_MARK), dtype=np.float64)
@@ -227,14 +224,14 @@ def draw_charts(report: AuditReport, colours: Sequence[str]) -> list[Chart]:
 
 def _curves(report: AuditReport, charted: list[ChartedMethod]) -> Chart:
     def draw(figure: Figure) -> None:
-        axes = only_panel(figure)
+        (axes,) = panels(figure, 1, top_in=0.08)
         shown = _LARGEST_TAU >= TAU_GRID
         places = {source.name: at for at, source in enumerate(report.evaluated)}
         for one in charted:
             curve = mean_curve(list(one.source.audits.values()))
-            axes.plot(TAU_GRID[shown], 100 * curve[shown], **line_style(one.look))
+            axes.plot(TAU_GRID[shown], 100 * curve[shown], **one.line)
             band = report.certainty.curve(places[one.source.name])
-            _shade(axes, band, shown, one.look.colour)
+            _shade(axes, band, shown, one.colour)
         for tau in report.thresholds:
             if tau <= _LARGEST_TAU:
                 axes.axvline(tau, color=FAINT, lw=0.8, ls=":")
@@ -260,7 +257,7 @@ def _differences(report: AuditReport, colours: Sequence[str]) -> Chart:
     shown = _LARGEST_TAU >= TAU_GRID
 
     def draw(figure: Figure) -> None:
-        rows = panels(figure, len(pairs), between_in=0.26)
+        rows = panels(figure, len(pairs))
         for at, (axes, pair) in enumerate(zip(rows, pairs, strict=True)):
             band = report.certainty.curve_of_difference(pair.a, pair.b)
             colour = readable_on_both_themes(colours[at % len(colours)])
@@ -299,14 +296,14 @@ def _band_words(report: AuditReport) -> str:
 
 def _timelines(report: AuditReport, charted: list[ChartedMethod]) -> Chart:
     def draw(figure: Figure) -> None:
-        rows = panels(figure, len(charted), between_in=0.26)
+        rows = panels(figure, len(charted))
         for axes, one in zip(rows, charted, strict=True):
             jac = 100 * report.jac_of_frames(one.source)
             places = np.arange(len(jac)) + 1
-            axes.plot(places, jac, color=one.look.colour, lw=0.7, marker=one.look.marker, ms=1.8)
+            axes.plot(places, jac, color=one.colour, lw=0.7, marker=one.marker, ms=1.8)
             (missing,) = np.nonzero(np.isnan(jac))
             axes.plot(missing + 1, np.zeros(len(missing)), "x", color=INK, ms=4, mew=1)
-            axes.set_title(chart_label(one.look.name), y=1.0)
+            axes.set_title(one.label, y=1.0)
             axes.set(
                 ylabel=f"JaC@{report.tau:g}, %",
                 ylim=(-4, 104),
@@ -341,11 +338,11 @@ def _poses(report: AuditReport, charted: list[ChartedMethod]) -> Chart:
                 values = np.where(np.abs(values) < _DRAWABLE, values, np.nan)
                 if many:
                     centres, low, medians, high = _stretches(values)
-                    axes.fill_between(centres, low, high, color=one.look.colour, alpha=0.25, lw=0)
-                    axes.plot(centres, medians, **{**line_style(one.look), "lw": 0.9})
+                    axes.fill_between(centres, low, high, color=one.colour, alpha=0.25, lw=0)
+                    axes.plot(centres, medians, **{**one.line, "lw": 0.9})
                 else:
                     places = np.arange(len(values)) + 1
-                    axes.plot(places, values, **{**line_style(one.look), "lw": 0.8})
+                    axes.plot(places, values, **{**one.line, "lw": 0.8})
             axes.set_ylabel(f"{quantity}, {unit}")
             axes.tick_params(labelsize=6.5, labelbottom=axes is rows[-1])
             axes.set_xlim(0, len(report.frames) + 1)

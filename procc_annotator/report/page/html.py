@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 from hashlib import sha256
-from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -29,8 +28,6 @@ from procc_annotator.report.page.report_tables import (
 )
 from procc_annotator.report.tables.metrics import FN, FP, JAC, TP
 from procc_annotator.report.tables.table import (
-    Cell,
-    DisplayColumn,
     MetricTable,
     definitions,
     display_table,
@@ -39,71 +36,6 @@ from procc_annotator.resources import resources_dir
 
 if TYPE_CHECKING:
     from jinja2 import Template
-
-
-_ARROWS = {"higher": ("more is better", "↑"), "lower": ("less is better", "↓")}
-
-
-_SHORT = 6  # rows that stay on one printed page
-
-
-def html_table(sheet: MetricTable, *, sortable: bool = False) -> str:
-    """The table within a box that scrolls where it is too wide; the keyboard can scroll it, too.
-
-    Args:
-        sortable: says what it can be sorted by, for the page's own script.
-    """
-    content = display_table(sheet)
-    caption = escape(content.caption)
-    classes = f"wide{' short' if len(content.rows) <= _SHORT else ''}"
-    lines = [
-        f'<div class="{classes}" tabindex="0" role="region" aria-label="{caption}">',
-        '<table class="sortable">' if sortable else "<table>",
-        f"<caption><span>{caption}</span></caption>",
-        "<thead>",
-        *_groups(content.groups),
-        "<tr>",
-        *(_heading(column) for column in content.columns),
-        "</tr>",
-        "</thead>",
-        "<tbody>",
-    ]
-    for row in content.rows:
-        cells = (_cell(c, cell) for c, cell in zip(content.columns[1:], row[1:], strict=True))
-        head = f'<th scope="row"{_side(content.columns[0])}>{escape(row[0].text)}</th>'
-        lines += ["<tr>", head, *cells, "</tr>"]
-    lines += ["</tbody>", "</table>", *(f"<p>{escape(note)}</p>" for note in content.notes)]
-    return "\n".join([*lines, "</div>\n"])
-
-
-def _groups(groups: tuple[tuple[str, int], ...]) -> list[str]:
-    if not groups:
-        return []
-    cells = [
-        f'<th scope="colgroup" colspan="{width}">{escape(name)}</th>'
-        if name
-        else f'<td colspan="{width}"></td>'
-        for name, width in groups
-    ]
-    return ["<tr>", *cells, "</tr>"]
-
-
-def _heading(column: DisplayColumn) -> str:
-    arrow = ""
-    if column.better is not None:
-        meaning, sign = _ARROWS[column.better]
-        arrow = f'&nbsp;<span role="img" aria-label="{meaning}">{sign}</span>'
-    means = f' title="{escape(column.definition)}"' if column.definition else ""
-    return f'<th scope="col"{_side(column)}{means}>{escape(column.heading)}{arrow}</th>'
-
-
-def _cell(column: DisplayColumn, cell: Cell) -> str:
-    text = escape(cell.text).replace(", ", ",&nbsp;") if column.numeric else escape(cell.text)
-    return f"<td{_side(column)}>{f'<strong>{text}</strong>' if cell.bold else text}</td>"
-
-
-def _side(column: DisplayColumn) -> str:
-    return ' class="number"' if column.numeric else ""
 
 
 MOST_FAILURES = 200
@@ -178,7 +110,7 @@ def report_html(report: AuditReport, heading: Heading, page: Page) -> bytes:
     classes = classes_section(report)
     every = every_frame_table(report) if len(report.frames) <= MOST_FRAMES else None
     explained = [*shown, *report.told.sheets, *page.over_time, classes, *page.pair_tables]
-    text = _template().render(
+    text = page_template("report.html").render(
         heading=heading,
         report=report,
         page=page,
@@ -196,9 +128,9 @@ def report_html(report: AuditReport, heading: Heading, page: Page) -> bytes:
 
 
 @cache
-def _template() -> Template:
+def page_template(name: str) -> Template:
+    """A template of the page; ``table.html`` has the macro of tables."""
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
-    from markupsafe import Markup
 
     sorting = (resources_dir() / "report" / "sort.js").read_text(encoding="utf-8")
     environment = Environment(
@@ -210,14 +142,12 @@ def _template() -> Template:
         lstrip_blocks=True,
         keep_trailing_newline=True,
     )
-    # Drawn here from escaped texts, not read from anywhere.
-    environment.filters["drawn"] = lambda chart: Markup(chart.svg)
-    environment.globals["generator"] = _GENERATOR
-    environment.globals["sorting"] = Markup(sorting)  # ours, see above
-    environment.globals["sorting_hash"] = b64encode(sha256(sorting.encode()).digest()).decode()
-    environment.filters["table"] = lambda sheet, **look: Markup(html_table(sheet, **look))
+    environment.filters["shown"] = display_table
     environment.filters["data_uri"] = _data_uri
-    return environment.get_template("report.html")
+    environment.globals["generator"] = _GENERATOR
+    environment.globals["sorting"] = sorting
+    environment.globals["sorting_hash"] = b64encode(sha256(sorting.encode()).digest()).decode()
+    return environment.get_template(name)
 
 
 def _data_uri(picture: bytes, kind: str) -> str:

@@ -11,12 +11,10 @@ import numpy as np
 from procc_annotator.batch.audit import bias, gather
 from procc_annotator.field.landmarks import element_titles
 from procc_annotator.formats.cameras.fit_record import FITTED_KEYS, SOME_OTHER_VERSION
-from procc_annotator.metrics.sets import ClassSummary, SetSummary
 from procc_annotator.report.page.pairs import ReportedPair
 from procc_annotator.report.page.report_data import AuditReport, ReportedSource
 from procc_annotator.report.scores.inference import inference_entries
 from procc_annotator.report.scores.inference_tables import (
-    WITH_INTERVAL,
     interval_columns,
     interval_ends,
 )
@@ -27,14 +25,13 @@ from procc_annotator.report.scores.score_files import (
     summary_entry,
 )
 from procc_annotator.report.scores.score_tables import left_out_entry, left_out_table
-from procc_annotator.report.tables.data_files import csv_bytes, json_bytes
+from procc_annotator.report.tables.data_files import csv_bytes, json_bytes, metric_entry
 from procc_annotator.report.tables.metrics import (
     BIAS_DOWN,
     BIAS_RIGHT,
-    COMPLETENESS,
+    COMPARED_ON_PAGE,
     ERROR_POINTS,
     EVALUATED,
-    FINAL_SCORE,
     IMAGES,
     IN_SAMPLE,
     JAC,
@@ -48,19 +45,22 @@ from procc_annotator.report.tables.metrics import (
     MIRRORED,
     OF_SET,
     P95_PX,
+    PRECISION,
+    RECALL,
     UNDEFINED,
     UNMATCHED,
+    WITH_INTERVAL,
     WITHOUT,
 )
 from procc_annotator.report.tables.table import (
     TAU,
     Column,
+    Metric,
     MetricTable,
-    Row,
+    Value,
     count_column,
     defined_count_column,
     metric_column,
-    metric_values,
     shortest_number,
 )
 from procc_annotator.report.temporal import TemporalMetrics, over_time_entries
@@ -70,51 +70,55 @@ SOURCE = Column("source", "Source")
 
 def comparison_table(report: AuditReport) -> MetricTable:
     """The sources side by side, as the paper compares camera models."""
-    taus = sorted(report.thresholds)
+    shown = _compared_metrics(report)
+    several = [metric for metric, _, _ in shown]
     columns = (
         SOURCE,
         Column("model", "Camera model"),
         *(
-            metric_column(MEAN_JAC, f"@{tau:g}", key=f"mean_jac@{shortest_number(tau)}")
-            for tau in taus
+            metric_column(metric, at, key=f"{metric.key}{at}" if several.count(metric) > 1 else "")
+            for metric, _, at in shown
         ),
-        metric_column(MEAN_ERROR, f"@{taus[-1]:g}"),
-        metric_column(COMPLETENESS),
-        metric_column(FINAL_SCORE, f"@{report.tau:g}"),
     )
     rows = tuple(
-        (s.marked_name, s.model or None, *_figures(s, taus, report.tau)) for s in report.sources
+        (
+            s.marked_name,
+            s.model or None,
+            *(metric.of(s.summaries[tau]) if s.summaries else None for metric, tau, _ in shown),
+        )
+        for s in report.sources
     )
     return MetricTable(
         "comparison", "Comparison of camera sources", columns, rows, terms(report),
-        (_rests_on(report),), _significantly_best(report, taus),
+        (_rests_on(report),), _significantly_best(report, shown),
     )  # fmt: skip
 
 
-def _figures(source: ReportedSource, taus: list[float], leading: float) -> list[float | None]:
-    if not source.summaries:
-        return [None] * (len(taus) + 3)
-    first = source.summaries[leading]
+def _compared_metrics(report: AuditReport) -> list[tuple[Metric, float, str]]:
+    """The metrics of the comparison, each with its threshold (px) and what its heading adds."""
+    taus = sorted(report.thresholds)
+    at = {"every": taus, "largest": taus[-1:], "leading": [report.tau], "none": [report.tau]}
     return [
-        *(source.summaries[tau].mean_jac for tau in taus),
-        source.summaries[taus[-1]].mean_error,
-        first.completeness,
-        first.final_score,
+        (metric, tau, "" if where == "none" else f"@{shortest_number(tau)}")
+        for metric, where in COMPARED_ON_PAGE
+        for tau in at[where]
     ]
 
 
-def _significantly_best(report: AuditReport, taus: list[float]) -> frozenset[tuple[int, int]]:
-    """Places of the values that are better than those of every other source beyond chance."""
-    keys = [(MEAN_JAC.key, tau) for tau in taus]
-    keys += [(MEAN_ERROR.key, taus[-1]), (COMPLETENESS.key, report.tau)]
-    keys.append((FINAL_SCORE.key, report.tau))
+def _significantly_best(
+    report: AuditReport, shown: Sequence[tuple[Metric, float, str]]
+) -> frozenset[tuple[int, int]]:
+    """Places of the values that are significantly better than those of every other source."""
     rows = [at for at, source in enumerate(report.sources) if source.summaries]
-    best = [report.certainty.best(*key) for key in keys]
     on_ground = [source.ground_only for source in report.evaluated]
-    error = best[len(taus)]
-    if error is not None and on_ground[error] and not all(on_ground):
-        best[len(taus)] = None  # of a homography it is the error of fewer points
-    return frozenset((rows[b], 2 + at) for at, b in enumerate(best) if b is not None)
+    found = set()
+    for column, (metric, tau, _) in enumerate(shown, 2):
+        best = report.certainty.best(metric.key, tau)
+        # The error of a homography is that of fewer points.
+        fewer = metric is MEAN_ERROR and best is not None and on_ground[best]
+        if best is not None and not (fewer and not all(on_ground)):
+            found.add((rows[best], column))
+    return frozenset(found)
 
 
 def _rests_on(report: AuditReport) -> str:
@@ -334,48 +338,41 @@ def _pair_entry(pair: ReportedPair) -> dict[str, Any]:
 
 def report_csv(report: AuditReport) -> bytes:
     """One row a source and threshold, then one for each of its classes (counted in points)."""
-    rows: list[Row] = []
-    unknown = (None,) * (2 * len(WITH_INTERVAL) + 2)
-    ranks = {tau: report.certainty.ranks(MEAN_JAC.key, tau) for tau in report.thresholds}
+    setup, certainty = report.setup, report.certainty
+    found: list[dict[str, Value]] = []
+    ranks = {tau: certainty.ranks(MEAN_JAC.key, tau) for tau in report.thresholds}
     for place, source in enumerate(report.evaluated):
-        ends = report.certainty.intervals[place]
-        fits = source.fitted.these, source.fitted.another
+        ends = certainty.intervals[place]
         for tau, summary in source.summaries.items():
-            within = [end for f in WITH_INTERVAL for end in interval_ends(ends[f.key, tau])]
-            clusters = report.certainty.clusters.described
+            terms: dict[str, Value] = {
+                "source": source.name,
+                "model": source.model,
+                "protocol": setup.protocol,
+                "options": ", ".join(setup.options(source.ground_only)),
+                "width": setup.size[0],
+                "height": setup.size[1],
+                TAU.key: tau,
+                "field": setup.field.described,
+                **dict(zip(FITTED_KEYS, (source.fitted.these, source.fitted.another), strict=True)),
+            }
+            of_set: dict[str, Value] = {
+                "images": summary.images,
+                "evaluated": summary.evaluated,
+                "rank": ranks[tau][place],
+                "clusters": certainty.clusters.described,
+                "held_out_elements": len(source.held_out.elements) or None,
+            }
             shares = source.held_out.shares(tau) or (None, None)
-            known = (*within, ranks[tau][place], clusters, *fits)
-            known += (len(source.held_out.elements) or None, *shares)
-            rows.append((*_row(report, source, tau, summary), *known))
-            for name, found in summary.per_class.items():
-                rows.append(
-                    (
-                        *_row(report, source, tau, found, name),
-                        *unknown,
-                        *fits,
-                        None,
-                        None,
-                        None,
-                    )
-                )
-    return csv_bytes(MetricTable("report", "", _COLUMNS, tuple(rows)))
+            of_set |= zip((LEFT_OUT_SCORE.key, IN_SAMPLE.key), shares, strict=True)
+            for metric in WITH_INTERVAL:
+                keys = (column.key for column in interval_columns(metric))
+                of_set |= zip(keys, interval_ends(ends[metric.key, tau]), strict=True)
+            found.append(terms | of_set | metric_entry(OF_SET, summary))
+            for name, of_class in summary.per_class.items():
+                own = {metric.key: one.of(of_class) for metric, one in _OF_CLASS.items()}
+                found.append(terms | {"class": name} | own | metric_entry(COUNTS, of_class))
+    rows = tuple(tuple(row.get(column.key) for column in _COLUMNS) for row in found)
+    return csv_bytes(MetricTable("report", "", _COLUMNS, rows))
 
 
-def _row(
-    report: AuditReport,
-    source: ReportedSource,
-    tau: float,
-    found: SetSummary | ClassSummary,
-    class_name: str | None = None,
-) -> Row:
-    setup = report.setup
-    options = ", ".join(setup.options(source.ground_only))
-    terms = (source.name, source.model, setup.protocol, options, *setup.size, tau, class_name)
-    if isinstance(found, SetSummary):
-        images = (found.images, found.evaluated)
-        figures = (*images, *metric_values(OF_SET, found), None, None, None)
-    else:
-        of_class = {MEAN_JAC: found.jac, MEAN_PRECISION: found.precision, MEAN_RECALL: found.recall}
-        shared = (of_class.get(figure) for figure in OF_SET)
-        figures = (None, None, *shared, *metric_values(COUNTS, found))
-    return (*terms, *figures, setup.field.described)
+_OF_CLASS = {MEAN_JAC: JAC, MEAN_PRECISION: PRECISION, MEAN_RECALL: RECALL}

@@ -26,23 +26,20 @@ from procc_annotator.report.tables.metrics import (
     CLICK_DEVIATION,
     CLICK_SHARE,
     CLICKED_JAC,
-    COMPLETENESS,
+    DIFFERENCES,
     DISTINGUISHABLE_FROM,
-    ERROR_DIFFERENCE,
-    FINAL_SCORE,
     FRAMES,
     FRAMES_FOR,
     FRAMES_ONLY_A,
     FRAMES_ONLY_B,
     JAC_DIFFERENCE,
-    MEAN_ERROR,
     MEAN_JAC,
     MINIMUM_DETECTABLE_DIFFERENCE,
     P_CORRECTED,
     P_VALUE,
     RANK,
-    SCORE_DIFFERENCE,
     SHARED,
+    WITH_INTERVAL,
 )
 from procc_annotator.report.tables.table import (
     TAU,
@@ -54,12 +51,6 @@ from procc_annotator.report.tables.table import (
     metric_column,
 )
 
-WITH_INTERVAL = (MEAN_JAC, COMPLETENESS, FINAL_SCORE, MEAN_ERROR)
-DIFFERENCES = (
-    (JAC_DIFFERENCE, "mean_jac"),
-    (SCORE_DIFFERENCE, "final_score"),
-    (ERROR_DIFFERENCE, "mean_error"),
-)
 POINTS = (0.01, 0.02, 0.05)  # differences that a set should tell, as shares
 _POWER = 0.8
 _CURVE_STEP = 5  # of `TAU_GRID`, in a file

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Literal
+
 from procc_annotator.report.tables.table import Metric
 
 FAR = 1000.0  # metres or px: next to a horizon distances are as large as one likes
@@ -106,6 +108,13 @@ OF_SET = (
     ERROR_COUNTED, MEAN_ERROR,
 )  # fmt: skip
 OF_CLASS = (TP, FP, FN, JAC, PRECISION, RECALL)
+# Metrics of sets that are reported with intervals: keys of `batch.frame_sums.RATIOS`.
+WITH_INTERVAL = (MEAN_JAC, COMPLETENESS, FINAL_SCORE, MEAN_ERROR)
+# Metrics that compare sources on the page of a report, and the thresholds they are shown at. The
+# error is that of the largest one, where mirrored labels score higher least often.
+COMPARED_ON_PAGE: tuple[tuple[Metric, Literal["every", "largest", "leading", "none"]], ...] = (
+    (MEAN_JAC, "every"), (MEAN_ERROR, "largest"), (COMPLETENESS, "none"), (FINAL_SCORE, "leading"),
+)  # fmt: skip
 
 # --- how errors are spread and where they lean ----------------------------------------------------
 
@@ -296,6 +305,12 @@ ERROR_DIFFERENCE = Metric(
     "mean_error_difference", "mean error, A less B", "px", signed=True,
     definition="The mean reprojection error of A less that of B, on the frames both have.",
 )  # fmt: skip
+# Differences of sources, each with the metric of `SetSummary` that it is the difference of.
+DIFFERENCES = (
+    (JAC_DIFFERENCE, MEAN_JAC.key),
+    (SCORE_DIFFERENCE, FINAL_SCORE.key),
+    (ERROR_DIFFERENCE, MEAN_ERROR.key),
+)
 P_VALUE = Metric(
     "p", "p", digits=4,
     definition="The share of exchanges of the two sources, whole clusters at once, that differ at"

@@ -13,7 +13,7 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl, run_in_background
 from procc_annotator.gui.writing import ask_where, opened_frame
 from procc_annotator.report.export import Exported, Scoring, export_annotations, export_scores
-from procc_annotator.report.release.contents import export_provenance
+from procc_annotator.report.provenance import export_provenance
 from procc_annotator.translation import tr, tr_count
 
 Work = Callable[[Workspace, Callable[[int, int], None]], Exported]

@@ -11,7 +11,7 @@ import pytest
 from rich.console import Console
 
 from procc_annotator.formats.csv_tables import unescape_formula
-from procc_annotator.report.page.html import html_table
+from procc_annotator.report.page.html import page_template
 from procc_annotator.report.tables import metrics
 from procc_annotator.report.tables.data_files import csv_bytes, json_bytes, table_entry
 from procc_annotator.report.tables.table import (
@@ -153,6 +153,6 @@ def test_a_page_explains_its_columns_once() -> None:
         "c", "C", (Column("figure"), TAU), (("median", 1.0),), of_rows=(metrics.MEDIAN_PX,)
     )
     assert definitions([rows]) == (("median, px", (metrics.MEDIAN_PX.definition,)),)
-    assert f'title="{metrics.TP.definition}"' in html_table(
+    assert f'title="{metrics.TP.definition}"' in page_template("table.html").module.table(
         MetricTable("d", "D", (Column("source"), defined_count_column(metrics.TP)), ())
     )
