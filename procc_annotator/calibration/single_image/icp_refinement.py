@@ -16,6 +16,7 @@ from procc_annotator.calibration.optimization.initialization import (
     side_costs,
     wide_prior,
 )
+from procc_annotator.calibration.optimization.observations import HALF_WIDTH_PX
 from procc_annotator.calibration.optimization.projection import Lens, project
 from procc_annotator.calibration.optimization.solver import GaussianPrior
 from procc_annotator.calibration.single_image.field_points import (
@@ -24,7 +25,6 @@ from procc_annotator.calibration.single_image.field_points import (
     visible_line_points,
 )
 from procc_annotator.calibration.single_image.line_distance import (
-    HALF_WIDTH_PX,
     SAME_DIRECTION_RAD,
     ImageLinePixels,
     direction_indices,
