@@ -25,13 +25,13 @@ from procc_annotator.cli.evaluation_plan import (
     require_submitted_for,
     submitted_source,
 )
-from procc_annotator.cli.input_files import (
+from procc_annotator.cli.manifest_option import ManifestFile, ManifestOfRun
+from procc_annotator.cli.remarks import (
     report_camera_names,
     report_mismatch,
     report_remarks,
     report_unreadable,
 )
-from procc_annotator.cli.manifest_option import ManifestFile, ManifestOfRun
 from procc_annotator.errors import ProccError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.formats.frame_names import FrameTable

@@ -13,7 +13,14 @@ import typer
 
 from procc_annotator.batch.execution.executor import make_executor
 from procc_annotator.batch.grouping import Tags
-from procc_annotator.cli import inference_options, input_files, options, outputs, temporal_options
+from procc_annotator.cli import (
+    inference_options,
+    input_files,
+    options,
+    outputs,
+    remarks,
+    temporal_options,
+)
 from procc_annotator.cli.console import with_progress
 from procc_annotator.cli.echo import echo
 from procc_annotator.cli.manifest_option import ManifestFile, ManifestOfRun
@@ -266,10 +273,10 @@ def _make(
     with ExitStack() as opened:
         source = opened.enter_context(open_annotations(folder, call.setup.field, call.labels))
         collections = [opened.enter_context(_open(spec, call.setup.field)) for spec in call.specs]
-        input_files.report_mismatch(source, call.setup.field)
+        remarks.report_mismatch(source, call.setup.field)
         named = list(zip(call.specs, collections, strict=True))
         for spec, collection in named:
-            input_files.report_remarks(f"{spec.name}: {notice}" for notice in collection.notices)
+            remarks.report_remarks(f"{spec.name}: {notice}" for notice in collection.notices)
         files = (*call.written, *([call.manifest.path] if call.manifest else []))
         outputs.check_not_inputs(files, [source, *collections])
         work_ahead = len(list_annotations(source)) * _frame_cost(call.request, len(call.specs))
@@ -301,11 +308,11 @@ def _print_summary(call: _ReportRequest, gathered: AuditReport, problems: list[s
     for path in (*call.written, *([call.manifest.path] if call.manifest else [])):
         echo(f"written: {path}")
     notes = dict.fromkeys(note for s in gathered.sources for note in s.annotation_notes)
-    input_files.report_remarks(notes)
+    remarks.report_remarks(notes)
     failures = list(dict.fromkeys(gathered.failures()))
     # Drawing a frame meets what scoring it has met, without knowing the source's name.
     failures += [p for p in problems if not any(said.endswith(p) for said in failures)]
-    return input_files.report_unreadable(failures)
+    return remarks.report_unreadable(failures)
 
 
 def _frame_cost(request: ReportRequest, sources: int) -> int:

@@ -23,7 +23,7 @@ from procc_annotator.batch.temporal import OverTimeRun, require_shots
 from procc_annotator.cli import outputs
 from procc_annotator.cli.console import progress_bar, stdout_console
 from procc_annotator.cli.echo import echo
-from procc_annotator.cli.input_files import report_remarks
+from procc_annotator.cli.remarks import report_remarks
 from procc_annotator.dataset.layout import FRAMES_FILE, folder_of_dataset
 from procc_annotator.dataset.sequence import find_shots, open_pictures
 from procc_annotator.errors import ProccError, UsageError
