@@ -7,12 +7,7 @@ from collections.abc import Iterator, Sequence
 from itertools import repeat
 
 from procc_annotator.annotation import FrameAnnotation, Point, pixel_like
-from procc_annotator.calibration.model_selection import (
-    fit_model,
-    fit_result_from,
-    searched_model,
-    select_model,
-)
+from procc_annotator.calibration.model_selection import fit_model, searched_model, select_model
 from procc_annotator.calibration.optimization.camera_parameters import MODELS
 from procc_annotator.calibration.optimization.camera_placement import insufficient_reason
 from procc_annotator.calibration.optimization.observations import ImageFrame, build_observations
@@ -22,7 +17,7 @@ from procc_annotator.calibration.optimization.robust_fit import (
     FitScene,
     search_cameras,
 )
-from procc_annotator.calibration.result import FitResult
+from procc_annotator.calibration.result import FitResult, fit_result_from
 from procc_annotator.camera.base import Camera
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field

@@ -20,27 +20,18 @@ field without symmetry has no reflection either.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.annotation import FrameAnnotation, Polyline
 from procc_annotator.arrays import FloatArray
 from procc_annotator.field.geometry import (
-    Arc,
-    Chain,
-    Geometry,
     Line,
-    Spot,
-    Vector,
     outline_of,
-    same_geometry,
 )
-from procc_annotator.field.model import Element, Field
-from procc_annotator.translation import translatable
+from procc_annotator.field.model import Element
 
 Corner = tuple[int, int]  # two straight elements that meet
 
@@ -166,69 +157,3 @@ def _intersection_point(one: Element, other: Element) -> FloatArray | None:
     if not (-slack[0] <= along <= 1 + slack[0] and -slack[1] <= also <= 1 + slack[1]):
         return None
     return np.asarray(p + along * r)
-
-
-_SAME_PLACE_M = 0.01
-MIRROR_X = (-1.0, 1.0)  # left for right
-MIRROR_Y = (1.0, -1.0)  # top for bottom
-MIRROR_REMEDY_TEXTS = {  # the remedies
-    MIRROR_Y: translatable("exchange far and near in the whole frame"),
-    MIRROR_X: translatable("exchange left and right in the whole frame"),
-}
-
-
-def mirrored_names(
-    field: Field, signs: tuple[float, float], needed: Iterable[str] = ()
-) -> Mapping[str, str] | None:
-    """The class that each class becomes when the field is reflected.
-
-    Args:
-        field: the elements.
-        signs: factors of x and y: `ALONG` or `MIRROR_Y`.
-        needed: classes that must become one.
-
-    Returns:
-        None where one of those becomes none: what is given by its place on one side only (a mark
-        before the team benches, a landmark) cannot have been taken for its own reflection.
-    """
-    found = _mirrored_elements(field.elements, signs)
-    return found if all(name in found for name in needed) else None
-
-
-@lru_cache(maxsize=16)
-def _mirrored_elements(elements: tuple[Element, ...], signs: tuple[float, float]) -> dict[str, str]:
-    free = list(elements)
-    found: dict[str, str] = {}
-    for element in elements:
-        there = _mirrored_geometry(element.geometry, signs)
-        twin = next((e for e in free if same_geometry(e.geometry, there, _SAME_PLACE_M)), None)
-        if twin is not None:
-            free.remove(twin)
-            found[element.name] = twin.name
-    return found
-
-
-def _mirrored_geometry(shape: Geometry, signs: tuple[float, float]) -> Geometry:
-    if isinstance(shape, Line):
-        return Line(_mirrored_point(shape.start, signs), _mirrored_point(shape.end, signs))
-    if isinstance(shape, Spot):
-        return Spot(_mirrored_point(shape.position, signs))
-    if isinstance(shape, Chain):
-        parts = (_mirrored_geometry(part, signs) for part in shape.parts)
-        return Chain(tuple(part for part in parts if isinstance(part, Line | Arc)))
-    places = (shape.centre, shape.ahead, shape.aside)
-    centre, ahead, aside = (_mirrored_point(place, signs) for place in places)
-    return replace(shape, centre=centre, ahead=ahead, aside=aside)
-
-
-def _mirrored_point(place: Vector, signs: tuple[float, float]) -> Vector:
-    return signs[0] * place[0], signs[1] * place[1], place[2]
-
-
-def relabelled(annotation: FrameAnnotation, names: Mapping[str, str]) -> FrameAnnotation:
-    """An annotation with classes exchanged, all at once; unconfirmed elements are dropped."""
-    return FrameAnnotation(
-        tuple(
-            Polyline(names.get(p.class_name, p.class_name), p.points) for p in annotation.polylines
-        )
-    )

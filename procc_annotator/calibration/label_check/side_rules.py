@@ -9,6 +9,12 @@ from itertools import combinations
 import numpy as np
 
 from procc_annotator.arrays import FloatArray
+from procc_annotator.calibration.label_check.candidate_classes import (
+    MIRROR_REMEDY_TEXTS,
+    MIRROR_X,
+    MIRROR_Y,
+    mirrored_names,
+)
 from procc_annotator.calibration.label_check.evidence import (
     AnnotatedElement,
     FrameEvidence,
@@ -25,11 +31,7 @@ from procc_annotator.calibration.label_check.finding import (
     error_classes,
 )
 from procc_annotator.calibration.label_check.orientation import (
-    MIRROR_REMEDY_TEXTS,
-    MIRROR_X,
-    MIRROR_Y,
     OrientationRelations,
-    mirrored_names,
     orientation_relations,
     signed_altitudes,
 )

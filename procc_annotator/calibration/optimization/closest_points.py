@@ -16,6 +16,7 @@ from procc_annotator.calibration.optimization.observations import (
     PrimitiveCandidates,
     Primitives,
 )
+from procc_annotator.calibration.optimization.projection import MIN_DEPTH_M
 
 # What stands in for parts that a frame has fewer of; nothing comes of it.
 _PADDING_LINE = np.array([[0.0, 1.0], [0.0, 0.0], [0.0, 0.0]])
@@ -153,8 +154,6 @@ def _select_rows(table: AnyArray, place: IntArray) -> AnyArray:
     return table.reshape(*table.shape[:-2], -1).take(place, axis=-1)
 
 
-# Nearer than this to the camera's plane nothing is projected: its pixels would be anywhere.
-MIN_DEPTH_M = 0.5
 _TINY = 1e-12
 _MAX_STEP_RAD = 0.5
 # Coordinates of aside, centre and ahead, each going on round: their cross products are those of

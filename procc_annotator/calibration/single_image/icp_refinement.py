@@ -16,6 +16,7 @@ from procc_annotator.calibration.optimization.initialization import (
     side_costs,
     wide_prior,
 )
+from procc_annotator.calibration.optimization.observations import HALF_WIDTH_PX
 from procc_annotator.calibration.optimization.projection import Lens, project
 from procc_annotator.calibration.optimization.solver import GaussianPrior
 from procc_annotator.calibration.single_image.field_points import (
@@ -24,7 +25,6 @@ from procc_annotator.calibration.single_image.field_points import (
     visible_line_points,
 )
 from procc_annotator.calibration.single_image.line_distance import (
-    HALF_WIDTH_PX,
     SAME_DIRECTION_RAD,
     ImageLinePixels,
     direction_indices,
@@ -67,7 +67,7 @@ def match_lines_to_pixels(
     depth = (lens.linear[:, 2:, :3] @ world)[:, 0] + lens.linear[:, 2, 3:]
     ahead = depth > _MIN_DEPTH_M
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        points, moved, derivatives = _project_fast(lens, world, along, free)
+        points, moved, derivatives = project(lens, world, along, free)
         points = np.where(ahead[:, None], points, 1e6)
         in_view = ahead & (np.abs(points[:, 0]) < HALF_WIDTH_PX - _VIEW_MARGIN_PX)
         in_view &= np.abs(points[:, 1]) < paint.half_height - _VIEW_MARGIN_PX
@@ -99,7 +99,7 @@ def match_pixels_to_lines(
         one[:, np.maximum(place, 0)].transpose(1, 0, 2) for one in (lines.world, lines.along)
     )
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        shown, moved, derivatives = _project_fast(lens, world, along, free)
+        shown, moved, derivatives = project(lens, world, along, free)
         normal = _unit_normals(moved)
         apart = points - shown
         off = (normal * apart).sum(axis=1)
@@ -148,23 +148,6 @@ def _prefer_nearer_beam(
         place = np.where(nearer, first + np.rint(share * (last - first)).astype(np.intp), place)
         nearest = np.where(nearer, apart, nearest)
     return place
-
-
-def _project_fast(
-    lens: Lens, world: FloatArray, along: FloatArray, free: int
-) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """As `project`, but of cameras with P's and R's parameters, and quicker without derivatives."""
-    if free >= FREE_PARAMETERS["P"]:
-        return project(lens, world, along, free)
-    place = lens.linear[:, :, :3] @ world + lens.linear[:, :, 3:]
-    toward = lens.linear[:, :, :3] @ along
-    v = place[:, :2] / place[:, 2:]
-    v_along = (toward[:, :2] - v * toward[:, 2:]) / place[:, 2:]
-    grown = 1 + lens.bend * (v * v).sum(axis=1)
-    moved = v_along * grown[:, None] + 2 * lens.bend[:, None] * v * (v_along * v).sum(
-        axis=1, keepdims=True
-    )
-    return v * grown[:, None], moved, np.zeros((len(v), 0, 2, v.shape[2]))
 
 
 def _unit_normals(moved: FloatArray) -> FloatArray:

@@ -11,7 +11,11 @@ from numpy.typing import NDArray
 
 from procc_annotator.arrays import FloatArray, IntArray
 from procc_annotator.calibration.optimization.camera_placement import camera_placement_prior
-from procc_annotator.calibration.optimization.observations import REFERENCE_WIDTH, ImageFrame
+from procc_annotator.calibration.optimization.observations import (
+    HALF_WIDTH_PX,
+    REFERENCE_WIDTH,
+    ImageFrame,
+)
 from procc_annotator.field.appearance import ANY, DARKER, LIGHTER, LINE
 from procc_annotator.field.model import Field
 from procc_annotator.image.line_pixels import detect_line_pixels
@@ -23,7 +27,6 @@ _NO_LINE_DISTANCE_PX = 1e3
 _MAP_CELL_PX = 2
 _MAX_FLOOR_M = 30.0  # half a length: what is larger is of grass, and that has one colour
 _WIDE_LINE_M = 0.25  # of lines such as the blue ones of ice hockey
-HALF_WIDTH_PX = REFERENCE_WIDTH / 2
 
 
 @dataclass(frozen=True, eq=False)
