@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from procc_annotator.arrays import BoolArray, FloatArray, IntArray
-from procc_annotator.field.appearance import EDGE
+from procc_annotator.field.model import EDGE
 from procc_annotator.image.line_profiles import (
     LineTarget,
     StraightenedCurve,

@@ -11,8 +11,7 @@ from typing import Literal
 from procc_annotator.field.model import Field
 from procc_annotator.interaction.draw_tool import DrawTool
 from procc_annotator.interaction.edit_tool import FAR_NUDGE_PX, FINE_NUDGE_PX, NUDGE_PX, EditTool
-from procc_annotator.interaction.gestures import ToolContext
-from procc_annotator.interaction.hit_test import Hit
+from procc_annotator.interaction.gestures import Hit, ToolContext
 from procc_annotator.translation import tr, tr_count, word
 
 
