@@ -44,13 +44,11 @@ from procc_annotator.metrics.statistics.bootstrap import BootstrapSettings
 from procc_annotator.report import comparison
 from procc_annotator.report.comparison import (
     ComparisonReport,
+    closer_method_table,
     compare_sources,
+    comparison_intervals_table,
     paint_frames,
     write_comparison,
-)
-from procc_annotator.report.comparison_statistics import (
-    closer_method_table,
-    comparison_intervals_table,
 )
 from procc_annotator.report.tables.table import MetricTable
 

@@ -21,7 +21,7 @@ from procc_annotator.cli import (
 )
 from procc_annotator.cli.console import with_progress
 from procc_annotator.cli.echo import echo
-from procc_annotator.cli.manifest_option import ManifestFile, ManifestOfRun
+from procc_annotator.cli.manifest import ManifestFile, ManifestOfRun
 from procc_annotator.cli.method_arguments import parse_sources
 from procc_annotator.cli.painters import overlay_painter, pair_painter
 from procc_annotator.cli.remarks import report_mismatch, report_remarks, report_unreadable

@@ -9,8 +9,12 @@ from typing import Any
 
 import numpy as np
 
-from procc_annotator.batch.agreement import AgreementRun, ConsensusResult
-from procc_annotator.batch.agreement_statistics import AgreementInference, agreement_inference
+from procc_annotator.batch.agreement import (
+    AgreementInference,
+    AgreementRun,
+    ConsensusResult,
+    agreement_inference,
+)
 from procc_annotator.batch.grouping import Clusters, clusters_of
 from procc_annotator.errors import UsageError
 from procc_annotator.formats.atomic import open_replacing

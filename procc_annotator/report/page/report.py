@@ -35,7 +35,7 @@ from procc_annotator.report.page.report_tables import (
     report_json,
     terms,
 )
-from procc_annotator.report.tables.latex import latex_tables
+from procc_annotator.report.tables.data_files import latex_tables
 from procc_annotator.report.tables.table import MetricTable
 from procc_annotator.report.temporal import (
     TemporalMetrics,
