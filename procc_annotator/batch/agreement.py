@@ -132,7 +132,7 @@ class ConsensusRun(SetRun[FrameOfAnnotators, ConsensusResult, None]):
         alone: for each annotator the frames that no one else has: not compared.
 
     Raises:
-        UsageError: nothing to compare, a threshold that is none, or a size that is no picture.
+        UsageError: nothing to compare, an invalid threshold or picture size.
         InputError: a folder or archive that cannot be listed.
     """
 
@@ -201,7 +201,7 @@ class AgreementRun(ConsensusRun):
         only_a, only_b: names of the frames only one annotated: reported, not compared.
 
     Raises:
-        UsageError: nothing to compare, a threshold that is none, or a size that is no picture.
+        UsageError: nothing to compare, an invalid threshold or picture size.
         InputError: a folder or archive that cannot be listed.
     """
 

@@ -335,7 +335,6 @@ def _check_outputs(
     cameras: Sequence[CameraSet],
     dataset: Path | None,
 ) -> None:
-    """Nothing may be written over what is read, or among it."""
     with ExitStack() as files:
         inputs: list[outputs.Input] = list(cameras)
         if dataset is not None and dataset.exists():
@@ -363,7 +362,6 @@ def _draw(
     images: dict[str, Path],
     count: int | None,
 ) -> list[str]:
-    """Draw the frames that disagree most; what to say of it."""
     painter = pair_painter()
     if painter is None:
         return []

@@ -69,7 +69,7 @@ def read_manifest(path: Path) -> Manifest:
     """Read a manifest.
 
     Raises:
-        InputError: it cannot be read, or is none.
+        InputError: it cannot be read, or is no manifest.
     """
     data = read_file(path)
     kind = decode_as(data, dict[str, Any], "manifest", path=path).get("format")
@@ -245,7 +245,6 @@ class ManifestOfRun:
 
 
 def _path_in(name: str, value: Any) -> Path | None:
-    """Return the path that an option holds, if it does."""
     if isinstance(value, Path):
         return value
     if name == "field":
@@ -255,7 +254,6 @@ def _path_in(name: str, value: Any) -> Path | None:
 
 
 def _files(one: EvaluationRequest) -> Iterator[Path]:
-    """Yield the files that an evaluation reads; an archive is one."""
     place, cameras = one.annotations.path.absolute(), one.cameras.path.absolute()
     if place.is_dir():
         names = one.annotations.decoded or list_annotations(one.annotations).values()

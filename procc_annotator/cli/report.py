@@ -269,7 +269,7 @@ def _outputs(cameras: list[str] | None, output: list[Path] | None) -> list[Path]
 
 
 def _frame_cost(request: ReportRequest, sources: int) -> int:
-    """Return what a frame of the set costs, in scored frames: comparing two cameras is dear."""
+    """Cost of a frame, in scored frames: comparing two cameras is slow."""
     legacy = sources - 1 if request.reference else 0
     return sources + _COMPARED_FRAME * (len(set(request.disagreement)) + legacy)
 
@@ -319,7 +319,6 @@ def _pair(text: str) -> tuple[str, str]:
 def _painters(
     written_to: Sequence[Path], picture_width: int, *, with_pairs: bool
 ) -> ReportPainters | None:
-    """Painters of a page; None where none is written."""
     if "html" not in map(report_kind, written_to):
         return None
     # matplotlib comes first: Qt reads the source of every module imported after it.

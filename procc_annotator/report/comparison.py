@@ -230,18 +230,19 @@ def legacy_table(compared: ComparisonReport) -> MetricTable:
 def worst_comparison_table(compared: ComparisonReport, count: int = WORST) -> MetricTable:
     """The frames to look at first: largest median disagreement."""
     worst = worst_frames(compared.frames, count)
-    told = LEGACY[:3]
+    legacy = LEGACY[:3]
     columns = (
         Column("frame", "frame"),
         *map(metric_column, METRES),
         metric_column(WITHIN),
         *map(metric_column, PIXELS[1:]),
-        *map(metric_column, told),
+        *map(metric_column, legacy),
     )
     rows = tuple(
         (
             frame.name, *metric_values(METRES, frame.statistics.metres), frame.within,
-            *metric_values(PIXELS[1:], frame.statistics.pixels), *metric_values(told, frame.legacy),
+            *metric_values(PIXELS[1:], frame.statistics.pixels),
+            *metric_values(legacy, frame.legacy),
         )
         for frame in worst
         if frame.statistics is not None and frame.legacy is not None
