@@ -78,7 +78,7 @@ _LEAST_NOISE, _MOST_NOISE = 0.01, 100.0  # px
 
 def _known_method(text: str) -> str:
     if text not in INTERVAL_METHODS:
-        raise typer.BadParameter(f"{text!r} is none of {', '.join(INTERVAL_METHODS)}")
+        raise typer.BadParameter(f"{text!r} is not one of {', '.join(INTERVAL_METHODS)}")
     return text
 
 

@@ -12,8 +12,12 @@ from typing import Any
 import numpy as np
 
 from procc_annotator.arrays import FloatArray
-from procc_annotator.batch.agreement import ConsensusResult, ConsensusRun
-from procc_annotator.batch.agreement_statistics import AgreementInference, agreement_inference
+from procc_annotator.batch.agreement import (
+    AgreementInference,
+    ConsensusResult,
+    ConsensusRun,
+    agreement_inference,
+)
 from procc_annotator.batch.grouping import Clusters
 from procc_annotator.errors import UsageError
 from procc_annotator.formats.annotations.soccernet import write_annotation

@@ -247,7 +247,6 @@ def export_scores(
 def _annotated(
     frames: AnnotatedFrames, exported: Exported, progress: Progress | None
 ) -> Iterator[tuple[str, FrameAnnotation]]:
-    """Every frame that has an annotation, however short, by name."""
     total = len(frames.names)
     for index, name in enumerate(frames.names):
         try:

@@ -9,8 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from procc_annotator.batch.agreement import AgreementRun, ConsensusResult
-from procc_annotator.batch.agreement_statistics import agreement_inference
+from procc_annotator.batch.agreement import AgreementRun, ConsensusResult, agreement_inference
 from procc_annotator.batch.grouping import Clusters
 from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.metrics.agreement import FrameAgreement, sorted_quantile

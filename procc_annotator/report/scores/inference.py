@@ -151,9 +151,9 @@ def statistical_result(
     return StatisticalResult(of_set[0], described, tuple(sheets), curves)
 
 
-def inference_entries(told: Sequence[StatisticalResult]) -> dict[str, Any]:
+def inference_entries(results: Sequence[StatisticalResult]) -> dict[str, Any]:
     """As files of figures hold it; nothing where nothing was asked."""
-    if not told:
+    if not results:
         return {}
     return {
         "chance": [
@@ -162,6 +162,6 @@ def inference_entries(told: Sequence[StatisticalResult]) -> dict[str, Any]:
                 "described": one.described,
                 **{sheet.name: table_entry(sheet) for sheet in (*one.sheets, *one.curves())},
             }
-            for one in told
+            for one in results
         ]
     }

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from procc_annotator.batch.agreement_statistics import AgreementInference, AgreementIntervals
+from procc_annotator.batch.agreement import AgreementInference, AgreementIntervals
 from procc_annotator.batch.grouping import NONE, clusters_of
 from procc_annotator.metrics.agreement import AgreementMetrics, AgreementSummary
 from procc_annotator.metrics.statistics.bootstrap import BootstrapSettings
