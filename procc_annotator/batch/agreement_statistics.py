@@ -9,9 +9,11 @@ import numpy as np
 
 from procc_annotator.batch.grouping import Clusters
 from procc_annotator.metrics.agreement import AgreementAccumulator, AgreementSummary, FrameAgreement
-from procc_annotator.metrics.statistics.bootstrap import BootstrapSettings, RatioMetrics, bootstrap
 from procc_annotator.metrics.statistics.intervals import (
+    BootstrapSettings,
     Interval,
+    RatioMetrics,
+    bootstrap,
     confidence_intervals,
     critical_value,
     quantile_confidence_interval,

@@ -14,7 +14,7 @@ from procc_annotator.batch.comparison import (
     metrics_with_intervals,
 )
 from procc_annotator.batch.grouping import Clusters
-from procc_annotator.metrics.statistics.bootstrap import BootstrapSettings
+from procc_annotator.metrics.statistics.intervals import BootstrapSettings
 from procc_annotator.metrics.statistics.significance import PairedDifference
 from procc_annotator.report.agreement import intervals_described
 from procc_annotator.report.scores.inference_tables import interval_ends

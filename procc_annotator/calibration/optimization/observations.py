@@ -444,3 +444,6 @@ def _is_first_occurrence(px: FloatArray) -> NDArray[np.bool_]:
     """(n,) whether each point is at another place than all earlier ones."""
     squares = ((px[:, None] - px[None]) ** 2).sum(axis=-1)
     return np.asarray(~np.tril(squares < _SAME_POINT_PX**2, -1).any(axis=1))
+
+
+HALF_WIDTH_PX = REFERENCE_WIDTH / 2
