@@ -93,7 +93,7 @@ def seen_corner(
         end: the last one.
         picture: (H, W, 4) BGRA.
         paint: how the elements look.
-        ghost: whose line it is.
+        ghost: the one that the line belongs to.
         may_miss_px: so far before the corner the line need not be seen.
         shifted_px: how much farther on than expected the line's first end was found.
 

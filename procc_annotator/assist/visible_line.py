@@ -110,7 +110,7 @@ def runs_seen(
     Returns:
         First and one past the last place of each stretch, ascending.
     """
-    at_hits = _near(hits, len(strip.colours), 3)
+    at_hits = _near(hits, len(strip.colours))
     look = _strip_colours(strip, at_hits)
     steps = look.steps(edge=edge)
     stroke = (steps[0] + steps[1]) / 2
@@ -157,9 +157,10 @@ def _strip_colours(strip: StraightenedCurve, at_hits: BoolArray) -> _StripColour
     return _StripColours(*(_smooth(part.astype(np.float64)) for part in parts))
 
 
-def _near(hits: IntArray, n: int, reach: int) -> BoolArray:
+def _near(hits: IntArray, n: int) -> BoolArray:
+    """(n,) whether a place is within three of a hit."""
     marked = np.zeros(n, dtype=bool)
-    for step in range(-reach, reach + 1):
+    for step in range(-3, 4):
         marked[np.clip(hits + step, 0, n - 1)] = True
     return marked
 

@@ -18,13 +18,13 @@ from procc_annotator.batch.set_run import WORTH_WORKERS, ambiguous_folders
 from procc_annotator.cli import inference_options, options, outputs
 from procc_annotator.cli.console import stdout_console, with_progress
 from procc_annotator.cli.echo import echo
-from procc_annotator.cli.input_files import (
+from procc_annotator.cli.options import chosen_field
+from procc_annotator.cli.remarks import (
     report_camera_names,
     report_mismatch,
     report_remarks,
     report_unreadable,
 )
-from procc_annotator.cli.options import chosen_field
 from procc_annotator.dataset.annotation_source import open_annotations
 from procc_annotator.dataset.layout import annotations_of, folder_of_dataset
 from procc_annotator.errors import InputError, UsageError

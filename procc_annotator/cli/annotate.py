@@ -13,7 +13,7 @@ from procc_annotator.batch.auto_annotation import AnnotationRun
 from procc_annotator.batch.execution.executor import make_executor
 from procc_annotator.batch.set_run import WORTH_WORKERS
 from procc_annotator.camera.models import PinholeCamera
-from procc_annotator.cli import input_files, options, outputs
+from procc_annotator.cli import options, outputs, remarks
 from procc_annotator.cli.console import with_progress
 from procc_annotator.cli.echo import echo
 from procc_annotator.cli.options import chosen_field
@@ -93,11 +93,11 @@ def annotate(
     shown = chosen_field(field, source, lines=lines)
     names = options.label_map(labels, shown)
     pictures = open_pictures(source, out)
-    input_files.report_remarks(pictures.notices)
+    remarks.report_remarks(pictures.notices)
     with CameraCollection.open(cameras, camera_format, field=shown) as collection:
         outputs.check_is_folder(out)
         outputs.check_folder_apart(out, [collection])
-        input_files.report_remarks(collection.notices)
+        remarks.report_remarks(collection.notices)
         chosen = _with_camera(pictures.frames[::every], collection, cameras)
         if views is not None:
             chosen = _most_different(chosen, collection, views)
@@ -132,7 +132,7 @@ def _with_camera(
 
 def _not_annotated(frames: Sequence[Frame], given: FrameAnnotations) -> list[Frame]:
     """The frames that have no annotation in OUT, whether in a file of another format."""
-    input_files.report_remarks(given.notices)
+    remarks.report_remarks(given.notices)
     bare = [frame for frame in frames if not os.path.lexists(frame.annotation_path)]
     return [frame for frame in bare if given.bytes_of(frame) is None]
 
@@ -187,14 +187,14 @@ def _report(done: Done, passed_over: int, pictures: PictureSource, out: Path) ->
         echo(f"not touched: {pluralize(kept, 'frame')} annotated already")
     if done.bare:
         echo(f"no paint found under the camera: {list_names(done.bare, 'frame')}")
-    input_files.report_remarks(done.remarks)
+    remarks.report_remarks(done.remarks)
     if (looked := _window_annotation_folder(pictures, out)) is not None and done.frames:
         echo(
             f"note: the window looks for annotations of {pictures.path} in {looked}; open these"
             f" with --annotations {out}",
             err=True,
         )
-    return input_files.report_unreadable([*pictures.problems, *done.errors])
+    return remarks.report_unreadable([*pictures.problems, *done.errors])
 
 
 def _window_annotation_folder(pictures: PictureSource, out: Path) -> Path | None:

@@ -15,7 +15,7 @@ from procc_annotator.batch.joint_calibration import JointRun
 from procc_annotator.batch.set_run import WORTH_WORKERS
 from procc_annotator.calibration.fitting import require_known_model
 from procc_annotator.calibration.result import ILL_CONDITIONED_LIMITS
-from procc_annotator.cli import input_files, options, outputs
+from procc_annotator.cli import options, outputs, remarks
 from procc_annotator.cli.console import progress_bar, stdout_console, with_progress
 from procc_annotator.cli.echo import echo
 from procc_annotator.cli.set_fits import FittedFrames, fit_set, fit_sizes
@@ -155,8 +155,8 @@ def calibrate(given: CalibrateOptions) -> None:
             overwrite=given.overwrite or going_on,
             positions=given.shared_position,
         )
-        input_files.report_mismatch(source, setup.field)
-        input_files.report_camera_names(source)
+        remarks.report_mismatch(source, setup.field)
+        remarks.report_camera_names(source)
         sizes = fit_sizes(source, place, given.dataset, given.size)
         asked = _terms(setup, thresholds, sizes, given.model, given.held_out, given.shared_position)
         try:
@@ -313,7 +313,7 @@ def _print_report(report: CalibrationReport, out: Path) -> None:
 
 def _report_problems(report: CalibrationReport, out: Path) -> int:
     """Say on stderr what a person should look at; returns the exit code."""
-    input_files.report_remarks(report.remarks)
+    remarks.report_remarks(report.remarks)
     if report.open:
         echo(
             f"note: {pluralize(len(report.open), 'camera is', 'cameras are')} hardly determined"
@@ -332,4 +332,4 @@ def _report_problems(report: CalibrationReport, out: Path) -> int:
             f" not touched: {first_names(report.stale)}",
             err=True,
         )
-    return input_files.report_unreadable(report.errors)
+    return remarks.report_unreadable(report.errors)

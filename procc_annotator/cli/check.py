@@ -16,13 +16,13 @@ from procc_annotator.calibration.label_check.finding import Severity, severity_f
 from procc_annotator.cli import options, outputs
 from procc_annotator.cli.console import stdout_console, with_progress
 from procc_annotator.cli.echo import echo
-from procc_annotator.cli.input_files import (
+from procc_annotator.cli.options import chosen_field
+from procc_annotator.cli.remarks import (
     report_camera_names,
     report_mismatch,
     report_remarks,
     report_unreadable,
 )
-from procc_annotator.cli.options import chosen_field
 from procc_annotator.cli.set_fits import fit_sizes
 from procc_annotator.dataset.annotation_source import open_annotations
 from procc_annotator.dataset.layout import annotations_of

@@ -17,16 +17,16 @@ from procc_annotator.batch.set_run import ambiguous_folders
 from procc_annotator.cli import inference_options, options, outputs
 from procc_annotator.cli.console import stdout_console, with_progress
 from procc_annotator.cli.echo import echo
-from procc_annotator.cli.input_files import (
+from procc_annotator.cli.method_arguments import parse_sources
+from procc_annotator.cli.options import chosen_field
+from procc_annotator.cli.painters import pair_painter
+from procc_annotator.cli.remarks import (
     report_camera_names,
     report_mismatch,
     report_notices,
     report_remarks,
     report_unreadable,
 )
-from procc_annotator.cli.method_arguments import parse_sources
-from procc_annotator.cli.options import chosen_field
-from procc_annotator.cli.painters import pair_painter
 from procc_annotator.dataset.annotation_source import open_annotations
 from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.dataset.diagnostics import classes_of_source, mismatch_of

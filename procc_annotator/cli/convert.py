@@ -10,7 +10,7 @@ from typing import Annotated
 
 import typer
 
-from procc_annotator.cli import input_files, options
+from procc_annotator.cli import options, remarks
 from procc_annotator.cli.console import progress_bar
 from procc_annotator.cli.echo import echo
 from procc_annotator.cli.options import chosen_field
@@ -180,14 +180,14 @@ def _convert_annotations(given: ConvertOptions) -> int:
             size=size,
             progress=progress,
         )
-    input_files.report_mismatch_of(done.classes, known, source, unknown=done.unknown)
-    input_files.report_remarks(done.losses)
+    remarks.report_mismatch_of(done.classes, known, source, unknown=done.unknown)
+    remarks.report_remarks(done.losses)
     if not done.frames and done.problems and all(SIZE_UNKNOWN in one for one in done.problems):
         raise UsageError(
             f"nothing to do: {done.title} is in pixels, and the size of no picture of {source} is"
             " known; put the pictures beside the annotations, or name their size: --size WxH"
         )
-    unreadable = input_files.report_unreadable(done.problems, "left out")
+    unreadable = remarks.report_unreadable(done.problems, "left out")
     if not done.frames:
         raise UsageError(f"nothing to do: no frame of {source} could be written to {given.out}")
     echo(
@@ -211,9 +211,9 @@ def _convert_to_polylines(given: ConvertOptions) -> int:
         done = export_polylines(
             cameras, given.out, setup, method, names, camera_size=own, progress=progress
         )
-        input_files.report_remarks(cameras.notices)
-    input_files.report_notices(done.losses)
-    unreadable = input_files.report_unreadable(done.problems, "left out")
+        remarks.report_remarks(cameras.notices)
+    remarks.report_notices(done.losses)
+    unreadable = remarks.report_unreadable(done.problems, "left out")
     echo(
         f"polylines of {pluralize(done.written, 'frame')} written to {given.out}"
         f" ({setup.describe()}, method {method})"
@@ -229,10 +229,10 @@ def _convert_cameras(given: ConvertOptions) -> int:
             cameras, given.out, CAMERA_TARGETS[given.to], size=size, camera_size=own,
             split=given.split or "test", progress=progress,
         )  # fmt: skip
-        input_files.report_remarks(cameras.notices)
-    input_files.report_notices(done.losses)
-    input_files.report_remarks(fold_back_warnings(done.folded))
-    unreadable = input_files.report_unreadable(done.problems, "left out")
+        remarks.report_remarks(cameras.notices)
+    remarks.report_notices(done.losses)
+    remarks.report_remarks(fold_back_warnings(done.folded))
+    unreadable = remarks.report_unreadable(done.problems, "left out")
     if not done.written:
         raise UsageError(
             f"nothing to do: no camera of {given.source} could be written to {given.out}"
@@ -240,7 +240,7 @@ def _convert_cameras(given: ConvertOptions) -> int:
     echo(f"{pluralize(done.written, 'camera')} written to {given.out}")
     if given.to == "world":
         told = "nothing in these files tells them from wc14: read them with --camera-format world"
-        input_files.report_remarks([told])
+        remarks.report_remarks([told])
     return unreadable
 
 

@@ -13,7 +13,6 @@ import typer
 from procc_annotator.batch.grouping import Grouping, Tags
 from procc_annotator.cli.console import stdout_console
 from procc_annotator.cli.echo import echo
-from procc_annotator.cli.input_files import report_notices, report_remarks, report_unreadable
 from procc_annotator.cli.method_arguments import (
     SourceSpec,
     name_of,
@@ -22,6 +21,7 @@ from procc_annotator.cli.method_arguments import (
     require_distinct,
 )
 from procc_annotator.cli.options import chosen_field, label_map
+from procc_annotator.cli.remarks import report_notices, report_remarks, report_unreadable
 from procc_annotator.dataset.annotation_source import open_annotations
 from procc_annotator.dataset.layout import annotations_of
 from procc_annotator.dataset.picture_sizes import pictures_of_another_shape

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from procc_annotator.cli import input_files, options, outputs
+from procc_annotator.cli import input_files, options, outputs, remarks
 from procc_annotator.cli.echo import echo
 from procc_annotator.errors import UsageError
 from procc_annotator.formats.frame_names import is_file_name
@@ -98,7 +98,7 @@ def export(
             else:
                 exported = export_dataset(frames, out, scoring, keep_optional=keep_optional)
     _print_summary(exported, setup, scored=camera_set is not None, split=split)
-    raise typer.Exit(input_files.report_unreadable(exported.problems))
+    raise typer.Exit(remarks.report_unreadable(exported.problems))
 
 
 def _check_split(split: str, keep_optional: bool) -> None:
@@ -131,8 +131,8 @@ def _print_summary(exported: Exported, setup: EvaluationSetup, *, scored: bool, 
     if exported.others:
         held = pluralize(len(exported.others), "other annotation")
         words = f"{exported.path} holds {held}, not written now and not touched"
-        input_files.report_remarks([f"{words}: {first_names(exported.others)}"])
-    input_files.report_notices(exported.notices)
-    input_files.report_remarks(
+        remarks.report_remarks([f"{words}: {first_names(exported.others)}"])
+    remarks.report_notices(exported.notices)
+    remarks.report_remarks(
         f"{what} ({pluralize(frames, 'frame')})" for what, frames in exported.left_out.items()
     )

@@ -14,7 +14,7 @@ from procc_annotator.calibration.joint.field_dimensions import fittable_dimensio
 from procc_annotator.cli import options
 from procc_annotator.cli.console import progress_bar, stdout_console
 from procc_annotator.cli.echo import echo
-from procc_annotator.cli.input_files import (
+from procc_annotator.cli.remarks import (
     report_camera_names,
     report_mismatch,
     report_remarks,

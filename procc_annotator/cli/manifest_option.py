@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -25,7 +25,7 @@ from procc_annotator.formats.landmark_file import LANDMARKS_FILE
 from procc_annotator.formats.strict_json import decode_as
 from procc_annotator.report.manifest import Manifest, hashes, of_sets, relative
 from procc_annotator.report.scores.scoring import EvaluationRequest
-from procc_annotator.report.temporal import TemporalMetrics, over_time_bytes
+from procc_annotator.report.tables.data_files import json_bytes
 
 # Options that write files or say who does the work: no part of what is repeated.
 DROPPED = frozenset({"output", "over_time_output", "manifest", "workers", "dask"})
@@ -67,7 +67,7 @@ class ManifestOfRun:
         return cls(path, context, Path(folder) / "metrics.json")
 
     def write(
-        self, runs: Sequence[EvaluationRequest], over_time: Sequence[TemporalMetrics] = ()
+        self, runs: Sequence[EvaluationRequest], over_time: Mapping[str, Any] | None = None
     ) -> None:
         """Write the file; the inputs are still open.
 
@@ -79,7 +79,7 @@ class ManifestOfRun:
         """
         metrics = decode_as(read_file(self.metrics), dict[str, Any], "metrics", path=self.path)
         if over_time:
-            own = over_time_bytes(over_time, self.metrics)
+            own = json_bytes(over_time)
             metrics["over_time"] = decode_as(own, dict[str, Any], "metrics", path=self.path)
         files = [*self._named_files(), *(path for one in runs for path in _files(one))]
         root = self.context.obj or Path(os.path.commonpath([file.parent for file in files]))

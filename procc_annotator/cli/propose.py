@@ -19,7 +19,7 @@ from procc_annotator.batch.camera_proposals import (
 from procc_annotator.batch.checkpoint import Checkpoint, checkpoint_path, field_settings
 from procc_annotator.batch.execution.executor import make_executor
 from procc_annotator.calibration.single_image.propose import propose_camera
-from procc_annotator.cli import input_files, options, outputs
+from procc_annotator.cli import input_files, options, outputs, remarks
 from procc_annotator.cli.console import stdout_console, with_progress
 from procc_annotator.cli.echo import echo
 from procc_annotator.cli.options import chosen_field
@@ -148,7 +148,7 @@ def propose(given: ProposeOptions) -> None:
     shown = chosen_field(given.field, given.dataset, lines=given.lines)
     names = options.label_map(given.labels, shown)
     pictures = open_pictures(given.dataset, given.annotations)
-    input_files.report_remarks(pictures.notices)
+    remarks.report_remarks(pictures.notices)
     left = checkpoint_path(given.out, "propose")
     going_on = options.is_resuming(
         left, given.out / TABLE_FILE, given.out, resume=given.resume, overwrite=given.overwrite
@@ -214,7 +214,7 @@ def _frames_to_propose(
     """The frames to look at: those that no one put a point in, or all."""
     if annotated is None:
         return _FramesToPropose(list(frames))
-    input_files.report_remarks(annotated.notices)
+    remarks.report_remarks(annotated.notices)
     chosen, damaged = [], []
     for frame in frames:
         try:
@@ -224,7 +224,7 @@ def _frames_to_propose(
         except InputError as error:
             damaged.append(str(error))
     if not chosen:
-        input_files.report_unreadable(damaged)
+        remarks.report_unreadable(damaged)
         raise UsageError("nothing to do: all frames are annotated (--all looks at them too)")
     return _FramesToPropose(chosen, len(frames) - len(chosen) - len(damaged), tuple(damaged))
 
@@ -257,4 +257,4 @@ def _report(
         frames = pluralize(len(wanted.damaged), "frame")
         echo(f"passed over: {frames} whose annotation cannot be read (--all)")
     echo(f"{proposed_words(found)}; written to {out}, with {TABLE_FILE}")
-    return input_files.report_unreadable([*problems, *found.errors, *wanted.damaged])
+    return remarks.report_unreadable([*problems, *found.errors, *wanted.damaged])

@@ -14,7 +14,7 @@ from procc_annotator.assist.label_proposal import (
     propose_labels,
     proposed_text,
 )
-from procc_annotator.cli import input_files, options, outputs
+from procc_annotator.cli import input_files, options, outputs, remarks
 from procc_annotator.cli.echo import echo
 from procc_annotator.cli.options import chosen_field
 from procc_annotator.dataset.annotation_source import read_labels
@@ -70,7 +70,7 @@ def propose_map(
     outputs.check_output_folder(output)
     known = chosen_field(field, annotations)
     found = read_labels(annotations_of(annotations), known)
-    code = input_files.report_unreadable(found.problems)
+    code = remarks.report_unreadable(found.problems)
     frames = labelled_frames(found, known)
     if not any(frame.shapes for frame in frames):
         every = f"every label of {annotations} is a class of the field {known.title}"
@@ -81,7 +81,7 @@ def propose_map(
     unusable: list[str] = []
     given = None if shown is None else cameras_of(shown, unusable.append)
     proposals = propose_labels(frames, known, given)
-    code = max(code, input_files.report_unreadable(unusable))
+    code = max(code, remarks.report_unreadable(unusable))
     _print_proposals(proposals, known, annotations)
     text = proposed_text(proposals, annotations.name, known, given_cameras=shown is not None)
     write_atomic(output, text.encode())

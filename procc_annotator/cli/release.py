@@ -16,7 +16,7 @@ import typer
 from procc_annotator.batch.agreement import AgreementRun
 from procc_annotator.batch.checkpoint import checkpoint_path
 from procc_annotator.batch.label_check import CheckRun
-from procc_annotator.cli import input_files, options, outputs
+from procc_annotator.cli import options, outputs, remarks
 from procc_annotator.cli.console import progress_bar, with_progress
 from procc_annotator.cli.echo import echo
 from procc_annotator.cli.options import chosen_field
@@ -161,7 +161,7 @@ def release(given: ReleaseOptions) -> None:
         given.description, citation.decode("utf-8", "replace"),
     )  # fmt: skip
     with open_annotations(place, known) as source:
-        input_files.report_remarks(source.notices)
+        remarks.report_remarks(source.notices)
         _check_out(given.out, source, given.dataset, overwrite=given.overwrite)
         sizes = PictureSizes.around(given.dataset, place)
         with progress_bar("reading") as progress:
@@ -205,7 +205,7 @@ def release(given: ReleaseOptions) -> None:
         pictures = len(changes.pictures)
         echo(said + (f", {pictures} with another picture" if pictures else ""))
     echo(f"release {given.version} of {called} written to {given.out}")
-    raise typer.Exit(input_files.report_unreadable(problems, "left out"))
+    raise typer.Exit(remarks.report_unreadable(problems, "left out"))
 
 
 def _check_out(out: Path, source: FileSource, dataset: Path, *, overwrite: bool) -> None:

@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from procc_annotator.cli import input_files, options, outputs
+from procc_annotator.cli import input_files, options, outputs, remarks
 from procc_annotator.cli.console import with_progress
 from procc_annotator.cli.echo import echo
 from procc_annotator.cli.painters import overlay_painter
@@ -112,8 +112,8 @@ def render(
         for done in with_progress(steps, len(workspace.frames), "drawing"):
             rendered = done
     echo(f"{pluralize(len(rendered.pictures), 'overlay picture')} written to {out}")
-    input_files.report_notices(rendered.notices)
+    remarks.report_notices(rendered.notices)
     if rendered.bare:
         frames = list_names(rendered.bare, "frame")
-        input_files.report_remarks([f"neither annotation nor camera, nothing is drawn: {frames}"])
-    raise typer.Exit(input_files.report_unreadable(rendered.problems))
+        remarks.report_remarks([f"neither annotation nor camera, nothing is drawn: {frames}"])
+    raise typer.Exit(remarks.report_unreadable(rendered.problems))

@@ -15,7 +15,7 @@ from procc_annotator.batch.execution.executor import Executor, make_executor
 from procc_annotator.batch.tracking import ShotToTrack, TrackRun, damaged_pictures
 from procc_annotator.calibration.single_image.propose import warm_up_caches
 from procc_annotator.calibration.tracking.shot_tracker import track_shot as follow_shot
-from procc_annotator.cli import input_files, options, outputs
+from procc_annotator.cli import options, outputs, remarks
 from procc_annotator.cli.console import progress_bar, stdout_console
 from procc_annotator.cli.echo import echo
 from procc_annotator.cli.options import chosen_field
@@ -125,7 +125,7 @@ def track(
     shown = chosen_field(field, source, lines=lines)
     names = options.label_map(labels, shown)
     pictures = open_pictures(source, annotations)
-    input_files.report_remarks(pictures.notices)
+    remarks.report_remarks(pictures.notices)
     start = None if begin is None else _number_of(begin, pictures)
     called = tuple(frame.name for frame in pictures.frames)
     outputs.check_camera_folder(out, [source, annotations, cameras])
@@ -236,13 +236,13 @@ def _anchors(
 ) -> TrackAnchors:
     found = TrackAnchors()
     if clicked is not None:
-        input_files.report_remarks(clicked.notices)
+        remarks.report_remarks(clicked.notices)
         found.add_annotated(pictures.frames, clicked, field)
     if cameras is not None:
         with CameraCollection.open(cameras, camera_format, field=field) as collection:
-            input_files.report_remarks(collection.notices)
+            remarks.report_remarks(collection.notices)
             found.add_cameras(pictures.frames, collection, camera_size)
-    input_files.report_remarks(found.remarks)
+    remarks.report_remarks(found.remarks)
     return found
 
 
@@ -291,4 +291,4 @@ def _report(table: TrackTable, problems: list[str], kept: int, out: Path) -> int
     if kept:
         echo(f"followed before: {pluralize(kept, 'shot')} (--overwrite follows them again)")
     echo(f"{tracked_words(table)}; written to {out}, with {TABLE_FILE}")
-    return input_files.report_unreadable([*problems, *table.errors])
+    return remarks.report_unreadable([*problems, *table.errors])

@@ -11,12 +11,12 @@ import typer
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.calibration.fitting import require_known_model
-from procc_annotator.cli import input_files, options, outputs
+from procc_annotator.cli import options, outputs, remarks
 from procc_annotator.cli.console import progress_bar, stdout_console
 from procc_annotator.cli.echo import echo
-from procc_annotator.cli.input_files import report_remarks
 from procc_annotator.cli.method_arguments import parse_source
 from procc_annotator.cli.options import chosen_field
+from procc_annotator.cli.remarks import report_remarks
 from procc_annotator.dataset.annotation_source import open_annotations
 from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.dataset.diagnostics import classes_of_source, found_instead_of_cameras
@@ -230,12 +230,12 @@ def report_strange_rows(groups: ViewGroups, source: FileSource, dataset: Path) -
     folder = folder_of_dataset(dataset)
     pictures = PictureSizes([folder] if folder is not None else [], tree=folder)
     frames = {*list_annotations(source), *pictures.frames()}
-    input_files.report_remarks(groups.unknown_rows(frames))
+    remarks.report_remarks(groups.unknown_rows(frames))
 
 
 def report_not_clicked(named: Mapping[str, str], located: Iterable[LocatedLandmark]) -> None:
     clicked = {one.clicked.name.strip() for one in located}
-    input_files.report_remarks(
+    remarks.report_remarks(
         f"{option} {name}: it is clicked in no frame{did_you_mean(name, clicked)}"
         for name, option in named.items()
         if name not in clicked
@@ -244,10 +244,10 @@ def report_not_clicked(named: Mapping[str, str], located: Iterable[LocatedLandma
 
 def print_landmarks(located: Sequence[LocatedLandmark], described: str) -> None:
     stdout_console().print(landmarks_table(located, f"cameras: {described}"))
-    input_files.report_remarks(
+    remarks.report_remarks(
         f"no camera in {frame}: {why}" for frame, why in frames_without_camera(located).items()
     )
-    input_files.report_remarks(surveyed_astray(located))
+    remarks.report_remarks(surveyed_astray(located))
 
 
 def write_landmarks(target: Path, known: LandmarkFile) -> None:
@@ -325,7 +325,7 @@ def triangulate(
     named = named_in_options(surveyed or (), moving or (), shown)
     shown = with_landmarks(shown, known.landmarks)
     with open_annotations(place, shown, options.label_map(labels, shown)) as source:
-        input_files.report_remarks(list_annotations(source).notices)
+        remarks.report_remarks(list_annotations(source).notices)
         _refuse_classes_of_another_field(source, shown)
         groups = chosen_view_groups(groups, source, views, pattern)
         report_strange_rows(groups, source, dataset)
@@ -348,7 +348,7 @@ def triangulate(
     write_landmarks(target, known)
     if views or pattern:
         keep_groups(target, groups, dataset)
-    raise typer.Exit(input_files.report_unreadable(list(found.problems)))
+    raise typer.Exit(remarks.report_unreadable(list(found.problems)))
 
 
 def _require_cameras_of(found: FoundInDataset, cameras: CameraSet) -> None:
@@ -365,10 +365,10 @@ def _refuse_classes_of_another_field(source: FileSource, field: Field) -> None:
     """Raise UsageError where the set shows another field: its classes would become landmarks, and
     no field can be chosen that has a class of a landmark's name."""
     classes = classes_of_source(source, field)
-    mismatch, _ = input_files.mismatch_at(classes, field, source.path)
+    mismatch, _ = remarks.mismatch_at(classes, field, source.path)
     if mismatch is None or mismatch.better is None:
         return
-    input_files.report_mismatch_of(classes, field, source.path)
+    remarks.report_mismatch_of(classes, field, source.path)
     raise UsageError(
         f"nothing was triangulated: classes of {mismatch.better.title} are no landmarks (one that"
         " is a landmark all the same: name it in landmarks.json)"

@@ -39,7 +39,6 @@ from procc_annotator.report.outputs import Target, is_archive, open_target
 from procc_annotator.report.scores.score_files import (
     CsvScores,
     JsonScores,
-    ScoreWriter,
     csv_fragment,
     json_fragment,
     score_format,
@@ -275,7 +274,7 @@ def _leaving(
     return annotation
 
 
-def _writer(stream: IO[bytes], path: Path, scoring: Scoring) -> ScoreWriter:
+def _writer(stream: IO[bytes], path: Path, scoring: Scoring) -> JsonScores | CsvScores:
     if score_format(path) == "json":
         return JsonScores(stream, scoring.setup, scoring.thresholds)
     return CsvScores(stream)
@@ -285,7 +284,7 @@ class _Totals:
     """Scores frames one after the other and writes them to every score file."""
 
     def __init__(
-        self, scoring: Scoring, exported: Exported, writers: Sequence[ScoreWriter]
+        self, scoring: Scoring, exported: Exported, writers: Sequence[JsonScores | CsvScores]
     ) -> None:
         self._scoring = scoring
         self._exported = exported

@@ -114,7 +114,7 @@ def as_number(value: Value) -> float:
     """A finite number.
 
     Raises:
-        DamagedError: it is none.
+        DamagedError: it is something else.
     """
     if type(value) is float and math.isfinite(value):
         return value
@@ -170,7 +170,7 @@ def values_of(columns: Sequence[str], row: Row) -> tuple[Any, ...]:
 
 
 # Every statement may be run again with the same values without changing more: what was written
-# before a failure whose extent no one knows is simply written again.
+# before a failure of unknown extent is simply written again.
 SETTING_KEY = "setting "  # what a setting's key begins with among what else is kept by key
 
 SET_META = "INSERT OR REPLACE INTO meta(key, value) VALUES(?1, ?2)"
