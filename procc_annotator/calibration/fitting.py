@@ -21,7 +21,6 @@ from procc_annotator.calibration.optimization.camera_parameters import (
     wide_angle_vector_from_camera,
 )
 from procc_annotator.calibration.optimization.camera_placement import (
-    camera_placement_prior,
     implausible_reason,
     insufficient_reason,
 )
@@ -40,7 +39,6 @@ from procc_annotator.calibration.optimization.lens_models import (
 )
 from procc_annotator.calibration.optimization.observations import (
     ImageFrame,
-    Observations,
     build_observations,
 )
 from procc_annotator.calibration.optimization.robust_fit import (
@@ -86,48 +84,44 @@ def fit_model(
     """
     if model in WIDE_ANGLE_MODELS:
         return _fit_wide_angle(scene, model, start, searched)
-    seen, field, frame = scene
-    found, warm = _fit_from_start(seen, field, frame, model, start), True
+    found, warm = _fit_from_start(scene, model, start), True
     if isinstance(start, PinholeCamera) and found is not None and not _still_has_negative_k1(found):
-        found = _fit_from_start(seen, field, frame, model, replace(start, radial=(0.0,) * 6))
-    if found is None or found.has_stale_start or not _is_plausible(found, field):
+        found = _fit_from_start(scene, model, replace(start, radial=(0.0,) * 6))
+    if found is None or found.has_stale_start or not _is_plausible(found, scene):
         warm = False
         if model == "H":
-            found = search_homography(seen, field, frame)
+            found = search_homography(scene)
         else:
             found = searched or search_cameras([scene], model)[0]
     if model in ("R", "R+"):
-        found = try_negative_k1(found, field, frame)
-    return try_cropped(found, field, frame) if model == "R+" else found, warm
+        found = try_negative_k1(found, scene)
+    return try_cropped(found, scene) if model == "R+" else found, warm
 
 
 def _fit_wide_angle(
     scene: FitScene, model: str, start: Camera | None, searched: CameraSolution | None
 ) -> tuple[CameraSolution, bool]:
-    seen, field, frame = scene
     if isinstance(start, FisheyeCamera if model == "F" else PinholeCamera):
         assert isinstance(start, FisheyeCamera | PinholeCamera)  # one of both
-        vector = wide_angle_vector_from_camera(start, frame)
+        vector = wide_angle_vector_from_camera(start, scene.frame)
         if np.isfinite(vector).all():
-            found = refine_wide_angle(seen, field, frame, vector)
-            if not found.has_stale_start and _is_plausible(found, field):
+            found = refine_wide_angle(scene, vector)
+            if not found.has_stale_start and _is_plausible(found, scene):
                 return found, True
     near, _ = fit_model(scene, "R+", None, searched)
-    return fit_wide_angle(seen, field, frame, model, near), False
+    return fit_wide_angle(scene, model, near), False
 
 
-def _fit_from_start(
-    seen: Observations, field: Field, frame: ImageFrame, model: str, start: Camera | None
-) -> CameraSolution | None:
+def _fit_from_start(scene: FitScene, model: str, start: Camera | None) -> CameraSolution | None:
     if isinstance(start, PinholeCamera):
-        vector = vector_from_camera(start, frame)
+        vector = vector_from_camera(start, scene.frame)
         if not np.isfinite(vector).all():
             return None
         if model != "H":
-            return refine_camera(seen, field, frame, model, vector)
-        return refine_homography(seen, homography_from_pinhole(vector))
+            return refine_camera(scene, model, vector)
+        return refine_homography(scene.seen, homography_from_pinhole(vector))
     if isinstance(start, HomographyCamera) and model == "H":
-        return refine_homography(seen, homography_from_camera(start, frame))
+        return refine_homography(scene.seen, homography_from_camera(start, scene.frame))
     return None
 
 
@@ -135,10 +129,8 @@ def _still_has_negative_k1(found: CameraSolution) -> bool:
     return found.basis is not None or is_negative_k1_supported(found)
 
 
-def _is_plausible(found: CameraSolution, field: Field) -> bool:
-    return found.basis is not None or not implausible_reason(
-        found.vector, camera_placement_prior(field)
-    )
+def _is_plausible(found: CameraSolution, scene: FitScene) -> bool:
+    return found.basis is not None or not implausible_reason(found.vector, scene.around)
 
 
 # So many deviations from 0 the radial coefficient is out of question: no need to fit without it.
@@ -166,20 +158,17 @@ def select_model(
     Returns:
         The fit, as `fit_camera` gives it for the model that was chosen, with `chosen_because`.
     """
-    seen, field, frame = scene
-    strong = _refit_wide_angle(seen, field, frame, start)
+    field, frame = scene.field, scene.frame
+    strong = _refit_wide_angle(scene, start)
     if strong is not None:
         return _wide_angle_result(*strong, field, frame, warm=True)
     fits, warm = _candidate_fits(scene, start, searched)
-    found = try_wide_angle(fits["R+"], seen, field, frame)
+    found = try_wide_angle(fits["R+"], scene)
     if found is not None:
         return _wide_angle_result(*found, fits["R+"], field, frame, warm=False)
     error_px = point_error_sd(fits["R+"])
     evidence = {model: _log_evidence(found, error_px) for model, found in fits.items()}
-    around = camera_placement_prior(field)
-    likely = [
-        m for m, found in fits.items() if not implausible_reason(found.vector, around)
-    ] or list(fits)
+    likely = [m for m, found in fits.items() if _is_plausible(found, scene)] or list(fits)
     chosen = max(likely, key=lambda model: evidence[model])
     result = fit_result_from(fits[chosen], field, frame, chosen, warm)
     if result.camera is None:
@@ -188,7 +177,7 @@ def select_model(
 
 
 def _refit_wide_angle(
-    seen: Observations, field: Field, frame: ImageFrame, start: Camera | None
+    scene: FitScene, start: Camera | None
 ) -> tuple[CameraSolution, str, CameraSolution] | None:
     """The strong lens that was there before, its model, and the R+ nearest to it that explains
     clearly less; None if absent, or it is not supported any more."""
@@ -198,15 +187,15 @@ def _refit_wide_angle(
         model = "R2"
     else:
         return None
-    vector = wide_angle_vector_from_camera(start, frame)
+    vector = wide_angle_vector_from_camera(start, scene.frame)
     if not np.isfinite(vector).all():
         return None
-    found = refine_wide_angle(seen, field, frame, vector)
+    found = refine_wide_angle(scene, vector)
     if found.has_stale_start or not found.is_consistent:
         return None
     near = single_coefficient_vector(found.vector)
-    plain = fit_models(found.seen, field, frame, near, found.left_out, ("R+",))["R+"]
-    return (found, model, plain) if wide_angle_explains_more(found, plain, field) else None
+    plain = fit_models(scene._replace(seen=found.seen), near, found.left_out, ("R+",))["R+"]
+    return (found, model, plain) if wide_angle_explains_more(found, plain, scene) else None
 
 
 def _wide_angle_result(
@@ -231,58 +220,55 @@ def _candidate_fits(
     scene: FitScene, start: Camera | None, searched: CameraSolution | None
 ) -> tuple[dict[str, CameraSolution], bool]:
     """Fits of the models that come into question, the simplest first; whether from the start."""
-    seen, field, frame = scene
-    fits = _candidate_fits_from_start(seen, field, frame, start)
-    if fits is not None and is_cropped(fits["R+"]) and _is_acceptable_start_fit(fits["R+"], field):
+    fits = _candidate_fits_from_start(scene, start)
+    if fits is not None and is_cropped(fits["R+"]) and _is_acceptable_start_fit(fits["R+"], scene):
         return {"R+": fits["R+"]}, True
     warm = fits is not None and all(
-        _is_acceptable_start_fit(found, field) for found in fits.values()
+        _is_acceptable_start_fit(found, scene) for found in fits.values()
     )
     if fits is None or not warm:
         # What changes who is mistaken may still be nearly right; what is stale is not.
         known = None if fits is not None and fits["R"].has_stale_start else start
         first, warm = fit_model(scene, "R", known, searched)
     else:
-        first = try_negative_k1(fits["R"], field, frame)
+        first = try_negative_k1(fits["R"], scene)
     if fits is None or first is not fits["R"]:
-        fits = fit_models(seen, field, frame, first.vector, first.left_out, ("R", "R+"))
-    cut_out = try_cropped(fits["R+"], field, frame)
+        fits = fit_models(scene, first.vector, first.left_out, ("R", "R+"))
+    cut_out = try_cropped(fits["R+"], scene)
     if is_cropped(cut_out):
         # Its principal point lies where the other models have none: they explain other elements.
         return {"R+": cut_out}, warm
     with_lens = fits["R"]
     if _has_significant_k1(with_lens):
         return fits, warm
-    plain = fit_models(seen, field, frame, with_lens.vector, with_lens.left_out, ("P",))
+    plain = fit_models(scene, with_lens.vector, with_lens.left_out, ("P",))
     return {**plain, **fits}, warm
 
 
 def _candidate_fits_from_start(
-    seen: Observations, field: Field, frame: ImageFrame, start: Camera | None
+    scene: FitScene, start: Camera | None
 ) -> dict[str, CameraSolution] | None:
     """Fits of R and R+ from a start, good or not; None if it is no pinhole."""
     if not isinstance(start, PinholeCamera):
         return None
-    vector = vector_from_camera(start, frame)
+    vector = vector_from_camera(start, scene.frame)
     if not np.isfinite(vector).all():
         return None
-    vector, left_out = inlier_elements_near(seen, field, frame, vector, "R+")
-    fits = fit_models(seen, field, frame, vector, left_out, ("R", "R+"))
+    vector, left_out = inlier_elements_near(scene, vector, "R+")
+    fits = fit_models(scene, vector, left_out, ("R", "R+"))
     if is_negative_k1_supported(fits["R"]):
         return fits
     vector[KAPPA] = 0.0
-    return fit_models(seen, field, frame, vector, left_out, ("R", "R+"))
+    return fit_models(scene, vector, left_out, ("R", "R+"))
 
 
-def _is_acceptable_start_fit(found: CameraSolution, field: Field) -> bool:
+def _is_acceptable_start_fit(found: CameraSolution, scene: FitScene) -> bool:
     """Return whether a fit from a start need not be looked for anew."""
-    around = camera_placement_prior(field)
     # Its prior is that of the side the start stands on.
-    moved = wide_prior(
-        np.array([camera_side(found.vector, around)]), around, found.prior.mean.shape[1]
-    )
+    side = np.array([camera_side(found.vector, scene.around)])
+    moved = wide_prior(side, scene.around, found.prior.mean.shape[1])
     same_side = np.array_equal(moved.mean, found.prior.mean)
-    plausible = not implausible_reason(found.vector, around)
+    plausible = _is_plausible(found, scene)
     return same_side and plausible and found.is_consistent and not found.has_stale_start
 
 
