@@ -29,7 +29,7 @@ Place = tuple[float, float]
 
 _EVERY_M = 0.5
 _NEAR_PX = 30.0  # a camera that shows an element farther from a click does not know it
-_STEP_M = 0.05
+_STEP_M = 0.05  # of the finite difference across a line, half its width
 
 
 class ExpectedLines:

@@ -13,7 +13,7 @@ import typer
 
 from procc_annotator.batch.execution.executor import make_executor
 from procc_annotator.batch.grouping import MODEL, Tags
-from procc_annotator.cli import inference_options, options, outputs, temporal_options
+from procc_annotator.cli import inference_options, options, outputs
 from procc_annotator.cli.console import with_progress
 from procc_annotator.cli.echo import echo
 from procc_annotator.cli.evaluation_plan import (
@@ -25,7 +25,7 @@ from procc_annotator.cli.evaluation_plan import (
     require_submitted_for,
     submitted_source,
 )
-from procc_annotator.cli.manifest_option import ManifestFile, ManifestOfRun
+from procc_annotator.cli.manifest import ManifestFile, ManifestOfRun
 from procc_annotator.cli.remarks import (
     report_camera_names,
     report_mismatch,
@@ -33,13 +33,10 @@ from procc_annotator.cli.remarks import (
     report_unreadable,
 )
 from procc_annotator.errors import ProccError, UsageError
-from procc_annotator.field.model import Field
 from procc_annotator.formats.frame_names import FrameTable
 from procc_annotator.messages import first_names, pluralize
-from procc_annotator.metrics.setup import EvaluationSetup
-from procc_annotator.report.scores.inference import InferenceSettings, StatisticalResult
-from procc_annotator.report.scores.scoring import Evaluations, RequestedOutputs, Scored
-from procc_annotator.report.temporal import TemporalMetrics
+from procc_annotator.report.scores.inference import InferenceSettings
+from procc_annotator.report.scores.scoring import EvaluationRequest, Evaluations
 
 HELP = """\
 ANNOTATIONS and CAMERAS are folders or zip archives: 00037.json and camera_00037.json (or a
@@ -101,32 +98,6 @@ By = Annotated[
 ]
 
 
-@dataclass(frozen=True)
-class _EvaluateRequest:
-    """A call as it was read.
-
-    Attributes:
-        fields: of each set.
-        setups: one a picture size.
-        by: what to group frames by.
-        written_to: files of figures.
-        manifest: of this run, if it is to be written.
-        over_time: what is asked over the shots of the sets, if anything.
-    """
-
-    plan: Plan
-    fields: Mapping[str, Field]
-    setups: Sequence[EvaluationSetup]
-    thresholds: tuple[float, ...]
-    tags: Tags | None
-    by: tuple[str, ...]
-    camera_size: tuple[int, int] | None
-    written_to: Sequence[Path]
-    manifest: ManifestOfRun | None
-    over_time: temporal_options.TemporalRequest | None
-    chance: InferenceSettings | None
-
-
 @dataclass(frozen=True, kw_only=True)
 class EvaluateOptions:
     """Options of `evaluate`."""
@@ -154,54 +125,69 @@ class EvaluateOptions:
     submission: Submission = None
     output: options.FigureFiles = None
     manifest: ManifestFile = None
-    steady: temporal_options.OverTime = False
-    shots: temporal_options.Shots = None
-    pictures: temporal_options.Pictures = None
-    over_time_output: temporal_options.Output = None
+    steady: inference_options.OverTime = False
+    shots: inference_options.Shots = None
+    pictures: inference_options.Pictures = None
+    over_time_output: inference_options.OverTimeOutput = None
     workers: options.Workers = None
     dask: options.Dask = None
 
 
 def evaluate(context: typer.Context, given: EvaluateOptions) -> None:
-    call = _request_of(context, given)
-    # The figures took long to make: a file that cannot be written must not take them along.
-    unwritten: dict[Path, ProccError] = {}
-    scored, told, steadiness = _score(call, given.workers, given.dask, unwritten)
-    if call.over_time is not None:  # before the tables: whoever reads them may stop after the first
-        call.over_time.write(steadiness, unwritten)
-    code = _print_results(call, scored, told, unwritten)
-    if call.over_time is not None:
-        call.over_time.tell(steadiness, unwritten)
-        known = {error for one in scored for error in one.errors}
-        code = max(code, report_unreadable(temporal_options.errors(steadiness, known)))
-    for failure in unwritten.values():
-        echo(f"procc-annotator: {failure}", err=True)
-    raise typer.Exit(2 if unwritten else code)
-
-
-def _request_of(context: typer.Context, given: EvaluateOptions) -> _EvaluateRequest:
-    """Return what is to be done; all that was given is examined before anything is."""
+    # Everything is examined before any work.
     written_to = outputs.figure_files(given.output)
     manifest = ManifestOfRun.of(context, given.manifest)
     plan = _plan(given)
     fields = plan.fields(given.field, given.lines)
-    setups = _setups(given, next(iter(fields.values())))
+    field = next(iter(fields.values()))
+    terms = given.protocol, given.off_plane, given.mirrored, given.planar_only
+    sizes = dict.fromkeys(given.size or [options.DEFAULT_SIZE])
+    setups = [options.setup_for(field, size, *terms) for size in sizes]
     if given.submission is not None:
         require_submitted_for(given.submission, setups[0], plan.frames(fields))
     thresholds = options.thresholds_or_default(given.threshold)
     tags = None if given.tags is None else Tags.read(given.tags)
-    groups, derived = inference_options.groups_asked(given.by, tags, given.chance.cluster)
-    chance = _chance(given, plan, tags, (*groups, *derived), asked=bool(derived))
+    by, settings = _inference(given, plan, tags)
     noise = inference_options.noise_file(given.chance.click_noise)
     outputs.check_not_inputs(written_to, filter(None, (given.tags, noise, given.shots)))
-    shown = options.shown_size(given.camera_size)
-    steady = temporal_options.TemporalRequest.of(
+    over_time = inference_options.temporal_request(
         given.steady, given.shots, given.pictures, given.over_time_output
     )
-    return _EvaluateRequest(
-        plan, fields, setups, thresholds, tags, groups, shown, written_to, manifest, steady,
-        chance,
-    )  # fmt: skip
+    unwritten: dict[Path, ProccError] = {}  # a file that cannot be written loses no metrics
+    with ExitStack() as files:
+        requests = plan.open(
+            files, fields, setups, by, tags, camera_size=options.shown_size(given.camera_size)
+        )
+        _check_inputs(requests, plan, given, [*written_to, *(over_time.written_to if over_time
+                      else ()), *([manifest.path] if manifest else ())])  # fmt: skip
+        evaluations = Evaluations(
+            requests, thresholds, [*written_to, *([manifest.metrics] if manifest else [])],
+            named=plan.named or len(setups) > 1, settings=settings,
+        )  # fmt: skip
+        with make_executor(given.workers, given.dask, frames=evaluations.frames) as executor:
+            steady = over_time.run(requests, thresholds[0], executor) if over_time else []
+            scored = evaluations.score(executor, with_progress, unwritten)
+        if manifest is not None:
+            manifest.write(requests, over_time.entries(steady) if over_time and steady else None)
+    if over_time is not None:  # before the tables: a reader may stop after the first (`| head`)
+        over_time.write(steady, unwritten)
+    print_all(scored)
+    print_inference(evaluations.results)
+    for path in (*written_to, *([manifest.path] if manifest else [])):
+        if path not in unwritten:
+            echo(f"written: {path}")
+    if tags is not None:
+        report_remarks(_tags_of_no_frame(tags, plan.frames(fields)))
+    report_remarks(plan.remarks(fields, [setup.size for setup in setups]))
+    code = report_problems(scored)
+    if over_time is not None:
+        over_time.show(steady, unwritten)
+        known = {error for one in scored for error in one.errors}
+        errors = dict.fromkeys(error for one in steady for error in one.errors)
+        code = max(code, report_unreadable([line for line in errors if line not in known]))
+    for failure in unwritten.values():
+        echo(f"procc-annotator: {failure}", err=True)
+    raise typer.Exit(2 if unwritten else code)
 
 
 def _plan(given: EvaluateOptions) -> Plan:
@@ -213,76 +199,34 @@ def _plan(given: EvaluateOptions) -> Plan:
     )
 
 
-def _setups(given: EvaluateOptions, field: Field) -> list[EvaluationSetup]:
-    terms = given.protocol, given.off_plane, given.mirrored, given.planar_only
-    sizes = dict.fromkeys(given.size or [options.DEFAULT_SIZE])
-    return [options.setup_for(field, size, *terms) for size in sizes]
-
-
-def _chance(
-    given: EvaluateOptions, plan: Plan, tags: Tags | None, by: Sequence[str], *, asked: bool
-) -> InferenceSettings | None:
-    """Return how intervals are found, if anything asks for them."""
+def _inference(
+    given: EvaluateOptions, plan: Plan, tags: Tags | None
+) -> tuple[tuple[str, ...], InferenceSettings | None]:
+    """What to group frames by, and the settings of intervals, if anything needs them."""
     chance = given.chance
-    told = chance.click_noise is not None or chance.cluster is not None
-    if not (asked or told or given.intervals or chance.power):
-        if (chance.interval_method, chance.draws, given.seed) != inference_options.USUAL:
-            raise UsageError(
-                "--interval-method, --resamples and --seed need --intervals or the like"
-            )
-        return None
-    parts = [name for name in by if name != MODEL]
-    return chance.terms(tags, dict(plan.sets), parts, given.seed, given.shots)
+    by, derived = inference_options.groups_asked(given.by, tags, chance.cluster)
+    needed = derived or chance.click_noise is not None or chance.cluster is not None
+    if needed or given.intervals or chance.power:
+        parts = [name for name in (*by, *derived) if name != MODEL]
+        return by, chance.terms(tags, dict(plan.sets), parts, given.seed, given.shots)
+    if (chance.interval_method, chance.draws, given.seed) != inference_options.USUAL:
+        raise UsageError("--interval-method, --resamples and --seed need --intervals or the like")
+    return by, None
 
 
-def _score(
-    call: _EvaluateRequest, workers: int | None, dask: str | None, unwritten: dict[Path, ProccError]
-) -> tuple[list[Scored], Sequence[StatisticalResult], list[TemporalMetrics]]:
-    """Do the work; what could not be written goes to ``unwritten``."""
-    named = call.plan.named or len(call.setups) > 1
-    written_to = [*call.written_to, *([] if call.manifest is None else [call.manifest.metrics])]
-    outcome = RequestedOutputs(written_to, named=named, chance=call.chance)
-    with ExitStack() as files:
-        asked = call.plan.open(
-            files, call.fields, call.setups, call.by, call.tags, camera_size=call.camera_size
-        )
-        for one in {one.set_name: one for one in asked}.values():
-            of = f"{one.set_name}: " if len(call.plan.sets) > 1 else ""
-            report_mismatch(one.annotations, one.setup.field, of)
-            report_camera_names(one.annotations, of)
-        more = call.over_time.written_to if call.over_time else ()
-        inputs: list[outputs.Input] = [s for one in asked for s in (one.annotations, one.cameras)]
-        if call.tags is not None:
-            inputs.append(call.tags.path)
-        own = [] if call.manifest is None else [call.manifest.path]
-        outputs.check_not_inputs((*call.written_to, *own, *more), inputs)
-        evaluations = Evaluations.prepare(asked, call.thresholds, outcome)
-        with make_executor(workers, dask, frames=evaluations.frames) as executor:
-            steady = call.over_time
-            found = [] if steady is None else steady.run(asked, call.thresholds[0], executor)
-            scored = evaluations.score(executor, progress=with_progress, unwritten=unwritten)
-        if call.manifest is not None:
-            call.manifest.write(asked, found)
-        return scored, evaluations.told, found
-
-
-def _print_results(
-    call: _EvaluateRequest,
-    scored: list[Scored],
-    told: Sequence[StatisticalResult],
-    unwritten: dict[Path, ProccError],
-) -> int:
-    """Print everything; returns the exit code for what was read."""
-    said = [f"written: {path}" for path in call.written_to if path not in unwritten]
-    said += [] if call.manifest is None else [f"written: {call.manifest.path}"]
-    print_all(scored)
-    print_inference(told)
-    for line in said:
-        echo(line)
-    if call.tags is not None:
-        report_remarks(_tags_of_no_frame(call.tags, call.plan.frames(call.fields)))
-    report_remarks(call.plan.remarks(call.fields, [setup.size for setup in call.setups]))
-    return report_problems(scored)
+def _check_inputs(
+    requests: Sequence[EvaluationRequest],
+    plan: Plan,
+    given: EvaluateOptions,
+    written_to: Sequence[Path],
+) -> None:
+    """Report doubtful annotations; refuse outputs that are among the inputs."""
+    for one in {one.set_name: one for one in requests}.values():
+        of = f"{one.set_name}: " if len(plan.sets) > 1 else ""
+        report_mismatch(one.annotations, one.setup.field, of)
+        report_camera_names(one.annotations, of)
+    inputs: list[outputs.Input] = [s for one in requests for s in (one.annotations, one.cameras)]
+    outputs.check_not_inputs(written_to, [*inputs, *([given.tags] if given.tags else [])])
 
 
 def _tags_of_no_frame(tags: Tags, frames: Mapping[str, tuple[str, ...]]) -> list[str]:

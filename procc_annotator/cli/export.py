@@ -112,7 +112,6 @@ def _check_split(split: str, keep_optional: bool) -> None:
 
 
 def _print_summary(exported: Exported, setup: EvaluationSetup, *, scored: bool, split: str) -> None:
-    """Say what was written, the figures, and what was left out."""
     written = pluralize(exported.annotations, "annotation")
     without = pluralize(exported.unannotated, "frame has", "frames have")
     place = f"{exported.path}, split {split}" if split else str(exported.path)

@@ -1,4 +1,4 @@
-"""Options of confidence intervals, clusters, annotation noise and power."""
+"""Options of intervals, clusters, annotation noise, power and temporal metrics."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated, Any, cast
+from typing import TYPE_CHECKING, Annotated, Any, cast
 
 import typer
 
@@ -21,17 +21,21 @@ from procc_annotator.batch.grouping import (
     clusters_of,
 )
 from procc_annotator.batch.strata import DERIVED
+from procc_annotator.cli.outputs import each_once
 from procc_annotator.dataset.layout import FRAMES_FILE, folder_of_dataset
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.formats.file_source import read_file
 from procc_annotator.formats.strict_json import decode_as
-from procc_annotator.metrics.statistics.bootstrap import BootstrapSettings
 from procc_annotator.metrics.statistics.intervals import (
     INTERVAL_METHODS,
+    BootstrapSettings,
     IntervalMethodName,
     noise_from_median_distance,
 )
 from procc_annotator.report.scores.inference import InferenceSettings
+
+if TYPE_CHECKING:
+    from procc_annotator.cli.temporal import TemporalRequest
 
 _ADVICE = "expected what `agree A B --output FILE.json` writes"
 
@@ -74,7 +78,7 @@ _LEAST_NOISE, _MOST_NOISE = 0.01, 100.0  # px
 
 def _known_method(text: str) -> str:
     if text not in INTERVAL_METHODS:
-        raise typer.BadParameter(f"{text!r} is none of {', '.join(INTERVAL_METHODS)}")
+        raise typer.BadParameter(f"{text!r} is not one of {', '.join(INTERVAL_METHODS)}")
     return text
 
 
@@ -136,6 +140,63 @@ Count = Annotated[
     ),
 ]
 Seed = Annotated[int, typer.Option(min=0, metavar="N", help="Random seed of the resamples.")]
+
+OverTime = Annotated[
+    bool,
+    typer.Option(
+        "--over-time",
+        help="Also how steady the cameras are over the shots of the set: jitter, jumps, outages,"
+        " cameras that are some frames late.",
+    ),
+]
+Shots = Annotated[
+    Path | None,
+    typer.Option(
+        "--shots",
+        metavar="FILE.csv",
+        show_default=False,
+        help="Which frames follow each other: columns 'frame', 'shot' and perhaps 'number'."
+        "  [default: frames.csv of the dataset, track.csv beside the cameras, else by the names of"
+        " the frames]",
+    ),
+]
+Pictures = Annotated[
+    Path | None,
+    typer.Option(
+        "--pictures",
+        metavar="PATH",
+        show_default=False,
+        help="Folder of the pictures or video of the set: cuts are found in it, and cameras held"
+        " against what moves in it.",
+    ),
+]
+OverTimeOutput = Annotated[
+    list[Path] | None,
+    typer.Option(
+        "--over-time-output",
+        metavar="FILE",
+        show_default=False,
+        help="Write the figures over time: a .json of all, or a .csv with a row a frame; repeat"
+        " for both.",
+    ),
+]
+
+
+def temporal_request(
+    wanted: bool, shots: Path | None, pictures: Path | None = None, output: list[Path] | None = None
+) -> TemporalRequest | None:
+    """The request for temporal metrics, if they are wanted.
+
+    Raises:
+        UsageError: a file that cannot be written, or options without --over-time.
+    """
+    if not wanted:
+        if shots or pictures or output:
+            raise UsageError("--shots, --pictures and --over-time-output need --over-time")
+        return None
+    from procc_annotator.cli.temporal import TemporalRequest  # loads decoding and motion
+
+    return TemporalRequest(shots, pictures, each_once(output or ()))
 
 
 @dataclass(frozen=True)

@@ -6,21 +6,23 @@ import os
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
+from typing import TYPE_CHECKING, cast
 
 from procc_annotator.batch.checkpoint import checkpoint_path
-from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.errors import InputError, SaveError, UsageError
 from procc_annotator.field.load import load_field
 from procc_annotator.formats.annotations.soccernet import read_annotation
 from procc_annotator.formats.atomic import make_folder, write_atomic
-from procc_annotator.formats.cameras.collection import CameraCollection
 from procc_annotator.formats.file_listing import CAMERA_PREFIX, list_annotations
 from procc_annotator.formats.file_source import FileSource, open_source
 from procc_annotator.report.outputs import is_archive
 from procc_annotator.report.scores.score_files import score_format
 
-Input = FileSource | CameraCollection | CameraSet | Path
+if TYPE_CHECKING:
+    from procc_annotator.dataset.camera_set import CameraSet
+    from procc_annotator.formats.cameras.collection import CameraCollection
 
+    Input = FileSource | CameraCollection | CameraSet | Path
 
 # Of a folder's JSON files so many are looked into: what a folder of annotations holds is alike.
 _LOOKED_INTO = 20
@@ -211,14 +213,14 @@ def check_camera_folder(out: Path, inputs: Iterable[Path | None]) -> None:
 
 
 def _files(one: Input) -> list[str]:
-    """Files of an input on disk; an archive is one."""
     path = one if isinstance(one, Path) else one.path
     if isinstance(one, Path) or not path.is_dir():
         return [str(path)]
-    if isinstance(one, CameraCollection | CameraSet):
+    if not hasattr(one, "decoded"):  # cameras
         return list(one.files())
+    source = cast(FileSource, one)
     with open_source(path) as files:
-        names = dict.fromkeys((*files.files(), *one.decoded, *list_annotations(one).values()))
+        names = dict.fromkeys((*files.files(), *source.decoded, *list_annotations(source).values()))
     return [os.path.join(path, name) for name in names]
 
 

@@ -18,26 +18,23 @@ from procc_annotator.cli import (
     input_files,
     options,
     outputs,
-    remarks,
-    temporal_options,
 )
 from procc_annotator.cli.console import with_progress
 from procc_annotator.cli.echo import echo
-from procc_annotator.cli.manifest_option import ManifestFile, ManifestOfRun
-from procc_annotator.cli.method_arguments import SourceSpec, parse_sources
+from procc_annotator.cli.manifest import ManifestFile, ManifestOfRun
+from procc_annotator.cli.method_arguments import parse_sources
 from procc_annotator.cli.painters import overlay_painter, pair_painter
+from procc_annotator.cli.remarks import report_mismatch, report_remarks, report_unreadable
 from procc_annotator.dataset.annotation_source import open_annotations
 from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.dataset.layout import annotations_of, annotations_or_path
 from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.formats.annotations.label_map import LabelMap
 from procc_annotator.formats.cameras.collection import CameraCollection
 from procc_annotator.formats.file_listing import ANNOTATIONS_FOLDER, list_annotations
 from procc_annotator.formats.frame_names import FrameTable
 from procc_annotator.interaction.palette import SOURCE_COLOURS
-from procc_annotator.metrics.setup import EvaluationSetup
 from procc_annotator.report.overlay_scene import OverlayLook
 from procc_annotator.report.page.html import is_foreign_file
 from procc_annotator.report.page.overlays import Painters
@@ -51,12 +48,10 @@ from procc_annotator.report.page.report import (
     write_report,
 )
 from procc_annotator.report.page.report_data import (
-    AuditReport,
     NamedCameras,
     ReportWork,
     gather_report,
 )
-from procc_annotator.report.scores.inference import InferenceSettings
 from procc_annotator.report.scores.scoring import EvaluationRequest
 
 HELP = """\
@@ -183,140 +178,98 @@ class ReportOptions:
     reference: Reference = None
     picture_width: PictureWidth = 960
     manifest: ManifestFile = None
-    steady: temporal_options.OverTime = False
-    shots: temporal_options.Shots = None
+    steady: inference_options.OverTime = False
+    shots: inference_options.Shots = None
     workers: options.Workers = None
     dask: options.Dask = None
 
 
 def report(context: typer.Context, given: ReportOptions) -> None:
-    written = _written(given.cameras, given.output)
+    # Everything is examined before any work.
+    written_to = _outputs(given.cameras, given.output)
     manifest = ManifestOfRun.of(context, given.manifest)
-    setup = options.make_setup(
-        given.field,
-        given.size,
-        given.protocol,
-        given.off_plane,
-        given.mirrored,
-        given.planar_only,
-        datasets=[given.dataset],
-        lines=given.lines,
+    field = options.chosen_field(given.field, given.dataset, lines=given.lines)
+    setup = options.setup_for(
+        field, given.size, given.protocol, given.off_plane, given.mirrored, given.planar_only
     )
     thresholds = options.thresholds_or_default(given.threshold or list(DEFAULT_THRESHOLDS))
     specs = parse_sources(given.cameras or (), given.camera_format)
     name = dataset_name(given.dataset)
-    request = ReportRequest(
+    request = _request(given, name, manifest)
+    check_request(request, [spec.name for spec in specs])
+    folder, pictures = annotation_place(given.dataset, field, given.annotations)
+    tags = None if given.tags is None else Tags.read(given.tags)
+    groups, derived = inference_options.groups_asked(given.by, tags, given.chance.cluster)
+    settings = given.chance.terms(
+        tags, {name: folder}, (*groups, *derived), given.seed, given.shots
+    )
+    over_time = inference_options.temporal_request(given.steady, given.shots)
+    camera_size = options.shown_size(given.camera_size)
+    with ExitStack() as opened:
+        labels = options.label_map(given.labels, field)
+        source = opened.enter_context(open_annotations(folder, field, labels))
+        cameras = {
+            spec.name: opened.enter_context(
+                CameraCollection.open(spec.path, spec.format, field=field)
+            )
+            for spec in specs
+        }
+        report_mismatch(source, field)
+        for called, one in cameras.items():
+            report_remarks(f"{called}: {notice}" for notice in one.notices)
+        own = [] if manifest is None else [manifest.path]
+        outputs.check_not_inputs((*written_to, *own), [source, *cameras.values()])
+        work_ahead = len(list_annotations(source)) * _frame_cost(request, len(specs))
+        executor = opened.enter_context(make_executor(given.workers, given.dask, frames=work_ahead))
+        work = ReportWork(executor, camera_size, with_progress)
+        requests = [
+            EvaluationRequest(name, called, source, one, setup, camera_size=camera_size)
+            for called, one in cameras.items()
+        ]
+        steady = over_time.run(requests, thresholds[0], executor) if over_time else []
+        judged = [NamedCameras(*one) for one in cameras.items()]
+        gathered = gather_report(name, source, judged, setup, thresholds, work, settings)
+        sets = [CameraSet(one, called, camera_size) for called, one in cameras.items()]
+        material = ReportInputs(source, sets, pictures, tuple(steady))
+        files = (*written_to, *([] if manifest is None else [manifest.metrics]))
+        painters = _painters(written_to, given.picture_width, with_pairs=bool(given.disagreement))
+        problems = write_report(gathered, material, request, painters, files, work)
+        if manifest is not None:
+            manifest.write(requests)
+    for path in (*written_to, *own):
+        echo(f"written: {path}")
+    report_remarks(dict.fromkeys(note for s in gathered.sources for note in s.annotation_notes))
+    failures = list(dict.fromkeys(gathered.failures()))
+    # Drawing a frame meets what scoring it has met, without knowing the source's name.
+    failures += [p for p in problems if not any(said.endswith(p) for said in failures)]
+    raise typer.Exit(report_unreadable(failures))
+
+
+def _request(given: ReportOptions, name: str, manifest: ManifestOfRun | None) -> ReportRequest:
+    return ReportRequest(
         given.title or f"Cameras of {name}", given.date or datetime.date.today().isoformat(),
         given.worst, given.random, given.seed,
         tuple(_pair(text) for text in given.disagreement or ()), reference=given.reference or "",
         manifest="" if manifest is None else manifest.path.name,
     )  # fmt: skip
-    check_request(request, [spec.name for spec in specs])
-    place = annotation_place(given.dataset, setup.field, given.annotations)
-    read_tags = None if given.tags is None else Tags.read(given.tags)
-    groups, derived = inference_options.groups_asked(given.by, read_tags, given.chance.cluster)
-    parts = (*groups, *derived)
-    chance = given.chance.terms(read_tags, {name: place[0]}, parts, given.seed, given.shots)
-    call = _ReportRequest(
-        name, specs, setup, thresholds, request, written, given.picture_width, chance,
-        options.label_map(given.labels, setup.field), manifest,
-        temporal_options.TemporalRequest.of(given.steady, given.shots, None, None),
-    )  # fmt: skip
-    gathered, problems = _make(
-        call, *place, options.shown_size(given.camera_size), given.workers, given.dask
-    )
-    raise typer.Exit(_print_summary(call, gathered, problems))
 
 
-@dataclass(frozen=True)
-class _ReportRequest:
-    """A call as it was read; specs: the sources; picture_width: px, of the widest picture; labels:
-    what names of another program stand for."""
-
-    name: str
-    specs: Sequence[SourceSpec]
-    setup: EvaluationSetup
-    thresholds: tuple[float, ...]
-    request: ReportRequest
-    written: Sequence[Path]
-    picture_width: int
-    chance: InferenceSettings
-    labels: LabelMap | None
-    manifest: ManifestOfRun | None
-    over_time: temporal_options.TemporalRequest | None
-
-
-def _written(cameras: list[str] | None, output: list[Path] | None) -> list[Path]:
-    """The files to write."""
+def _outputs(cameras: list[str] | None, output: list[Path] | None) -> list[Path]:
     if not cameras:
         raise UsageError("a report needs sources of cameras: --cameras NAME=PATH")
     if output is None and is_foreign_file(_USUAL):
         raise UsageError(
             f"{_USUAL}: is there already, and no report wrote it; name a file with --output"
         )
-    written = output or [_USUAL]
-    for path in written:
+    written_to = output or [_USUAL]
+    for path in written_to:
         report_kind(path)
         outputs.check_output_folder(path)
-    return written
-
-
-def _make(
-    call: _ReportRequest,
-    folder: Path,
-    pictures: dict[str, Path],
-    camera_size: tuple[int, int] | None,
-    workers: int | None,
-    dask: str | None,
-) -> tuple[AuditReport, list[str]]:
-    """Score, draw and write; returns the figures, and what went wrong while drawing."""
-    with ExitStack() as opened:
-        source = opened.enter_context(open_annotations(folder, call.setup.field, call.labels))
-        collections = [opened.enter_context(_open(spec, call.setup.field)) for spec in call.specs]
-        remarks.report_mismatch(source, call.setup.field)
-        named = list(zip(call.specs, collections, strict=True))
-        for spec, collection in named:
-            remarks.report_remarks(f"{spec.name}: {notice}" for notice in collection.notices)
-        files = (*call.written, *([call.manifest.path] if call.manifest else []))
-        outputs.check_not_inputs(files, [source, *collections])
-        work_ahead = len(list_annotations(source)) * _frame_cost(call.request, len(call.specs))
-        executor = opened.enter_context(make_executor(workers, dask, frames=work_ahead))
-        work = ReportWork(executor, camera_size, with_progress)
-        asked = [
-            EvaluationRequest(
-                call.name, spec.name, source, cameras, call.setup, camera_size=camera_size
-            )
-            for spec, cameras in named
-        ]
-        steady = call.over_time
-        found = () if steady is None else steady.run(asked, call.thresholds[0], executor)
-        judged = [NamedCameras(spec.name, collection) for spec, collection in named]
-        gathered = gather_report(
-            call.name, source, judged, call.setup, call.thresholds, work, call.chance
-        )
-        sets = [CameraSet(collection, spec.name, camera_size) for spec, collection in named]
-        material = ReportInputs(source, sets, pictures, tuple(found))
-        written = (*call.written, *([call.manifest.metrics] if call.manifest else []))
-        problems = write_report(gathered, material, call.request, _drawing(call), written, work)
-        if call.manifest is not None:
-            call.manifest.write(asked)
-        return gathered, problems
-
-
-def _print_summary(call: _ReportRequest, gathered: AuditReport, problems: list[str]) -> int:
-    """Say what was written and what went wrong; returns the exit code."""
-    for path in (*call.written, *([call.manifest.path] if call.manifest else [])):
-        echo(f"written: {path}")
-    notes = dict.fromkeys(note for s in gathered.sources for note in s.annotation_notes)
-    remarks.report_remarks(notes)
-    failures = list(dict.fromkeys(gathered.failures()))
-    # Drawing a frame meets what scoring it has met, without knowing the source's name.
-    failures += [p for p in problems if not any(said.endswith(p) for said in failures)]
-    return remarks.report_unreadable(failures)
+    return written_to
 
 
 def _frame_cost(request: ReportRequest, sources: int) -> int:
-    """Return what a frame of the set costs, in scored frames: comparing two cameras is dear."""
+    """Cost of a frame, in scored frames: comparing two cameras is slow."""
     legacy = sources - 1 if request.reference else 0
     return sources + _COMPARED_FRAME * (len(set(request.disagreement)) + legacy)
 
@@ -356,10 +309,6 @@ def annotation_place(
     return annotations or annotations_of(dataset), {}
 
 
-def _open(spec: SourceSpec, field: Field) -> CameraCollection:
-    return CameraCollection.open(spec.path, spec.format, field=field)
-
-
 def _pair(text: str) -> tuple[str, str]:
     names = [name.strip() for name in text.split(",")]
     if len(names) != 2 or not all(names):
@@ -367,16 +316,18 @@ def _pair(text: str) -> tuple[str, str]:
     return names[0], names[1]
 
 
-def _drawing(call: _ReportRequest) -> ReportPainters | None:
-    if "html" not in map(report_kind, call.written):
+def _painters(
+    written_to: Sequence[Path], picture_width: int, *, with_pairs: bool
+) -> ReportPainters | None:
+    if "html" not in map(report_kind, written_to):
         return None
-    # What charts need comes first: Qt reads the source of every module imported after it.
+    # matplotlib comes first: Qt reads the source of every module imported after it.
     import matplotlib.backends.backend_svg  # noqa: F401
 
     # Two pictures share the width of the page.
-    look = OverlayLook(widest=call.picture_width, caption=False, emphasis=1.7)
+    look = OverlayLook(widest=picture_width, caption=False, emphasis=1.7)
     overlays = Painters(overlay_painter(".jpg", look), overlay_painter(".png", look))
     pairs = None
-    if call.request.disagreement and (photograph := pair_painter(".jpg")):
+    if with_pairs and (photograph := pair_painter(".jpg")):
         pairs = PairPainters(photograph, pair_painter(".png") or photograph)
     return ReportPainters(overlays, pairs, SOURCE_COLOURS)

@@ -277,7 +277,6 @@ def _read(
 
 
 def _check_apart_from_source(source: Path, out: Path) -> None:
-    """What is read must never be replaced by what is written."""
     target = os.path.realpath(out)
     own = os.path.realpath(source)
     if target == own or (os.path.isfile(own) and target == os.path.dirname(own)):

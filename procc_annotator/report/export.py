@@ -39,7 +39,6 @@ from procc_annotator.report.outputs import Target, is_archive, open_target
 from procc_annotator.report.scores.score_files import (
     CsvScores,
     JsonScores,
-    ScoreWriter,
     csv_fragment,
     json_fragment,
     score_format,
@@ -248,7 +247,6 @@ def export_scores(
 def _annotated(
     frames: AnnotatedFrames, exported: Exported, progress: Progress | None
 ) -> Iterator[tuple[str, FrameAnnotation]]:
-    """Every frame that has an annotation, however short, by name."""
     total = len(frames.names)
     for index, name in enumerate(frames.names):
         try:
@@ -275,7 +273,7 @@ def _leaving(
     return annotation
 
 
-def _writer(stream: IO[bytes], path: Path, scoring: Scoring) -> ScoreWriter:
+def _writer(stream: IO[bytes], path: Path, scoring: Scoring) -> JsonScores | CsvScores:
     if score_format(path) == "json":
         return JsonScores(stream, scoring.setup, scoring.thresholds)
     return CsvScores(stream)
@@ -285,7 +283,7 @@ class _Totals:
     """Scores frames one after the other and writes them to every score file."""
 
     def __init__(
-        self, scoring: Scoring, exported: Exported, writers: Sequence[ScoreWriter]
+        self, scoring: Scoring, exported: Exported, writers: Sequence[JsonScores | CsvScores]
     ) -> None:
         self._scoring = scoring
         self._exported = exported

@@ -109,14 +109,14 @@ def report_html(report: AuditReport, heading: Heading, page: Page) -> bytes:
     shown = [table for table in tables if table is not None]
     classes = classes_section(report)
     every = every_frame_table(report) if len(report.frames) <= MOST_FRAMES else None
-    explained = [*shown, *report.told.sheets, *page.over_time, classes, *page.pair_tables]
+    explained = [*shown, *report.statistics.sheets, *page.over_time, classes, *page.pair_tables]
     text = page_template("report.html").render(
         heading=heading,
         report=report,
         page=page,
         terms=terms(report),
         tables=shown,
-        chance=report.told.sheets,
+        chance=report.statistics.sheets,
         classes=classes,
         frames=every,
         definitions=definitions(explained, also=(TP, FP, FN, JAC)),

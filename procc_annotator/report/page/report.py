@@ -35,7 +35,7 @@ from procc_annotator.report.page.report_tables import (
     report_json,
     terms,
 )
-from procc_annotator.report.tables.latex import latex_tables
+from procc_annotator.report.tables.data_files import latex_tables
 from procc_annotator.report.tables.table import MetricTable
 from procc_annotator.report.temporal import (
     TemporalMetrics,
@@ -183,7 +183,7 @@ def write_report(
         remarks = [request.title, request.date, terms(report), f"procc-annotator {__version__}"]
         remarks += [f"manifest: {request.manifest}"] if request.manifest else []
         fits = fits_table(report)
-        first = [comparison_table(report), *([fits] if fits else []), *report.told.sheets]
+        first = [comparison_table(report), *([fits] if fits else []), *report.statistics.sheets]
         contents["tex"] = latex_tables([*first, *steady, *tables], remarks).encode(
             "utf-8", "backslashreplace"
         )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import IO, Any, Protocol
+from typing import IO, Any
 
 from procc_annotator.batch.evaluation import GroupSummary
 from procc_annotator.batch.scoring import FrameResult
@@ -176,23 +176,6 @@ class CsvScores:
 
 
 SCORE_SUFFIXES = (".json", ".csv")
-
-
-class ScoreWriter(Protocol):
-    """Writes a set's scores to an open file, frame by frame."""
-
-    def begin(self) -> None: ...
-
-    def add(self, fragment: bytes) -> None: ...
-
-    def end(
-        self,
-        summary: Mapping[float, SetSummary] | None,
-        *,
-        ground_only: bool,
-        groups: Sequence[GroupSummary] = (),
-        more: Mapping[str, Any] | None = None,
-    ) -> None: ...
 
 
 # ---------------------------------------------------------------------------------------- JSON

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import IO, Any
 
 from procc_annotator.batch.evaluation import EvaluationRun, GroupSummary, run_digested
-from procc_annotator.batch.execution.executor import Executor, make_executor
+from procc_annotator.batch.execution.executor import Executor
 from procc_annotator.batch.frame_sums import FrameSums, SourceSums, frame_sums
 from procc_annotator.batch.grouping import MODEL, Grouping
 from procc_annotator.batch.scoring import Evaluated, LeftOutMetrics
@@ -33,7 +33,6 @@ from procc_annotator.report.scores.score_files import (
     CsvScores,
     JsonList,
     JsonScores,
-    ScoreWriter,
     csv_fragment,
 )
 from procc_annotator.report.scores.score_tables import FrameRow, WorstFrames, left_out_entry
@@ -64,26 +63,6 @@ class EvaluationRequest:
     setup: EvaluationSetup
     grouping: Grouping = field(default_factory=Grouping)
     camera_size: tuple[int, int] | None = None
-
-
-@dataclass(frozen=True)
-class RequestedOutputs:
-    """Outputs of an evaluation.
-
-    Attributes:
-        outputs: ``.json`` and ``.csv`` files; each appears when it is complete.
-        named: whether these say set and method of every evaluation; they have to for several.
-        chance: how surely the figures are to be reported; None for not at all.
-    """
-
-    outputs: Sequence[Path] = ()
-    named: bool = False
-    chance: InferenceSettings | None = None
-
-    @property
-    def formats(self) -> tuple[str, ...]:
-        """Of the outputs."""
-        return tuple(score_files.score_format(path) for path in self.outputs)
 
 
 @dataclass
@@ -118,10 +97,6 @@ Step = tuple["_Scoring", EncodedFrame]
 Progress = Callable[[Iterable[Step], int, str], Iterator[Step]]
 
 
-def _no_progress(items: Iterable[Step], _total: int, _what: str) -> Iterator[Step]:
-    return iter(items)
-
-
 def encode_frame(
     evaluated: Evaluated,
     setup: EvaluationSetup,
@@ -146,163 +121,122 @@ def encode_frame(
     return EncodedFrame(row, result.error, result.notices, fragments, sums)
 
 
-def score_set(
-    annotations: FileSource,
-    cameras: CameraCollection,
-    setup: EvaluationSetup,
-    thresholds: tuple[float, ...],
-    *,
-    outputs: Sequence[Path] = (),
-    camera_size: tuple[int, int] | None = None,
-    executor: Executor | None = None,
-    progress: Progress = _no_progress,
-) -> Scored:
-    """Evaluate a set and write its scores, frame by frame.
+class Evaluations:
+    """Several evaluations; all frames are listed before any work.
 
     Args:
+        requests: one after the other.
+        thresholds: px.
         outputs: ``.json`` and ``.csv`` files; each appears when it is complete.
-        executor: who does the work; unless given, as many processes as suit the set.
-        progress: wraps the frames as they come, given their number and a word for the work.
+        named: whether these name set and method of every evaluation; they have to for several.
+        settings: of statistical inference; None for no intervals.
+
+    Attributes:
+        results: of statistical inference, once the frames are scored.
 
     Raises:
-        UsageError: nothing to evaluate, or nothing that can be read.
-        SaveError: an output cannot be written.
+        UsageError: an evaluation has nothing to do.
     """
-    asked = EvaluationRequest("", "", annotations, cameras, setup, camera_size=camera_size)
-    prepared = Evaluations.prepare([asked], thresholds, RequestedOutputs(outputs))
-    if executor is not None:
-        return prepared.score(executor, progress=progress)[0]
-    with make_executor(frames=prepared.frames) as suitable:
-        return prepared.score(suitable, progress=progress)[0]
 
-
-@dataclass
-class Evaluations:
-    """Several evaluations, listed and found possible; then scored, one after the other."""
-
-    scorings: list[_Scoring]
-    outcome: RequestedOutputs
-    told: tuple[StatisticalResult, ...] = ()  # what chance leaves of them, once they are scored
-
-    @classmethod
-    def prepare(
-        cls,
-        asked: Sequence[EvaluationRequest],
+    def __init__(
+        self,
+        requests: Sequence[EvaluationRequest],
         thresholds: tuple[float, ...],
-        outcome: RequestedOutputs,
-    ) -> Evaluations:
-        """List all frames, before any work.
-
-        Raises:
-            UsageError: an evaluation has nothing to do.
-        """
-        prepared = cls([_Scoring(one, thresholds, outcome) for one in asked], outcome)
-        prepared._require_tags(asked)
-        return prepared
-
-    def _require_tags(self, asked: Sequence[EvaluationRequest]) -> None:
-        if all(by == MODEL for one in asked for by in one.grouping.by):
-            return
-        if any(scoring.run.tagged for scoring in self.scorings):
-            return
-        tagged = next((repr(frame) for one in asked for frame in one.grouping.values), "none")
-        frame = self.scorings[0].run.names[0]
-        raise UsageError(
-            "no tag belongs to a frame of these sets"
-            f" (frames are named like {frame!r}, in the file of tags like {tagged})"
-        )
+        outputs: Sequence[Path] = (),
+        *,
+        named: bool = False,
+        settings: InferenceSettings | None = None,
+    ) -> None:
+        self._outputs, self._named, self._settings = outputs, named, settings
+        self._formats = tuple(map(score_files.score_format, outputs))
+        self._scorings = [
+            _Scoring(one, thresholds, self._formats, named, settings) for one in requests
+        ]
+        self.results: tuple[StatisticalResult, ...] = ()
+        by_tags = any(by != MODEL for one in requests for by in one.grouping.by)
+        if by_tags and not any(scoring.run.tagged for scoring in self._scorings):
+            tagged = next(
+                (repr(frame) for one in requests for frame in one.grouping.values), "none"
+            )
+            frame = self._scorings[0].run.names[0]
+            raise UsageError(
+                "no tag belongs to a frame of these sets"
+                f" (frames are named like {frame!r}, in the file of tags like {tagged})"
+            )
 
     @property
     def frames(self) -> int:
         """Number of frames to score, over all evaluations."""
-        return sum(scoring.run.total for scoring in self.scorings)
+        return sum(scoring.run.total for scoring in self._scorings)
 
     def score(
-        self,
-        executor: Executor | None = None,
-        *,
-        progress: Progress = _no_progress,
-        unwritten: dict[Path, ProccError] | None = None,
+        self, executor: Executor, progress: Progress, unwritten: dict[Path, ProccError]
     ) -> list[Scored]:
         """Do the work.
 
         Args:
-            unwritten: takes what went wrong with an output on the way, so that the figures are not
-                lost with them; without it the first failure is raised.
+            progress: wraps the frames as they come, given their number and a word for the work.
+            unwritten: takes the failures of outputs, so that no metrics are lost with them.
 
         Raises:
             UsageError: no annotation of a set can be read.
-            SaveError: an output cannot be written.
         """
-        failures: dict[Path, ProccError] = {} if unwritten is None else unwritten
         with ExitStack() as files:
-            paths = self.outcome.outputs
             streams = [
-                files.enter_context(failure_tolerant_output(path, failures)) for path in paths
+                files.enter_context(failure_tolerant_output(path, unwritten))
+                for path in self._outputs
             ]
             for scoring, frame in progress(self._steps(streams, executor), self.frames, "scoring"):
                 scoring.take(frame)
-        if unwritten is None and failures:
-            raise next(iter(failures.values()))
-        return [scoring.scored for scoring in self.scorings]
+        return [scoring.scored for scoring in self._scorings]
 
-    def _steps(self, streams: list[IO[bytes]], executor: Executor | None) -> Iterator[Step]:
-        formats = self.outcome.formats
+    def _steps(self, streams: list[IO[bytes]], executor: Executor) -> Iterator[Step]:
         lists = [
             JsonList(stream)
-            for stream, kind in zip(streams, formats, strict=True)
-            if kind == "json" and self.outcome.named
+            for stream, kind in zip(streams, self._formats, strict=True)
+            if kind == "json" and self._named
         ]
-        for i, scoring in enumerate(self.scorings):
+        for i, scoring in enumerate(self._scorings):
             for several in lists:
                 several.next()
             scoring.begin(streams, first=i == 0)
-            if executor is not None:
-                scoring.run.executor = executor
+            scoring.run.executor = executor
             for frame in scoring.run:
                 yield scoring, frame
             scoring.sum_up()
-            if scoring is self.scorings[-1] and self.outcome.chance is not None:
-                scored = [one.scored for one in self.scorings]
-                self.told = tuple(statistical_results(scored, self.outcome.chance))
+            if scoring is self._scorings[-1] and self._settings is not None:
+                scored = [one.scored for one in self._scorings]
+                self.results = tuple(statistical_results(scored, self._settings))
             # In a file of several, what is reported of all follows behind them.
-            scoring.write_end({} if self.outcome.named else inference_entries(self.told))
+            scoring.write_end({} if self._named else inference_entries(self.results))
         for several in lists:
-            several.end(inference_entries(self.told))
+            several.end(inference_entries(self.results))
 
 
 class _Scoring:
-    """One evaluation under way."""
+    """One evaluation in progress."""
 
     def __init__(
         self,
-        asked: EvaluationRequest,
+        request: EvaluationRequest,
         thresholds: tuple[float, ...],
-        outcome: RequestedOutputs,
+        formats: tuple[str, ...],
+        named: bool,
+        settings: InferenceSettings | None,
     ) -> None:
-        self._asked = asked
+        self._request = request
         self._thresholds = thresholds
-        self._outcome = outcome
-        self._names = (asked.set_name, asked.method) if outcome.named else ()
+        self._formats = formats
+        self._names = {"set": request.set_name, "method": request.method} if named else {}
         digest = partial(
-            encode_frame,
-            setup=asked.setup,
-            thresholds=thresholds,
-            formats=outcome.formats,
-            names=self._names,
-            by=asked.grouping.by,
-            chance=outcome.chance,
-        )
+            encode_frame, setup=request.setup, thresholds=thresholds, formats=formats,
+            names=tuple(self._names.values()), by=request.grouping.by, chance=settings,
+        )  # fmt: skip
         self.run: EvaluationRun[EncodedFrame] = run_digested(
-            asked.annotations,
-            asked.cameras,
-            asked.setup,
-            thresholds,
-            digest,
-            camera_size=asked.camera_size,
-            grouping=asked.grouping,
-        )
-        self._writers: list[ScoreWriter] = []
+            request.annotations, request.cameras, request.setup, thresholds, digest,
+            camera_size=request.camera_size, grouping=request.grouping,
+        )  # fmt: skip
+        self._writers: list[JsonScores | CsvScores] = []
         self._worst = WorstFrames()
         self._errors: list[str] = []
         self._notices = Counter[str](self.run.notices)
@@ -311,19 +245,16 @@ class _Scoring:
 
     def begin(self, streams: Iterable[IO[bytes]], *, first: bool) -> None:
         """Write the beginning of the outputs."""
-        for stream, kind in zip(streams, self._outcome.formats, strict=True):
-            self._writers.append(self._writer(stream, kind, first))
+        for stream, kind in zip(streams, self._formats, strict=True):
+            self._writers.append(
+                JsonScores(stream, self._request.setup, self._thresholds, self._names)
+                if kind == "json"
+                else CsvScores(stream, self._names, self._request.grouping.by, headless=not first)
+            )
             self._writers[-1].begin()
 
-    def _writer(self, stream: IO[bytes], kind: str, first: bool) -> ScoreWriter:
-        columns = ("set", "method")[: len(self._names)]
-        if kind == "json":
-            names = dict(zip(columns, self._names, strict=True))
-            return JsonScores(stream, self._asked.setup, self._thresholds, names)
-        return CsvScores(stream, columns, self._asked.grouping.by, headless=not first)
-
     def take(self, frame: EncodedFrame) -> None:
-        """Write a frame and note what the tables need of it."""
+        """Write a frame and keep what the tables need of it."""
         if frame.row is not None:
             self._worst.add(frame.row)
         if frame.error is not None:
@@ -334,35 +265,25 @@ class _Scoring:
             writer.add(fragment)
 
     def sum_up(self) -> None:
-        """Make the figures; all frames have been taken."""
-        run = self.run
+        """Compute the metrics; all frames have been taken."""
+        run, request = self.run, self._request
         if run.counted == 0:
             raise UsageError(
                 f"none of the {run.total} annotations can be read; the first: {self._errors[0]}"
             )
         self.scored = Scored(
-            run.summary(),
-            run.setup,
-            run.describe(),
-            run.counted,
-            run.with_camera,
-            self._worst.rows(),
-            self._errors,
-            self._notices,
-            run.unmatched_cameras,
-            self._asked.set_name,
-            self._asked.method,
-            run.group_summaries(),
-            run.annotation_notes,
-            SourceSums.of(self._asked.method, self._thresholds, self._sums),
-            run.fitted,
-            run.held_out,
+            run.summary(), run.setup, run.describe(), run.counted, run.with_camera,
+            self._worst.rows(), self._errors, self._notices, run.unmatched_cameras,
+            request.set_name, request.method, run.group_summaries(), run.annotation_notes,
+            SourceSums.of(request.method, self._thresholds, self._sums), run.fitted, run.held_out,
             run.ground_only,
-        )
+        )  # fmt: skip
 
     def write_end(self, more: Mapping[str, Any]) -> None:
-        """Write the end of the outputs, with more entries where they hold any."""
-        scored, groups = self.scored, self.scored.groups
+        """Write the end of the outputs, with more entries where they have any."""
+        scored = self.scored
         more = {**left_out_entry(scored, self._thresholds), **more}
         for writer in self._writers:
-            writer.end(scored.summaries, ground_only=scored.ground_only, groups=groups, more=more)
+            writer.end(
+                scored.summaries, ground_only=scored.ground_only, groups=scored.groups, more=more
+            )

@@ -1,4 +1,4 @@
-"""Options and output of temporal stability."""
+"""Temporal stability of evaluated methods: measure, write, print."""
 
 from __future__ import annotations
 
@@ -6,9 +6,7 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 from pathlib import Path
-from typing import Annotated
-
-import typer
+from typing import Any
 
 from procc_annotator.batch.execution.executor import Executor
 from procc_annotator.batch.grouping import (
@@ -33,89 +31,32 @@ from procc_annotator.report.temporal import (
     TemporalMetrics,
     check_suffix,
     over_time_bytes,
+    over_time_entries,
     shots_over_time_table,
     terminal_tables,
 )
 
 _TRACK_FILE = "track.csv"
 
-OverTime = Annotated[
-    bool,
-    typer.Option(
-        "--over-time",
-        help="Also how steady the cameras are over the shots of the set: jitter, jumps, outages,"
-        " cameras that are some frames late.",
-    ),
-]
-Shots = Annotated[
-    Path | None,
-    typer.Option(
-        "--shots",
-        metavar="FILE.csv",
-        show_default=False,
-        help="Which frames follow each other: columns 'frame', 'shot' and perhaps 'number'."
-        "  [default: frames.csv of the dataset, track.csv beside the cameras, else by the names of"
-        " the frames]",
-    ),
-]
-Pictures = Annotated[
-    Path | None,
-    typer.Option(
-        "--pictures",
-        metavar="PATH",
-        show_default=False,
-        help="Folder of the pictures or video of the set: cuts are found in it, and cameras held"
-        " against what moves in it.",
-    ),
-]
-Output = Annotated[
-    list[Path] | None,
-    typer.Option(
-        "--over-time-output",
-        metavar="FILE",
-        show_default=False,
-        help="Write the figures over time: a .json of all, or a .csv with a row a frame; repeat"
-        " for both.",
-    ),
-]
-
 
 @dataclass(frozen=True)
 class TemporalRequest:
-    """Options of figures over time.
+    """Options of temporal metrics.
 
     Attributes:
-        shots: table that says which frames follow each other.
+        shots: table of the frames that follow each other.
         pictures: folder or video.
-        written_to: files of figures.
+        written_to: files of the metrics.
     """
 
     shots: Path | None
     pictures: Path | None
     written_to: Sequence[Path]
 
-    @classmethod
-    def of(
-        cls,
-        asked: bool,
-        shots: Path | None,
-        pictures: Path | None,
-        written_to: Sequence[Path] | None,
-    ) -> TemporalRequest | None:
-        """Read the options; None where no one asks.
-
-        Raises:
-            UsageError: a file that cannot be written, or options of something not asked for.
-        """
-        files = outputs.each_once(written_to or ())
-        if not asked:
-            if shots or pictures or files:
-                raise UsageError("--shots, --pictures and --over-time-output need --over-time")
-            return None
-        for path in files:
+    def __post_init__(self) -> None:
+        for path in self.written_to:
             check_suffix(path)
             outputs.check_output_folder(path)
-        return cls(shots, pictures, files)
 
     def run(
         self, evaluations: Sequence[EvaluationRequest], threshold: float, executor: Executor
@@ -172,6 +113,10 @@ class TemporalRequest:
         beside += [one.cameras.path / _TRACK_FILE for one in sources if one.cameras.path.is_dir()]
         return next((path for path in beside if path.is_file()), None)
 
+    def entries(self, found: Sequence[TemporalMetrics]) -> dict[str, Any]:
+        """All metrics, for a file."""
+        return over_time_entries(found)
+
     def write(self, found: Sequence[TemporalMetrics], unwritten: dict[Path, ProccError]) -> None:
         """Write the files; what could not be written goes to ``unwritten``."""
         for path in self.written_to:
@@ -183,8 +128,8 @@ class TemporalRequest:
             except ProccError as error:
                 unwritten[path] = error
 
-    def tell(self, found: Sequence[TemporalMetrics], unwritten: Collection[Path]) -> None:
-        """Print the tables, and which files were written."""
+    def show(self, found: Sequence[TemporalMetrics], unwritten: Collection[Path]) -> None:
+        """Print the tables, and the files that were written."""
         console = stdout_console()
         for sheet in terminal_tables(shots_over_time_table(found)) if found else ():
             console.print(sheet)
@@ -212,9 +157,3 @@ def _measured(
     require_shots(measured, told_by)
     described = one.setup.describe(any(shot.ground_only for shot in measured))
     return TemporalMetrics(one.set_name, one.method, tuple(measured), told_by, described, threshold)
-
-
-def errors(found: Sequence[TemporalMetrics], known: Collection[str]) -> list[str]:
-    """Return what could not be read on the way and is not reported yet."""
-    lines = dict.fromkeys(error for one in found for error in one.errors)
-    return [line for line in lines if line not in known]
