@@ -132,7 +132,6 @@ def _split_word(word: str) -> list[str]:
 
 
 def _alternative_readings(words: Words) -> list[Words]:
-    """Return what a label's words may say, too."""
     ways = []
     for own, others in _synonym_table()["phrases"].items():
         for other in others:
@@ -281,7 +280,6 @@ def _by_order(
 
 
 def _of_several(count: LabelCount, similar: ClassMatch, places: LabelPlaces) -> LabelProposal:
-    """Of a label that a frame has several shapes of, and no order by homographies."""
     found = next(iter(places.orders.most_common(1)), None)
     if found is not None:
         rule, times = found
@@ -297,7 +295,6 @@ def _of_several(count: LabelCount, similar: ClassMatch, places: LabelPlaces) -> 
 
 
 def _of_one(count: LabelCount, similar: ClassMatch, places: LabelPlaces) -> LabelProposal:
-    """Of a label that a frame has one shape of."""
     place, times = next(iter(places.on.most_common(1)), ("", 0))
     on = f"{times} of {pluralize(places.shapes, 'shape')} on it"
     clear = times >= max(_FEWEST, _MOST * places.shapes)

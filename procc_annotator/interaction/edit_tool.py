@@ -336,7 +336,6 @@ class EditTool:
     def _direction(
         self, annotation: FrameAnnotation, at: Position, context: ToolContext
     ) -> Position | None:
-        """Return where the element runs at the held point, as its other points show."""
         assert self.grabbed is not None
         name, index = self.grabbed
         polyline = annotation.get(name)

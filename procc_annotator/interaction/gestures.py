@@ -84,7 +84,6 @@ def hit_test(
 def _all_points(
     annotation: FrameAnnotation, picture_size: tuple[int, int]
 ) -> tuple[FloatArray, IntArray, IntArray]:
-    """Points of all polylines, picture px; each one's polyline; each polyline's first point."""
     counts = np.array([len(p.points) for p in annotation.polylines], dtype=np.intp)
     flat = [c for polyline in annotation.polylines for point in polyline.points for c in point[:2]]
     points = np.array(flat, dtype=np.float64).reshape(-1, 2)

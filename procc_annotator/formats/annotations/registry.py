@@ -257,7 +257,6 @@ def _formats_covering(known: AnnotationFormat, told: Sequence[AnnotationFormat])
 
 
 def _detect_file(source: FileSource, name: str) -> AnnotationFormat | None:
-    """The format of one file; None if undetermined."""
     try:
         data = source.read(name)
     except InputError:
@@ -279,7 +278,6 @@ def detect_json_format(data: bytes) -> AnnotationFormat | None:
 
 
 def _decoded(data: bytes) -> Any:
-    """Decoded JSON; None for what is damaged."""
     try:
         return json.loads(data.decode("utf-8-sig"))
     except (ValueError, RecursionError):

@@ -140,7 +140,6 @@ def _names_findings(names: list[str], split: str, any_camera: bool) -> Iterator[
 def _frames_remarks(
     given: Collection[str], frames: Collection[str] | None, lacking: str
 ) -> Iterator[SubmissionRemark]:
-    """Remarks on annotated frames that a submission lacks, and on frames that are not annotated."""
     if frames is None or not given:
         return
     if missing := [frame for frame in natsorted(frames) if frame not in given]:
@@ -159,7 +158,6 @@ def _frames_remarks(
 def _check_camera(
     archive: ZipSource, name: str
 ) -> tuple[CameraOrProjections | None, list[SubmissionRemark]]:
-    """A camera, where it can be read, and what is to say of it alone."""
     place = printable(name, 120)
     try:
         content: Any = json.loads(archive.read(name).decode("utf-8"))
