@@ -306,7 +306,7 @@ def _frames(
             source, field, names,
             size_of=sizes.size, pictures=sizes.names(), called=sizes.called,
         )  # fmt: skip
-        reader.reading.told = on_damaged or _raise
+        reader.reading.on_problem = on_damaged or _raise
         return list(reader.frames())
 
 

@@ -13,6 +13,10 @@ from procc_annotator.arrays import BoolArray, FloatArray
 from procc_annotator.assist.ghost_points import find_points
 from procc_annotator.assist.line_evidence import ExpectedLines
 from procc_annotator.calibration.prediction.ghosts import find_ghosts
+from procc_annotator.calibration.prediction.visible_elements import (
+    image_edge_point,
+    steps_to_image_edge,
+)
 from procc_annotator.calibration.result import FitResult
 from procc_annotator.dataset.frames import Frame
 from procc_annotator.dataset.records import PointKey
@@ -28,10 +32,10 @@ from procc_annotator.metrics.polylines import arc_lengths
 Size = tuple[int, int]
 
 _AT_EDGE_PX = 12.0  # along the line
-_FARTHEST_BACK = 200
+_FARTHEST_BACK = 200  # frames: eight seconds at 25 per second
 _REACH_PX = 4.0  # the motion is known better
 _AGREE_PX = 1.2  # across: points so near to where the others of their element say show its paint
-_FEWEST_AGREED = 3
+_FEWEST_AGREED = 3  # two may agree by chance
 _ONWARDS = 12  # places at which a line is looked for that goes on to the edge; half must show it
 
 
@@ -81,7 +85,7 @@ def copy_moved(
     Args:
         polylines: normalised to ``previous``.
         previous, current: (H, W, 4) pictures; they may differ in size.
-        curved: classes whose direction changes along them.
+        curved: classes that change their direction along them.
         paint: what each class looks like in ``current``.
         spots: classes that are single places, on no line.
     """
@@ -118,7 +122,7 @@ def copy_along_track(
 ) -> Copied:
     """The same elements where the camera of a track shows them, on their paint.
 
-    Elements out of sight, and those whose paint is not seen, do not come along.
+    Elements out of sight, and those without visible paint, do not come along.
 
     Args:
         polylines: of another frame of the shot.
@@ -175,15 +179,8 @@ def _leaves(end: FloatArray, inner: FloatArray, size: Size) -> bool:
 def _continued(end: FloatArray, inner: FloatArray, size: Size) -> FloatArray:
     """Return where the line through an end leaves the picture; the end itself if that is
     outside."""
-    limits = np.array(size, dtype=np.float64) - 1
-    along = end - inner
-    if (end < 0).any() or (end > limits).any() or not along.any():
-        return end
-    with np.errstate(divide="ignore", invalid="ignore"):
-        steps = np.where(along > 0, (limits - end) / along, -end / along)
-    steps[along == 0] = np.inf
-    found: FloatArray = np.clip(end + float(steps.min()) * along, 0.0, limits)
-    return found
+    found = image_edge_point(end, end - inner, size) if (end != inner).any() else None
+    return end if found is None else found
 
 
 def _cut_off(points: FloatArray, size: Size) -> FloatArray:
@@ -202,11 +199,7 @@ def _cut_off(points: FloatArray, size: Size) -> FloatArray:
 
 def _crossing(inner: FloatArray, outer: FloatArray, limits: FloatArray) -> FloatArray:
     step = outer - inner
-    with np.errstate(divide="ignore", invalid="ignore"):
-        shares = np.where(step > 0, (limits - inner) / step, -inner / step)
-    shares[step == 0] = np.inf
-    found: FloatArray = np.clip(inner + float(shares.min()) * step, 0.0, limits)
-    return found
+    return np.clip(inner + steps_to_image_edge(inner, step, limits) * step, 0.0, limits)
 
 
 def _on_line(

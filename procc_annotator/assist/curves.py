@@ -13,7 +13,7 @@ from procc_annotator.metrics.polylines import arc_lengths, points_at_arc_lengths
 
 _SAGITTA_PX = 0.5  # how far chords may cut a bend
 _LARGEST_SPACING = 1 / 16  # of the picture's width
-_SMALLEST_SPACING = 1 / 80
+_SMALLEST_SPACING = 1 / 80  # 24 px of 1920
 _STEADY = 9  # so many steps tell how much a curve bends
 
 
@@ -51,7 +51,7 @@ def regular_parameters(
 
 EVERYWHERE = 201  # so many parameters stand for the whole curve
 _INLIER_PX = 1.0
-_ELLIPSE_CLICKS = 5
+_ELLIPSE_CLICKS = 5  # a conic has five degrees of freedom
 _ELLIPSE_PX = 6.0  # how far it may pass from a click
 _CLICKS_PX = 3.0  # ... and an ellipse through paint, from the middle one of them
 _FEWEST_PAINT, _DRAWS = 8, 80
@@ -188,14 +188,20 @@ def _through(clicked: FloatArray) -> FloatArray:
     if len(clicked) < 3:
         return clicked
     steps = np.gradient(clicked, lengths, axis=0)
-    t = np.linspace(0.0, 1.0, 60)[:, None]
-    pieces = []
-    for i, length in enumerate(np.diff(lengths)):
-        u, v = length * steps[i], length * steps[i + 1]
-        a, b = clicked[i], clicked[i + 1]
-        bend = (2 * t**3 - 3 * t**2 + 1) * a + (3 * t**2 - 2 * t**3) * b
-        pieces.append(bend + (t**3 - 2 * t**2 + t) * u + (t**3 - t**2) * v)
+    pieces = [
+        hermite_curve(clicked[i], clicked[i + 1], length * steps[i], length * steps[i + 1], 60)
+        for i, length in enumerate(np.diff(lengths))
+    ]
     return np.concatenate(pieces)
+
+
+def hermite_curve(
+    begin: FloatArray, end: FloatArray, leaving: FloatArray, arriving: FloatArray, count: int
+) -> FloatArray:
+    """(count, 2) a cubic between two places with these derivatives at its ends."""
+    t = np.linspace(0.0, 1.0, count)[:, None]
+    bent = (2 * t**3 - 3 * t**2 + 1) * begin + (3 * t**2 - 2 * t**3) * end
+    return np.asarray(bent + (t**3 - 2 * t**2 + t) * leaving + (t**3 - t**2) * arriving)
 
 
 def refitted(curve: Curve, clicked: FloatArray, found: FloatArray) -> Curve:

@@ -33,7 +33,7 @@ class FrameAnalysis:
 
     Attributes:
         annotation: what it was made from.
-        fit: the camera, or why there is none.
+        fit: the camera, or why it failed.
         ghosts: elements not annotated yet, where the camera expects them.
         findings: what may be wrong with the labels, the surest first.
         suggestions: what to annotate next, the most helpful first.

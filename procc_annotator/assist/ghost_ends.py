@@ -25,7 +25,7 @@ from procc_annotator.image.pixels import PixelArray
 from procc_annotator.metrics.polylines import polyline_normals
 
 FARTHEST_PX = 80.0  # an end is looked for so far beyond where the camera expects it
-_LEAST_SD = 3.0
+_LEAST_SD = 3.0  # standard deviations: 99.7 %
 _LEAST_PX = 14.0
 _EVERY_PX, _MOST_PLACES = 6.0, 26
 _BESIDE_PX = 4.0
@@ -93,7 +93,7 @@ def seen_corner(
         end: the last one.
         picture: (H, W, 4) BGRA.
         paint: how the elements look.
-        ghost: whose line it is.
+        ghost: the one that the line belongs to.
         may_miss_px: so far before the corner the line need not be seen.
         shifted_px: how much farther on than expected the line's first end was found.
 

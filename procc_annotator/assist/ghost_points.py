@@ -49,7 +49,7 @@ class AcceptedGhosts:
 
     Attributes:
         annotation: with those that were accepted.
-        accepted: ghosts whose lines are seen well enough.
+        accepted: ghosts with lines that are seen well enough.
         left: the others.
     """
 
@@ -149,7 +149,7 @@ def accept_all(
     found: Sequence[GhostPoints],
     least_support: float = LEAST_SUPPORT,
 ) -> AcceptedGhosts:
-    """Accept all ghosts of an annotation whose lines the picture shows well enough.
+    """Accept all ghosts of an annotation with lines that the picture shows well enough.
 
     One round: what the ghosts that are shown become. The better camera that follows from them may
     show further ones, which the annotator sees before accepting them.

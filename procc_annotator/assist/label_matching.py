@@ -188,20 +188,22 @@ def find_places(
     return places
 
 
-def cameras_of(cameras: FrameCameras, told: Callable[[str], object] | None = None) -> CameraOf:
+def cameras_of(
+    cameras: FrameCameras, on_unusable: Callable[[str], object] | None = None
+) -> CameraOf:
     """Given cameras.
 
     Args:
         cameras: by the names of frames.
-        told: of each one that cannot be used, why; None: no one is.
+        on_unusable: called with the reason for each one that cannot be used; None: silent.
     """
 
     def camera(frame: LabelledFrame, size: tuple[int, int]) -> CameraOrProjections | None:
         try:
             found = cameras.camera(frame.name, size)
         except CameraError as error:
-            if told is not None:
-                told(str(error))
+            if on_unusable is not None:
+                on_unusable(str(error))
             return None
         return None if found is None else found.camera
 
@@ -263,8 +265,8 @@ def _orders(shapes: Sequence[Points], names: Sequence[str | None]) -> list[Order
 _MOST_ORDERS = 3000
 _MOST_FRAMES = 16
 _FEWEST_EQUATIONS = 9  # one more than determine a homography: an order can be wrong
-_FEWEST_LINES = 5
-_LARGEST_FAMILY = 4
+_FEWEST_LINES = 5  # four determine a homography, the fifth tests it
+_LARGEST_FAMILY = 4  # 24 orders; a fifth line would make 120
 _FITS = 0.005  # of the picture's width: points are on their lines, as well as lenses let them
 _CAPPED = 0.02  # of the picture's width: a frame where no order fits decides nothing
 
@@ -275,7 +277,7 @@ class LineOrders:
 
     Attributes:
         rules: label -> its classes in their order; empty if unknown.
-        fitting: frames whose points are on their lines with these orders.
+        fitting: frames with all points on their lines, with these orders.
         frames: that were tried.
     """
 
@@ -325,7 +327,7 @@ def find_orders(
 def _first_rotated(
     rules: Mapping[str, OrderedClasses], alone: Mapping[str, str], field: Field
 ) -> Mapping[str, OrderedClasses]:
-    """Of orders that are as good on the turned field those whose classes come first in it: a set
+    """Of orders that are as good on the turned field those with the first classes of it: a set
     that is examined again, or in parts, gets the same ones."""
 
     def place(some: Mapping[str, OrderedClasses]) -> list[list[int]]:

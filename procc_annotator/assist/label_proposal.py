@@ -212,7 +212,7 @@ def proposed_text(
     Args:
         proposals: of all labels.
         source: what the labels are of, for people.
-        field: whose classes they are.
+        field: has the classes.
         given_cameras: whether cameras were given, which say what is left and what is right.
     """
     head = [
@@ -238,7 +238,7 @@ def _written(one: LabelProposal) -> WrittenRule:
 
 
 def better_field(labels: Sequence[str], field: Field) -> str | None:
-    """The field that the package ships whose classes are called much more like some labels.
+    """The shipped field with classes that are called much more like some labels.
 
     Args:
         labels: of a set.

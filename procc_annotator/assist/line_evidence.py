@@ -11,6 +11,7 @@ import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation, Polyline, points_px
 from procc_annotator.arrays import FloatArray, IntArray
+from procc_annotator.assist.curves import hermite_curve
 from procc_annotator.assist.visible_line import find_line
 from procc_annotator.calibration.label_check.evidence import LineEvidence
 from procc_annotator.calibration.optimization.observations import ImageFrame
@@ -29,7 +30,7 @@ Place = tuple[float, float]
 
 _EVERY_M = 0.5
 _NEAR_PX = 30.0  # a camera that shows an element farther from a click does not know it
-_STEP_M = 0.05
+_STEP_M = 0.05  # of the finite difference across a line, half its width
 
 
 class ExpectedLines:
@@ -256,6 +257,4 @@ def _course(clicks: FloatArray, segment: int) -> FloatArray:
     begin, end = clicks[segment], clicks[segment + 1]
     first, last = max(segment - 1, 0), min(segment + 2, len(clicks) - 1)
     before, after = (end - clicks[first]) / 2, (clicks[last] - begin) / 2
-    t = np.linspace(0.0, 1.0, _CURVE_STEPS)[:, None]
-    bent = (2 * t**3 - 3 * t**2 + 1) * begin + (3 * t**2 - 2 * t**3) * end
-    return np.asarray(bent + (t**3 - 2 * t**2 + t) * before + (t**3 - t**2) * after)
+    return hermite_curve(begin, end, before, after, _CURVE_STEPS)

@@ -25,17 +25,13 @@ REACH_PX = 25.0
 
 
 def close_gaps(
-    polyline: Polyline,
-    annotation: FrameAnnotation,
-    field: Field,
-    size: ImageSize,
-    reach_px: float = REACH_PX,
+    polyline: Polyline, annotation: FrameAnnotation, field: Field, size: ImageSize
 ) -> Polyline:
-    """An element whose ends reach what they fall short of; the same polyline when nothing is near.
+    """Extend the ends of an element to what they fall short of; unchanged when nothing is near.
 
-    An end of a straight element is moved along its line, by at most ``reach_px``: to where it meets
+    An end of a straight element is moved along its line, by at most `REACH_PX`: to where it meets
     the line of an annotated straight element that it meets on the field, else to the picture's
-    edge. A circle whose ends are that near is closed with its first point. Points between the ends
+    edge. A circle with ends that near is closed with its first point. Points between the ends
     stay.
 
     Args:
@@ -43,14 +39,13 @@ def close_gaps(
         annotation: with the neighbours.
         field: knows which elements meet.
         size: (width, height) of the picture, px.
-        reach_px: how far an end may be moved.
     """
     element = field.element(polyline.class_name)
     if element is None or len(polyline.points) < 2:
         return polyline
     points = points_px(polyline, size)
     if is_closed(element.geometry):
-        if len(points) > 4 and 0 < np.hypot(*(points[-1] - points[0])) <= reach_px:
+        if len(points) > 4 and 0 < np.hypot(*(points[-1] - points[0])) <= REACH_PX:
             return Polyline(polyline.class_name, (*polyline.points, polyline.points[0]))
         return polyline
     if not element.is_straight:
@@ -63,8 +58,8 @@ def close_gaps(
         and (neighbour := field.element(name)) is not None
         and neighbour.is_straight
     ]
-    first = expected_line_end(points[0], points[1], lines, size, reach_px)
-    last = expected_line_end(points[-1], points[-2], lines, size, reach_px)
+    first = expected_line_end(points[0], points[1], lines, size, REACH_PX)
+    last = expected_line_end(points[-1], points[-2], lines, size, REACH_PX)
     return Polyline(
         polyline.class_name,
         (
@@ -134,7 +129,8 @@ def regularise(
         Points in the direction of the clicks: the samples that a painted line supports, and the
         clicks that it does not confirm. With support for fewer than two samples, or for less than a
         third of them, the polyline comes back as it is; so does one that is regular already, and
-        one whose clicks go back the way they came. Curves and bars are done until that is reached,
+        one with clicks that go back the way they came. Curves and bars are done until that is
+        reached,
         lest their points creep along with every repetition; the last step is left out where it
         would take a click by more than it may be moved.
     """

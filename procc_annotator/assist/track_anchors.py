@@ -105,7 +105,7 @@ def align_to_lines(
 
 
 def as_anchor(correction: CameraCorrection, number: int) -> TrackedFrame:
-    """A frame of a shot whose camera was corrected."""
+    """A frame of a shot with a corrected camera."""
     found = correction.coverage, correction.residual_px
     return TrackedFrame(number, "anchor", "", correction.fit, *found, 0)
 
@@ -144,7 +144,7 @@ def anchors_of(
     model: str = "R",
     go_on: Callable[[], None] = lambda: None,
 ) -> dict[int, ClickedAnchor]:
-    """The camera fitted to each frame's clicks, by number; of those whose clicks determine one.
+    """The camera fitted to each frame's clicks, by number; of those with clicks that determine one.
 
     Args:
         workspace: the dataset, read as it is now; safe from any thread.

@@ -67,14 +67,14 @@ Runs = tuple[tuple[int, int], ...]
 BESIDE_PX = 12.0  # what is looked at to both sides of the line
 _LEAST_CONTRAST = 10.0  # of 255
 _CONTRAST_SHARES = 0.4, 2.2  # of what the line has at the nearest hits
-_COLOUR_COSINE = 0.93
+_COLOUR_COSINE = 0.93  # 22 degrees between two colours
 _GROUND_APART = 0.07  # of the shares of blue, green and red in a side's colour
 _GROUND_LIGHT = 0.45, 2.0
 _RUN_STEADY_PX = 13  # a line shows in nearly every cut over this length
 _STEADY_SHARE = 0.65
 _GAP_PX = 6
-_RUN_PX = 12
-_END_GAP_PX = 3
+_RUN_PX = 12  # twice the gap
+_END_GAP_PX = 3  # half the gap between runs
 _END_PX = 40
 _END_SHARE = 1.7  # as the larger of the contrast shares, where only one side shows the line
 
@@ -110,7 +110,7 @@ def runs_seen(
     Returns:
         First and one past the last place of each stretch, ascending.
     """
-    at_hits = _near(hits, len(strip.colours), 3)
+    at_hits = _near(hits, len(strip.colours))
     look = _strip_colours(strip, at_hits)
     steps = look.steps(edge=edge)
     stroke = (steps[0] + steps[1]) / 2
@@ -157,9 +157,10 @@ def _strip_colours(strip: StraightenedCurve, at_hits: BoolArray) -> _StripColour
     return _StripColours(*(_smooth(part.astype(np.float64)) for part in parts))
 
 
-def _near(hits: IntArray, n: int, reach: int) -> BoolArray:
+def _near(hits: IntArray, n: int) -> BoolArray:
+    """(n,) whether a place is within three of a hit."""
     marked = np.zeros(n, dtype=bool)
-    for step in range(-reach, reach + 1):
+    for step in range(-3, 4):
         marked[np.clip(hits + step, 0, n - 1)] = True
     return marked
 
@@ -249,7 +250,7 @@ def _reached(shown: BoolArray) -> int:
 
 
 _LEAST_REACH_PX = 2.0
-_REACH_SD = 3.0
+_REACH_SD = 3.0  # standard deviations: 99.7 %
 _STEADY_PX = 3  # over so many pixels to either side a line's direction is taken
 _SNAP_EVERY_PX = 14.0
 _SNAPS = (5, 40)

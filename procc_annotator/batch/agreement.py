@@ -32,9 +32,11 @@ from procc_annotator.metrics.agreement import (
 )
 from procc_annotator.metrics.consensus import Consensus, build_consensus, compare_to_consensus
 from procc_annotator.metrics.setup import check_thresholds
-from procc_annotator.metrics.statistics.bootstrap import BootstrapSettings, RatioMetrics, bootstrap
 from procc_annotator.metrics.statistics.intervals import (
+    BootstrapSettings,
     Interval,
+    RatioMetrics,
+    bootstrap,
     confidence_intervals,
     critical_value,
     quantile_confidence_interval,

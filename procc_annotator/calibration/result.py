@@ -9,13 +9,36 @@ import numpy as np
 
 from procc_annotator.annotation import Polyline
 from procc_annotator.arrays import FloatArray
-from procc_annotator.calibration.optimization.camera_parameters import PAN, ROLL, TILT
+from procc_annotator.calibration.optimization.camera_parameters import (
+    LOG_FOCAL,
+    PAN,
+    ROLL,
+    TILT,
+    X,
+    Z,
+    camera_from_vector,
+    fisheye_from_vector,
+    homography_camera,
+    is_fisheye,
+    parameter_names,
+)
+from procc_annotator.calibration.optimization.camera_placement import (
+    camera_placement_prior,
+    implausible_reason,
+)
 from procc_annotator.calibration.optimization.covariance import (
+    estimate_element_offsets,
+    is_opposite_end_possible,
     max_direction_sd,
+    parameter_covariance,
+    point_error_sd,
     projected_covariance,
 )
 from procc_annotator.calibration.optimization.observations import ImageFrame, used_point_indices
+from procc_annotator.calibration.optimization.residuals import homographies_from_corrections
+from procc_annotator.calibration.optimization.robust_fit import OUTLIER_PX, CameraSolution
 from procc_annotator.camera.models import FisheyeCamera, HomographyCamera, PinholeCamera
+from procc_annotator.field.model import Field
 from procc_annotator.translation import translatable, translatable_joined, word
 
 PosedCamera = PinholeCamera | FisheyeCamera
@@ -262,3 +285,101 @@ def external_camera_fit(
         size: (width, height) px.
     """
     return ExternalCameraFit("given", size, camera, offset_px=_ASSUMED_SD_PX * (size[0] - 1) / 959)
+
+
+# Farther off than this on the median element, a camera explains nothing.
+_HOPELESS_ERROR_PX = 2 * OUTLIER_PX
+
+
+def fit_result_from(
+    found: CameraSolution, field: Field, frame: ImageFrame, model: str, warm: bool
+) -> FitResult:
+    """Return what a fit hands back: its camera with residuals and uncertainty, or what speaks
+    against it.
+
+    Args:
+        found: the fit.
+        field: the elements, metres.
+        frame: the picture.
+        model: H, P, R or R+.
+        warm: whether it came from a start.
+    """
+    problem = _failure_reason(found, field)
+    if problem is not None:
+        return FitResult(model, frame.size, None, problem)
+    error_px = point_error_sd(found)
+    of_clicks = parameter_covariance(found, error_px)
+    offsets = estimate_element_offsets(found, frame, error_px)
+    covariance = of_clicks + offsets.covariance(of_clicks)
+    camera: PinholeCamera | HomographyCamera | FisheyeCamera
+    if found.basis is not None:
+        matrix = homographies_from_corrections(found.vector[None], found.basis)[0]
+        camera, deviations = homography_camera(matrix, frame), None
+        names = tuple(f"h{row}{column}" for row in range(3) for column in range(3))[:8]
+    else:
+        of_vector = fisheye_from_vector if is_fisheye(found.vector) else camera_from_vector
+        camera = of_vector(found.vector, frame)
+        deviations = _pose_deviations(found.vector, covariance, frame)
+        names = parameter_names(model)
+    return FitResult(
+        model,
+        frame.size,
+        camera,
+        None,
+        _element_residuals(found, frame),
+        deviations,
+        error_px / frame.scale,
+        names,
+        covariance,
+        warm,
+        found.vector,
+        found.basis,
+        other_end=is_opposite_end_possible(found, field, frame),
+        offset_px=offsets.sd_px / frame.scale,
+        of_clicks=of_clicks,
+    )
+
+
+def _failure_reason(found: CameraSolution, field: Field) -> str | None:
+    """Why the best camera that was found is none."""
+    if found.basis is None:
+        problem = implausible_reason(found.vector, camera_placement_prior(field))
+        if problem is not None:
+            return problem
+    means = found.seen.mean_per_element(found.distances)
+    middle = float(np.median(means))
+    if not middle <= _HOPELESS_ERROR_PX:
+        return translatable(
+            "no camera explains these elements together: the best one misses half of them by more"
+            " than {px:.0f} px (are the labels right?)",
+            px=middle,
+        )
+    return None
+
+
+def _element_residuals(found: CameraSolution, frame: ImageFrame) -> tuple[ElementResidual, ...]:
+    seen = found.seen
+    shown = np.split(found.image_distances / frame.scale, seen.starts[1:])
+    counted = np.split(found.distances / frame.scale, seen.starts[1:])
+    uncertain = np.zeros(len(seen.element_of_point))
+    if seen.spreads is not None:
+        uncertain = np.abs(seen.spreads).max(axis=(1, 2))
+    return tuple(
+        ElementResidual(
+            element.name,
+            tuple(shown[i].tolist()),
+            bool(found.left_out[i]),
+            tuple(counted[i].tolist()) if uncertain[seen.starts[i]] else None,
+        )
+        for i, element in enumerate(seen.elements)
+    )
+
+
+def _pose_deviations(
+    vector: FloatArray, covariance: FloatArray, frame: ImageFrame
+) -> PoseStandardDeviations:
+    sd = np.sqrt(np.diag(covariance)).tolist()
+    focal = float(np.exp(vector[LOG_FOCAL])) / frame.scale
+    return PoseStandardDeviations(
+        sd[0], sd[1], sd[2], (sd[X], sd[X + 1], sd[Z]), focal * sd[LOG_FOCAL]
+    )

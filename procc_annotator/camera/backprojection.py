@@ -1,21 +1,26 @@
-"""Back-project pixels to the ground plane and to viewing rays, for any camera model."""
+"""Undistort pixels to viewing rays, and back-project them to the ground, for any camera model.
+
+Lens models are given forwards only. Backwards, a table of the radial part gives a start that is off
+by its linear interpolation, and Newton's method does the rest, to the last digits.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from itertools import product
 from typing import NamedTuple, cast
 
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.arrays import BoolArray, FloatArray
+from procc_annotator.arrays import BoolArray, FloatArray, IntArray
 from procc_annotator.camera.base import (
     Camera,
     CameraOrProjections,
     ElementProjections,
     ScaledCamera,
 )
-from procc_annotator.camera.distortion import rays_cam
 from procc_annotator.camera.models import (
     NEAREST_DEPTH_M,
     FisheyeCamera,
@@ -23,13 +28,215 @@ from procc_annotator.camera.models import (
     PinholeCamera,
 )
 
-_NEWTON_ITERATIONS = 25
-_STEP_HALVINGS = 6
-_BIN_PX = 24  # bins along the longer side of the pixels asked for
-_BIN_ROW = _BIN_PX + 3
-_BATCH_BINS = 16  # pixels compared with all of the grid; more take a hundred megabytes
+Values = NDArray[np.float64]
+
+_TABLE_NODES = 2048
+_LENS_ITERATIONS = 30
+_TABLE_MARGIN = 1.2
+# Newton's method squares the error with each step: after one of this size less than 1e-10 is left.
+_CONVERGED = 1e-6
+# Points handled at once: the arrays of one round stay in the processor's cache.
+_BLOCK_PIXELS = 8192
+
+
+def rays_cam(camera: PinholeCamera | FisheyeCamera, points_px: FloatArray) -> FloatArray:
+    """(3, N) directions in the camera frame that pixels show; NaN outside the model's domain.
+
+    Where a model folds, the part about the axis counts.
+
+    Args:
+        camera: its model.
+        points_px: (N, 2) px.
+    """
+    rays = np.empty((3, len(points_px)))
+    px_x, px_y = points_px.T
+    x = (px_x - camera.principal_point_px[0]) / camera.focal_px[0]
+    y = (px_y - camera.principal_point_px[1]) / camera.focal_px[1]
+    with np.errstate(all="ignore"):
+        if isinstance(camera, FisheyeCamera):
+            _fisheye_rays(camera, x, y, rays)
+        elif camera.is_distorted:
+            rays[2] = 1.0
+            _undistort(camera, x, y, rays)
+        else:
+            rays[0], rays[1], rays[2] = x, y, 1.0
+    return rays
+
+
+def _fisheye_rays(camera: FisheyeCamera, x: Values, y: Values, out: FloatArray) -> None:
+    radius = np.hypot(x, y)
+    table = _MonotonicTable(camera.radius_of, camera.slope_of, camera.largest_angle_rad)
+    theta = table.inverse(radius)
+    # The step may have left the domain, and beyond it the model folds.
+    theta[theta > camera.largest_angle_rad * (1 + 1e-12)] = np.nan
+    sine = np.sin(theta) / np.where(radius > 0, radius, 1.0)
+    out[0], out[1], out[2] = x * sine, y * sine, np.cos(theta)
+
+
+def _undistort(camera: PinholeCamera, x: Values, y: Values, out: FloatArray) -> None:
+    lens = _DistortionModel(camera)
+    radius = np.hypot(x, y)
+    finite = radius[np.isfinite(radius)]
+    table = _MonotonicTable(
+        lens.radial, lens.radial_slope, _bracket_radius(lens, float(finite.max(initial=0.0)))
+    )
+    for start in range(0, len(x), _BLOCK_PIXELS):
+        part = slice(start, start + _BLOCK_PIXELS)
+        inner = table.inverse(radius[part], polished=lens.only_radial)
+        if lens.only_radial:
+            ratio = inner / np.where(radius[part] > 0, radius[part], 1.0)
+            out[0, part], out[1, part] = x[part] * ratio, y[part] * ratio
+        else:
+            ratio = inner / np.where(radius[part] > 0, radius[part], 1.0)
+            guess = x[part] * ratio, y[part] * ratio
+            out[0, part], out[1, part] = lens.newton(x[part], y[part], *guess, table.limit)
+
+
+def _bracket_radius(lens: _DistortionModel, radius: float) -> float:
+    """A radius in front of the lens at least as far out as a distorted one, if there is any."""
+    reach = max(radius, 1e-6)
+    for _ in range(12):
+        if float(lens.radial(np.array([reach]))[0]) >= radius:
+            break
+        reach *= 1.5
+    # The other terms of the model may pull a point a little further out.
+    return _TABLE_MARGIN * reach
+
+
+class _MonotonicTable:
+    """A function of one variable with g(0) = 0, tabulated up to where it stops growing."""
+
+    def __init__(
+        self, function: Callable[[Values], Values], slope: Callable[[Values], Values], top: float
+    ) -> None:
+        self._function = function
+        self._slope = slope
+        nodes = np.linspace(0.0, top, _TABLE_NODES)
+        values = function(nodes)
+        grows = (slope(nodes) > 0) & np.isfinite(values)
+        grows[1:] &= values[1:] > values[:-1]
+        count = _TABLE_NODES if grows.all() else max(int(np.argmin(grows)), 1)
+        self._nodes, self._values = nodes[:count], values[:count]
+        self.top = float(self._nodes[-1])
+        # Where the function turns, or infinity: beyond, another point would look alike.
+        self.limit = float("inf") if count == _TABLE_NODES else float(nodes[count])
+
+    def inverse(self, values: Values, *, polished: bool = True) -> Values:
+        """(N,) arguments; NaN where the function has no such value before it turns."""
+        # The other terms of a model may still bring a point back that lies a little beyond.
+        most = self._values[-1] * (1.0 if polished else _TABLE_MARGIN)
+        guess = np.interp(values, self._values, self._nodes)
+        guess[~(values <= most)] = np.nan
+        if not polished:
+            return guess
+        for _ in range(_LENS_ITERATIONS):
+            step = (self._function(guess) - values) / self._slope(guess)
+            guess -= step
+            settled = np.abs(step) <= _CONVERGED * (1 + np.abs(guess))
+            if (settled | np.isnan(guess)).all():
+                break
+            # Beyond the turning point nothing converges; those are not waited for.
+            lost = ~((guess >= -1e-9) & (guess <= self.limit))
+            guess[lost] = np.nan
+        guess[~(settled & (guess <= self.limit))] = np.nan
+        return np.asarray(guess, dtype=np.float64)
+
+
+class _DistortionModel:
+    """OpenCV's full distortion (without tilt) and its derivatives."""
+
+    def __init__(self, camera: PinholeCamera) -> None:
+        self._k = camera.radial
+        self._p = camera.tangential
+        self._s = camera.thin_prism
+        self.only_radial = not (any(camera.tangential) or any(camera.thin_prism))
+
+    def _factor(self, r2: Values) -> tuple[Values, Values]:
+        """The radial factor f(r^2) and its derivative by r^2."""
+        k1, k2, k3, k4, k5, k6 = self._k
+        top = 1 + r2 * (k1 + r2 * (k2 + r2 * k3))
+        top_slope = k1 + r2 * (2 * k2 + r2 * (3 * k3))
+        if not (k4 or k5 or k6):
+            return np.asarray(top), np.asarray(top_slope)
+        under = 1 + r2 * (k4 + r2 * (k5 + r2 * k6))
+        under_slope = k4 + r2 * (2 * k5 + r2 * (3 * k6))
+        f = top / under
+        # Behind a pole the model starts anew; nothing of it counts.
+        f = np.where(under > 0, f, np.nan)
+        return np.asarray(f), np.asarray((top_slope - f * under_slope) / under)
+
+    def radial(self, r: Values) -> Values:
+        """Distorted radius."""
+        return np.asarray(r * self._factor(r * r)[0])
+
+    def radial_slope(self, r: Values) -> Values:
+        """Derivative of `radial`."""
+        r2 = r * r
+        f, slope = self._factor(r2)
+        return np.asarray(f + 2 * r2 * slope)
+
+    def newton(
+        self, xd: Values, yd: Values, x: Values, y: Values, limit: float
+    ) -> tuple[Values, Values]:
+        """Undistorted coordinates of distorted ones (xd, yd), from the start (x, y); or NaN."""
+        done_x, done_y = np.full(len(x), np.nan), np.full(len(x), np.nan)
+        active: NDArray[np.intp] | None = None  # all, at first
+        for _ in range(_LENS_ITERATIONS):
+            step_x, step_y, grows = self._step(xd, yd, x, y)
+            x, y = x - step_x, y - step_y
+            size2 = x * x + y * y
+            step2 = step_x * step_x + step_y * step_y
+            settled = step2 <= _CONVERGED**2 * (1 + size2)
+            good = settled & grows & (size2 <= limit * limit)
+            if active is None and good.all():
+                return x, y
+            places = np.arange(len(x)) if active is None else active
+            done_x[places[good]], done_y[places[good]] = x[good], y[good]
+            going = ~settled & (size2 <= 4 * limit * limit) & (step2 < 1e6)
+            if not going.any():
+                break
+            active, x, y = places[going], x[going], y[going]
+            xd, yd = xd[going], yd[going]
+        return done_x, done_y
+
+    def _step(
+        self, xd: Values, yd: Values, x: Values, y: Values
+    ) -> tuple[Values, Values, BoolArray]:
+        p1, p2 = self._p
+        s1, s2, s3, s4 = self._s
+        xx, yy, xy = x * x, y * y, x * y
+        r2 = xx + yy
+        f, slope = self._factor(r2)
+        off_x = x * f + 2 * p1 * xy + p2 * (r2 + 2 * xx) - xd
+        off_y = y * f + p1 * (r2 + 2 * yy) + 2 * p2 * xy - yd
+        twice = 2 * slope
+        cross = twice * xy + 2 * (p1 * x + p2 * y)
+        a = f + twice * xx + 2 * p1 * y + 6 * p2 * x
+        d = f + twice * yy + 6 * p1 * y + 2 * p2 * x
+        b = c = cross
+        if s1 or s2:
+            off_x += r2 * (s1 + s2 * r2)
+            prism = 2 * (s1 + 2 * s2 * r2)
+            a, b = a + x * prism, b + y * prism
+        if s3 or s4:
+            off_y += r2 * (s3 + s4 * r2)
+            prism = 2 * (s3 + 2 * s4 * r2)
+            c, d = c + x * prism, d + y * prism
+        area = a * d - b * c
+        grows: BoolArray = area > 0
+        return (
+            np.asarray((d * off_x - b * off_y) / area),
+            np.asarray((a * off_y - c * off_x) / area),
+            grows,
+        )
+
+
+_NEWTON_ITERATIONS = 40
+_MIN_STEP_SHARE = 1 / 64
 _CONVERGED_M = 1e-9
 _REACHED_PX = 1e-5
+_DIFFERENCE_STEP_M = 1e-3
+_CELLS = 64  # along the longer side of the pixels
 # Where to start, and how far the ground counts: dense about the field, then coarser. Farther out
 # the ground is next to the horizon, where folds of a lens model can no longer be distinguished.
 MAX_GROUND_DISTANCE_M = 300.0
@@ -42,71 +249,139 @@ _GRID_HALF_AXIS_M = np.concatenate(
     )
 )
 _GRID_AXIS_M = np.concatenate((-_GRID_HALF_AXIS_M[:0:-1], _GRID_HALF_AXIS_M))
+# Where to start for a place at any height: about a field, from its ground to its roof.
+_START_AXIS_M = (-120.0, -70.0, -40.0, -20.0, -8.0, 0.0, 8.0, 20.0, 40.0, 70.0, 120.0)
+_START_HEIGHTS_M = (0.0, -3.0, -12.0, -40.0)
+_START_COUNT = 6
 
 
-def ground_by_newton(camera: Camera, points_px: FloatArray) -> FloatArray:
-    """Find the ground points that pixels show by Newton's method on the projection.
-
-    A coarse grid on the ground is projected; the pixels are put into bins, each bin's centre starts
-    at the grid point that appears nearest to it, and each pixel where its bin's centre arrived.
+def projection_jacobian(camera: Camera, points_world: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Project places, with derivatives by the place from differences.
 
     Args:
-        camera: any model with ``project``.
-        points_px: (N, 2) px.
+        camera: any model.
+        points_world: (N, 3) metres.
 
     Returns:
-        (N, 2) metres, NaN where the search does not arrive at the pixel on this side of
-        `FARTHEST_M` (along x or y, from the field's centre).
+        (N, 2) px and (N, 2, 3) px a metre; NaN where the camera shows nothing. Next to the edge of
+        what it shows the differences are one-sided.
     """
+    points = np.asarray(points_world, dtype=np.float64)
+    steps = _DIFFERENCE_STEP_M * np.concatenate((np.zeros((1, 3)), np.eye(3), -np.eye(3)))
+    px, shown = camera.project((points[:, None] + steps).reshape(-1, 3))
+    shown = shown & np.isfinite(px).all(axis=1)
+    px = np.where(shown[:, None], px, np.nan).reshape(len(points), 7, 2)
+    shown = shown.reshape(len(points), 7)
+    middle = px[:, :1]
+    ahead = np.where(shown[:, 1:4, None], px[:, 1:4], middle)
+    back = np.where(shown[:, 4:, None], px[:, 4:], middle)
+    width = _DIFFERENCE_STEP_M * np.maximum(shown[:, 1:4].astype(int) + shown[:, 4:], 1)
+    return px[:, 0], ((ahead - back) / width[:, :, None]).transpose(0, 2, 1)
+
+
+def places_by_newton(
+    camera: Camera, points_px: FloatArray, starts: FloatArray, free: int
+) -> FloatArray:
+    """Find places that appear at pixels, by damped Newton steps on the projection.
+
+    Args:
+        camera: any model.
+        points_px: (N, 2) px.
+        starts: (N, 3) metres.
+        free: coordinates that may change: 2 for places on the ground, else 3; of the places of a
+            viewing ray one near the start is found.
+
+    Returns:
+        (N, 3) metres; NaN where the search does not arrive.
+    """
+    found = np.full_like(starts, np.nan)
+    rows, places, share = np.arange(len(starts)), starts.copy(), np.ones(len(starts))
+    px, slopes = projection_jacobian(camera, places)
+    for _ in range(_NEWTON_ITERATIONS):
+        off = points_px[rows] - px
+        error = np.hypot(off[:, 0], off[:, 1])
+        usable = np.isfinite(slopes).all(axis=(1, 2))
+        step = share[:, None] * _least_step(slopes[:, :, :free], off)
+        # At the horizon a pixel is worth any distance: there the share of it counts.
+        reach = _CONVERGED_M * np.maximum(1.0, np.hypot(places[:, 0], places[:, 1]) / 10)
+        settled = (np.abs(step).max(axis=1) <= reach) | (share < _MIN_STEP_SHARE)
+        good = settled & usable & (error <= _REACHED_PX)
+        found[rows[good]] = places[good]
+        going = ~settled & usable
+        if not going.any():
+            break
+        rows, places, share = rows[going], places[going], share[going]
+        px, slopes, error = px[going], slopes[going], error[going]
+        tried = places.copy()
+        tried[:, :free] += step[going]
+        tried_px, tried_slopes = projection_jacobian(camera, tried)
+        left = tried_px - points_px[rows]
+        better = np.hypot(left[:, 0], left[:, 1]) < error  # False for NaN
+        places, px = (
+            np.where(better[:, None], tried, places),
+            np.where(better[:, None], tried_px, px),
+        )
+        slopes = np.where(better[:, None, None], tried_slopes, slopes)
+        share = np.where(better, np.minimum(2 * share, 1.0), share / 4)
+    return found
+
+
+def _least_step(slopes: FloatArray, off: FloatArray) -> FloatArray:
+    """(N, n) shortest steps that move pixels by (N, 2), of slopes (N, 2, n)."""
+    a, b, c = ((slopes[:, i] * slopes[:, j]).sum(axis=1) for i, j in ((0, 0), (0, 1), (1, 1)))
+    x, y = off.T
+    weights = np.stack((c * x - b * y, a * y - b * x)) / (a * c - b * b)
+    return np.asarray((weights.T[:, :, None] * slopes).sum(axis=1))
+
+
+def _ground_by_search(camera: Camera, points_px: FloatArray) -> FloatArray:
+    """(N, 2) metres on the ground that pixels show, from the nearest of the places of a grid; NaN
+    where none is found within `MAX_GROUND_DISTANCE_M`."""
     ground = np.full((len(points_px), 2), np.nan)
-    finite = np.isfinite(points_px).all(axis=1)
-    wanted = points_px[finite]
-    if not len(wanted):
+    rows = np.flatnonzero(np.isfinite(points_px).all(axis=1))
+    if not len(rows):
         return ground
+    x, y = np.meshgrid(_GRID_AXIS_M, _GRID_AXIS_M)
+    nodes = np.column_stack((x.ravel(), y.ravel(), np.zeros(x.size)))
     with np.errstate(all="ignore"):
-        x, y = np.meshgrid(_GRID_AXIS_M, _GRID_AXIS_M)
-        nodes = np.column_stack((x.ravel(), y.ravel()))
-        nodes_px, seen = _project_ground(camera, nodes)
-        part = _nodes_near_pixels(camera, nodes, nodes_px, seen, wanted)
+        nodes_px, slopes = projection_jacobian(camera, nodes)
+        part = _part_of_ground(nodes_px, slopes, points_px[rows])
         if not part.any():
             return ground
-        inside = part.reshape(x.shape)
-        nodes, nodes_px = nodes[part], nodes_px[part]
-        bins = _Bins(wanted)
-        starts = nodes[_nearest_nodes(nodes_px, bins.centres)]
-        arrived = _newton_on_ground(camera, bins.centres, starts)
-        arrived[~_in_marked_cell(inside, arrived)] = np.nan
-        starts = np.where(np.isnan(arrived), starts, arrived)[bins.of_point]
-        # Most of a sky is far from any ground: no need to look for it pixel by pixel.
-        hopeful = bins.near(np.isfinite(arrived[:, 0]), nodes_px)[bins.of_point]
-        found = np.full_like(wanted, np.nan)
-        found[hopeful] = _newton_on_ground(camera, wanted[hopeful], starts[hopeful])
-        found[~_in_marked_cell(inside, found)] = np.nan
-        lost = hopeful & np.isnan(found[:, 0])
-        if lost.any():  # from the grid itself: a bin's centre may lie beyond the horizon
-            some = np.flatnonzero(lost)
-            found[some] = _newton_on_ground(
-                camera, wanted[some], nodes[_nearest_nodes(nodes_px, wanted[some])]
-            )
-            found[~_in_marked_cell(inside, found)] = np.nan
-    ground[finite] = found
+        starts = nodes[part][_nearest_nodes(nodes_px[part], points_px[rows])]
+        found = places_by_newton(camera, points_px[rows], starts, 2)[:, :2]
+    # In a cell of the grid that has a corner in the part that counts.
+    inside = part.reshape(x.shape)
+    column, row = np.clip(np.searchsorted(_GRID_AXIS_M, found), 1, len(_GRID_AXIS_M) - 1).T
+    near = inside[row, column] | inside[row - 1, column]
+    near |= inside[row, column - 1] | inside[row - 1, column - 1]
+    near &= (np.abs(found) <= MAX_GROUND_DISTANCE_M).all(axis=1)  # False for NaN
+    ground[rows[near]] = found[near]
     return ground
 
 
-def _nodes_near_pixels(
-    camera: Camera, nodes: FloatArray, nodes_px: FloatArray, seen: BoolArray, points_px: FloatArray
-) -> BoolArray:
+def _nearest_nodes(nodes_px: FloatArray, points_px: FloatArray) -> IntArray:
+    """(N,) node that appears nearest to the middle of each pixel's cell, of some 64 x 64 cells."""
+    low = points_px.min(axis=0)
+    width = max(float((points_px.max(axis=0) - low).max()) / _CELLS, 1e-6)
+    cells, of_point = np.unique(np.floor((points_px - low) / width), axis=0, return_inverse=True)
+    middles = low + (cells + 0.5) * width
+    off = (((middle - nodes_px) ** 2).sum(axis=1) for middle in middles)
+    return np.array([int(np.argmin(squares)) for squares in off])[of_point]
+
+
+def _part_of_ground(nodes_px: FloatArray, slopes: FloatArray, points_px: FloatArray) -> BoolArray:
     """(M,) which nodes of the grid on the ground pixels may mean.
 
     A lens model that folds shows far-off ground a second time, mirrored, or a third time, turned;
     no pixel means that. So only one connected part of the ground counts, seen from one side: that
-    of which most lies among the pixels asked for.
+    of which most appears among the pixels in question.
     """
-    side = np.where(seen, _orientation_sign(camera, nodes, nodes_px), 0.0)
+    side = np.nan_to_num(np.sign(np.linalg.det(slopes[:, :, :2])))
     low, high = points_px.min(axis=0), points_px.max(axis=0)
     margin = 0.1 * (high - low).max() + 1
     among = ((nodes_px >= low - margin) & (nodes_px <= high + margin)).all(axis=1)
-    best, most = np.zeros(len(nodes), dtype=bool), -1
+    best, most = np.zeros(len(side), dtype=bool), -1
     for sign in (1.0, -1.0):
         mask = (side == sign).reshape(len(_GRID_AXIS_M), -1).astype(np.uint8)
         labels = np.asarray(cv2.connectedComponents(mask, connectivity=4)[1]).ravel()
@@ -116,168 +391,6 @@ def _nodes_near_pixels(
         if counts[largest] > most:
             best, most = labels == largest, int(counts[largest])
     return best
-
-
-def _in_marked_cell(inside: BoolArray, ground: FloatArray) -> BoolArray:
-    """(N,) whether points lie in a cell of the grid that has a corner in the part that counts."""
-    cell = np.clip(np.searchsorted(_GRID_AXIS_M, ground), 1, len(_GRID_AXIS_M) - 1)
-    column, row = cell.T
-    near = inside[row, column] | inside[row - 1, column]
-    near |= inside[row, column - 1] | inside[row - 1, column - 1]
-    return np.asarray(near & np.isfinite(ground).all(axis=1))
-
-
-class _Bins:
-    """Square bins over the pixels asked for.
-
-    Attributes:
-        centres: (B, 2) px, of the bins that hold points.
-        of_point: (N,) the bin of each point.
-    """
-
-    def __init__(self, points_px: FloatArray) -> None:
-        self._low = points_px.min(axis=0)
-        extent = float((points_px.max(axis=0) - self._low).max())
-        self._width = max(extent / _BIN_PX, 1e-6)
-        keys, self.of_point = np.unique(self._key(points_px), return_inverse=True)
-        self._cells = np.column_stack(np.divmod(keys, _BIN_ROW)) - 1
-        self._keys = keys
-        self.centres = self._low + (self._cells + 0.5) * self._width
-
-    def _key(self, points_px: FloatArray) -> NDArray[np.intp]:
-        """One number a bin; points outside come to the rim of the table."""
-        cell = np.floor((points_px - self._low) / self._width)
-        column, row = np.clip(cell, -1, _BIN_PX + 1).astype(np.intp).T + 1
-        return np.asarray(column * _BIN_ROW + row)
-
-    def near(self, arrived: BoolArray, nodes_px: FloatArray) -> BoolArray:
-        """(B,) whether ground was found in a bin or next to it, or a node of the grid appears."""
-        table = np.zeros(_BIN_ROW * _BIN_ROW, dtype=np.uint8)
-        table[self._keys[arrived]] = 1
-        table[self._key(nodes_px[np.isfinite(nodes_px).all(axis=1)])] = 1
-        grown = cv2.dilate(table.reshape(_BIN_ROW, _BIN_ROW), np.ones((3, 3), np.uint8))
-        return np.asarray(grown.ravel()[self._keys] > 0)
-
-
-def _nearest_nodes(nodes_px: FloatArray, points_px: FloatArray) -> np.ndarray:
-    found = np.empty(len(points_px), dtype=np.intp)
-    for start in range(0, len(points_px), _BATCH_BINS):
-        part = points_px[start : start + _BATCH_BINS]
-        offset_x = part[:, :1] - nodes_px[:, 0]
-        offset_y = part[:, 1:] - nodes_px[:, 1]
-        found[start : start + _BATCH_BINS] = np.argmin(
-            offset_x * offset_x + offset_y * offset_y, axis=1
-        )
-    return found
-
-
-def _project_ground(camera: Camera, ground: FloatArray) -> tuple[FloatArray, BoolArray]:
-    px, seen = camera.project(np.column_stack((ground, np.zeros(len(ground)))))
-    return px, np.asarray(seen & np.isfinite(px).all(axis=1))
-
-
-def _orientation_sign(camera: Camera, at: FloatArray, px: FloatArray) -> FloatArray:
-    """(N,) 1 where the ground appears as seen from above, -1 where it appears mirrored."""
-    along_x, along_y = ground_jacobian(camera, at, px)
-    side: FloatArray = np.sign(along_x[:, 0] * along_y[:, 1] - along_x[:, 1] * along_y[:, 0])
-    return side
-
-
-def _newton_on_ground(camera: Camera, points_px: FloatArray, starts: FloatArray) -> FloatArray:
-    """(N, 2) ground points that appear at the pixels, from starts (N, 2); NaN where not reached."""
-    found = np.full_like(starts, np.nan)
-    active = np.arange(len(starts))
-    at, target = starts.copy(), points_px
-    px, seen = _project_ground(camera, at)
-    error = np.where(seen, np.hypot(*(px - target).T), np.inf)
-    for _ in range(_NEWTON_ITERATIONS):
-        step = _newton_step(camera, at, px, target)
-        at, px, new, moved = _line_search_step(camera, at, px, error, step, target)
-        # At the horizon a pixel is worth any distance: there the share of it counts.
-        reach = _CONVERGED_M * np.maximum(1.0, np.hypot(*at.T) / 10)
-        settled = (moved <= reach) | (new == 0)
-        good = settled & (new <= _REACHED_PX)
-        found[active[good]] = at[good]
-        going = ~settled & np.isfinite(new)
-        if not going.any():
-            break
-        active, at, px, target = active[going], at[going], px[going], target[going]
-        error = new[going]
-    return found
-
-
-def _newton_step(camera: Camera, at: FloatArray, px: FloatArray, target: FloatArray) -> FloatArray:
-    """Newton's step."""
-    (a, c), (b, d) = (slope.T for slope in ground_jacobian(camera, at, px))
-    off_x, off_y = (target - px).T
-    area = a * d - b * c
-    return np.column_stack(((d * off_x - b * off_y) / area, (a * off_y - c * off_x) / area))
-
-
-def ground_jacobian(
-    camera: Camera, at: FloatArray, px: FloatArray
-) -> tuple[FloatArray, FloatArray]:
-    """Return how far the picture of a ground point moves with it, by central differences.
-
-    Args:
-        camera: any model with ``project``.
-        at: (N, 2) metres on the ground, which the camera shows.
-        px: (N, 2) px, where it shows them.
-
-    Returns:
-        (N, 2) px a metre along x, and along y.
-    """
-    size = 1e-5 * np.maximum(1.0, np.hypot(*at.T))
-    columns = []
-    for axis in (0, 1):
-        ahead, back = at.copy(), at.copy()
-        ahead[:, axis] += size
-        back[:, axis] -= size
-        ahead_px, ahead_seen = _project_ground(camera, ahead)
-        back_px, back_seen = _project_ground(camera, back)
-        # Next to the edge of what the camera sees, on one side only.
-        ahead_px = np.where(ahead_seen[:, None], ahead_px, px)
-        back_px = np.where(back_seen[:, None], back_px, px)
-        width = size * (ahead_seen.astype(float) + back_seen)
-        columns.append((ahead_px - back_px) / width[:, None])
-    return columns[0], columns[1]
-
-
-def _line_search_step(
-    camera: Camera,
-    at: FloatArray,
-    px: FloatArray,
-    error: FloatArray,
-    step: FloatArray,
-    target: FloatArray,
-) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
-    """Take the step, or as much of it as brings the pixel nearer.
-
-    Returns:
-        The new points, their pixels and errors (infinite: nothing helps), and how far they moved.
-    """
-    new_at, new_px = at.copy(), px.copy()
-    new = np.where(np.isfinite(step).all(axis=1), error, np.inf)
-    moved = np.zeros(len(at))
-    trying = np.flatnonzero(np.isfinite(step).all(axis=1))
-    share = 1.0
-    for _ in range(_STEP_HALVINGS):
-        if not len(trying):
-            break
-        there = at[trying] + share * step[trying]
-        there_px, seen = _project_ground(camera, there)
-        seen &= np.abs(there).max(axis=1) <= _GRID_AXIS_M[-1]
-        left = np.where(seen, np.hypot(*(there_px - target[trying]).T), np.inf)
-        tiny = np.hypot(*(share * step[trying]).T) <= _CONVERGED_M * np.maximum(
-            1.0, np.hypot(*at[trying].T) / 10
-        )
-        better = (left < error[trying]) | (tiny & np.isfinite(left))
-        some = trying[better]
-        new_at[some], new_px[some], new[some] = there[better], there_px[better], left[better]
-        moved[some] = np.hypot(*(there[better] - at[some]).T)
-        trying = trying[~better]
-        share /= 4
-    return new_at, new_px, new, moved
 
 
 def ground_from_px(camera: CameraOrProjections, points_px: FloatArray) -> FloatArray:
@@ -302,7 +415,7 @@ def ground_from_px(camera: CameraOrProjections, points_px: FloatArray) -> FloatA
         return ground_from_px(camera.camera, points_px / np.array(camera.factors))
     if callable(getattr(camera, "ground_from_px", None)):
         return np.asarray(cast(HomographyCamera, camera).ground_from_px(points_px))
-    return ground_by_newton(camera, points_px)
+    return _ground_by_search(camera, points_px)
 
 
 def _intersect_rays_with_ground(
@@ -320,17 +433,6 @@ def _intersect_rays_with_ground(
         ground[:, 1] = position[1] + distance * along_y
         ground[~np.isfinite(ground).all(axis=1)] = np.nan
     return ground
-
-
-_DIFFERENCE_STEP_M = 1e-3
-_LINE_ITERATIONS = 40
-_LINE_REACHED_PX = 1e-6
-_LINE_ACCEPTED_PX = 1e-3
-_MIN_STEP_SHARE = 1 / 64
-# Where to look for a place that a pixel shows: about a field, from its ground to its roof.
-_START_AXIS_M = np.array([-120.0, -70.0, -40.0, -20.0, -8.0, 0.0, 8.0, 20.0, 40.0, 70.0, 120.0])
-_START_HEIGHTS_M = np.array([0.0, -3.0, -12.0, -40.0])
-_START_COUNT = 6
 
 
 class ViewingRay(NamedTuple):
@@ -363,65 +465,14 @@ def viewing_ray(camera: Camera, point_px: FloatArray) -> ViewingRay | None:
         if not (np.isfinite(length) and length > 0):
             return None
         return ViewingRay(np.array(camera.position_world), ray / length)
-    return _ray_by_search(camera, point_px)
-
-
-def projection_jacobian(camera: Camera, points_world: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return where places appear, and the derivatives by the place, from central differences.
-
-    Args:
-        camera: any model.
-        points_world: (N, 3) metres.
-
-    Returns:
-        (N, 2) px and (N, 2, 3) px a metre; NaN where the camera shows nothing.
-    """
-    points = np.asarray(points_world, dtype=np.float64)
-    steps = _DIFFERENCE_STEP_M * np.concatenate((np.zeros((1, 3)), np.eye(3), -np.eye(3)))
-    px, shown = _project_or_nan(camera, (points[:, None] + steps).reshape(-1, 3))
-    px = np.where(shown[:, None], px, np.nan).reshape(len(points), 7, 2)
-    slopes = (px[:, 1:4] - px[:, 4:]) / (2 * _DIFFERENCE_STEP_M)
-    return px[:, 0], slopes.transpose(0, 2, 1)
-
-
-def _project_or_nan(camera: Camera, points_world: FloatArray) -> tuple[FloatArray, BoolArray]:
-    px, shown = camera.project(points_world)
-    return px, shown & np.isfinite(px).all(axis=1)
-
-
-def _ray_by_search(camera: Camera, point_px: FloatArray) -> ViewingRay | None:
-    x, y, z = np.meshgrid(_START_AXIS_M, _START_AXIS_M, _START_HEIGHTS_M)
-    nodes = np.column_stack((x.ravel(), y.ravel(), z.ravel()))
-    px, shown = _project_or_nan(camera, nodes)
+    nodes = np.array(list(product(_START_AXIS_M, _START_AXIS_M, _START_HEIGHTS_M)))
+    px, shown = camera.project(nodes)
     away = np.where(shown, ((px - point_px) ** 2).sum(axis=1), np.inf)
-    for start in np.argsort(away, kind="stable")[:_START_COUNT]:
-        if not np.isfinite(away[start]):
-            break
-        found = _newton_on_ray(camera, point_px, nodes[start])
-        if found is not None:
-            return found
-    return None
-
-
-def _newton_on_ray(camera: Camera, point_px: FloatArray, place: FloatArray) -> ViewingRay | None:
-    """The nearest place of the line, by steps across it; shorter ones where one leads astray."""
-    px, slopes = projection_jacobian(camera, place[None])
-    for _ in range(_LINE_ITERATIONS):
-        off = px[0] - point_px
-        if not np.isfinite(slopes).all():
-            return None
-        if float(np.hypot(*off)) < _LINE_REACHED_PX:
-            break
-        step = -np.linalg.pinv(slopes[0]) @ off
-        share = 1.0
-        while share >= _MIN_STEP_SHARE:
-            tried, tried_slopes = projection_jacobian(camera, (place + share * step)[None])
-            if np.hypot(*(tried[0] - point_px)) < np.hypot(*off):  # False for NaN
-                break
-            share /= 2
-        else:
-            break
-        place, px, slopes = place + share * step, tried, tried_slopes
-    if not (float(np.hypot(*(px[0] - point_px))) < _LINE_ACCEPTED_PX and np.isfinite(slopes).all()):
+    starts = np.argsort(away, kind="stable")[:_START_COUNT]
+    targets = np.tile(point_px, (_START_COUNT, 1))
+    places = places_by_newton(camera, targets, nodes[starts], 3)
+    places = places[np.isfinite(places).all(axis=1)]
+    if not len(places):
         return None
-    return ViewingRay(place, np.linalg.svd(slopes[0])[2][2])
+    slopes = projection_jacobian(camera, places[:1])[1]
+    return ViewingRay(places[0], np.linalg.svd(slopes[0])[2][2])

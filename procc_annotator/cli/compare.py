@@ -40,7 +40,7 @@ from procc_annotator.formats.file_listing import ANNOTATIONS_FOLDER, list_annota
 from procc_annotator.formats.file_source import open_source
 from procc_annotator.formats.frame_names import FrameTable
 from procc_annotator.messages import list_names, pluralize
-from procc_annotator.metrics.statistics.bootstrap import BootstrapSettings
+from procc_annotator.metrics.statistics.intervals import BootstrapSettings
 from procc_annotator.report import comparison
 from procc_annotator.report.comparison import (
     ComparisonReport,

@@ -118,7 +118,7 @@ def own_label_map(place: Path, field: Field) -> LabelMap | None:
 
     Args:
         place: see `folder_of_dataset`.
-        field: whose classes the labels stand for.
+        field: has the classes that the labels stand for.
 
     Raises:
         InputError: it cannot be used.

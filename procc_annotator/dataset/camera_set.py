@@ -148,7 +148,7 @@ class CameraSet:
             stopped: whether to give up.
 
         Returns:
-            The newer set, and the frames asked for whose cameras are others, came or went; None
+            The newer set, and the requested frames with cameras that changed, came or went; None
             when no frame's camera is another one.
 
         Raises:

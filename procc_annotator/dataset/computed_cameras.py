@@ -18,7 +18,7 @@ FIT_NAME = "fit"  # no cameras from files are called so
 
 @dataclass(frozen=True, eq=False)
 class FittedFrame:
-    """A fit, or the reason why there is none, with the clicks it belongs to."""
+    """A fit, or the reason why it failed, with the clicks it belongs to."""
 
     annotation: FrameAnnotation
     fit: FitResult
@@ -164,8 +164,3 @@ class TrackedCameras:
             else:
                 tracked[name] = frame
         return TrackedCameras(tracked)
-
-    def without(self, frame_names: Collection[str]) -> TrackedCameras:
-        """The same without some frames."""
-        kept = {n: frame for n, frame in self.tracked.items() if n not in frame_names}
-        return TrackedCameras(kept) if len(kept) < len(self.tracked) else self

@@ -10,7 +10,9 @@ import os
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal, TypeVar
+
+import msgspec
 
 from procc_annotator.dataset.database.location import read_settings
 from procc_annotator.dataset.layout import FIELD_FILE, STADIUMS_FILE, folder_of_dataset
@@ -23,7 +25,7 @@ from procc_annotator.field.load import (
     with_lines,
     with_stadiums,
 )
-from procc_annotator.field.model import LINE_POSITIONS, Field, Stadiums
+from procc_annotator.field.model import Field, Stadiums
 from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.formats.csv_tables import escape_formula, read_frame_table
 from procc_annotator.formats.frame_names import FrameTable
@@ -50,7 +52,7 @@ def read_stadiums(path: Path, field: Field) -> Stadiums:
     """Read such a file.
 
     Raises:
-        InputError: it is none, or gives this field dimensions that it cannot have.
+        InputError: it is another file, or gives this field dimensions that it cannot have.
     """
     header, table = read_frame_table(path, (STADIUM,), _ADVICE)
     _check_header(path, header, field)
@@ -123,48 +125,63 @@ def _check_sizes(
 DIMENSIONS_SETTING = "field_dimensions"
 
 
+LINES_SETTING = "field_lines"
+
+
+class _Dimensions(msgspec.Struct):
+    field: str
+    dimensions: dict[str, float]
+
+
+class _Lines(msgspec.Struct):
+    field: str
+    lines: Literal["measured", "middle"]
+
+
 @dataclass(frozen=True)
-class StoredDimensions:
-    """Field settings that a workspace keeps.
+class FieldSettings:
+    """Field settings of a workspace, as far as they can be used.
 
     Attributes:
-        values: metres, by name; empty where all are nominal.
-        problem: why what is kept cannot be used; empty if it can.
+        dimensions: metres, by name; empty where all are nominal.
+        lines: one of `LINE_POSITIONS`; empty where nothing is kept.
+        problems: why the rest cannot be used, one line each.
     """
 
-    values: Mapping[str, float]
-    problem: str = ""
+    dimensions: Mapping[str, float]
+    lines: str
+    problems: tuple[str, ...]
 
 
-def stored_dimensions(database: WorkspaceDatabase, field: Field) -> StoredDimensions:
-    """The dimensions that a dataset was given.
+K = TypeVar("K", _Dimensions, _Lines)
+
+
+def field_settings(settings: Mapping[str, str], field: Field) -> FieldSettings:
+    """The field settings of a workspace.
 
     Args:
-        database: of its workspace.
-        field: the one that is annotated; what was kept for another field is none.
+        settings: by key.
+        field: the one that is annotated; what was kept for another field is nothing.
     """
-    return dimensions_in_settings(database.settings(), field)
+    problems = []
 
+    def read(key: str, kind: type[K], what: str) -> K | None:
+        try:
+            kept = msgspec.json.decode(settings[key], type=kind) if key in settings else None
+        except (msgspec.DecodeError, UnicodeEncodeError) as error:
+            problems.append(f"{what} kept with the dataset cannot be read: {error}")
+            return None
+        return kept if kept is not None and kept.field == field.name else None
 
-def dimensions_in_settings(settings: Mapping[str, str], field: Field) -> StoredDimensions:
-    """The same from the settings of a workspace, by key."""
-    text = settings.get(DIMENSIONS_SETTING)
-    if text is None:
-        return StoredDimensions({})
+    sized = read(DIMENSIONS_SETTING, _Dimensions, "the dimensions of the field")
+    dimensions = {} if sized is None else sized.dimensions
     try:
-        kept = json.loads(text)
-        name, values = kept["field"], {str(k): float(v) for k, v in kept["dimensions"].items()}
-    except (ValueError, TypeError, KeyError, AttributeError) as error:
-        said = f"the dimensions of the field kept with the dataset cannot be read: {error!r}"
-        return StoredDimensions({}, said)
-    if name != field.name:
-        return StoredDimensions({})
-    try:
-        with_dimensions(field, values)
+        with_dimensions(field, dimensions)
     except FieldError as error:
-        said = f"the dimensions of the field kept with the dataset are not used: {error}"
-        return StoredDimensions({}, said)
-    return StoredDimensions(values)
+        dimensions = {}
+        problems.append(f"the dimensions of the field kept with the dataset are not used: {error}")
+    lines = read(LINES_SETTING, _Lines, "the position of the field's lines")
+    return FieldSettings(dimensions, "" if lines is None else lines.lines, tuple(problems))
 
 
 def store_dimensions(database: WorkspaceDatabase, field: Field) -> None:
@@ -189,47 +206,10 @@ def add_dimensions(database: WorkspaceDatabase, field: Field, found: Mapping[str
         FieldError: together they are no field.
     """
     asked_for = {d.name: d.value for d in field.dimensions if d.value != d.nominal}
-    before = stored_dimensions(database, field).values
+    before = field_settings(database.settings(), field).dimensions
     sized = with_dimensions(field, {**before, **asked_for, **found})
     store_dimensions(database, sized)
     return sized
-
-
-LINES_SETTING = "field_lines"
-
-
-@dataclass(frozen=True)
-class StoredLines:
-    """Line settings that a workspace keeps.
-
-    Attributes:
-        lines: one of `LINES`; empty where nothing is kept.
-        problem: why what is kept cannot be used; empty if it can.
-    """
-
-    lines: str = ""
-    problem: str = ""
-
-
-def lines_in_settings(settings: Mapping[str, str], field: Field) -> StoredLines:
-    """Return where a dataset's clicks lie on the lines.
-
-    Args:
-        settings: of its workspace, by key.
-        field: the one that is annotated; what was kept for another field is nothing.
-    """
-    text = settings.get(LINES_SETTING)
-    if text is None:
-        return StoredLines()
-    try:
-        kept = json.loads(text)
-        name, lines = kept["field"], kept["lines"]
-        if lines not in LINE_POSITIONS:
-            raise ValueError(lines)
-    except (ValueError, TypeError, KeyError) as error:
-        said = f"where the lines of the field lie, kept with the dataset, cannot be read: {error!r}"
-        return StoredLines(problem=said)
-    return StoredLines(lines) if name == field.name else StoredLines()
 
 
 def store_lines(database: WorkspaceDatabase, field: Field) -> None:
@@ -302,17 +282,16 @@ def field_of_settings(folder: Path, settings: Mapping[str, str]) -> DatasetField
     """
     source = stored_field_source(folder, settings)
     field = load_field(source)
-    kept = dimensions_in_settings(settings, field)
-    lines = lines_in_settings(settings, field)
-    field = with_dimensions(field, kept.values) if kept.values else field
-    field = with_lines(field, lines.lines or field.lines)
-    problem = ""
+    kept = field_settings(settings, field)
+    notices = [*kept.problems]
+    field = with_dimensions(field, kept.dimensions) if kept.dimensions else field
+    field = with_lines(field, kept.lines or field.lines)
     try:
         field = field_with_stadiums(field, folder)
     except InputError as error:
-        problem = f"the stadiums' dimensions are not used: {error}"
-    chosen = source is not None or bool(kept.values or lines.lines or field.stadiums)
-    return DatasetField(field, chosen, tuple(filter(None, (kept.problem, lines.problem, problem))))
+        notices.append(f"the stadiums' dimensions are not used: {error}")
+    chosen = source is not None or bool(kept.dimensions or kept.lines or field.stadiums)
+    return DatasetField(field, chosen, tuple(notices))
 
 
 def field_of_dataset(place: Path) -> DatasetField:

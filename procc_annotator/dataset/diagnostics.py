@@ -308,15 +308,15 @@ def classes_in(
     return frozenset(found)
 
 
-def classes_of_source(source: FileSource, field: Field, most: int = MOST_FRAMES) -> frozenset[str]:
+def classes_of_source(source: FileSource, field: Field) -> frozenset[str]:
     """The same of annotation files, some from all over the set."""
     files = list(list_annotations(source).values())
-    step = max(1, len(files) // most)
+    step = max(1, len(files) // MOST_FRAMES)
 
     def read(file: str) -> FrameAnnotation:
         return read_annotation(source.read(file), path=source.display(file), field=field)
 
-    return classes_in((partial(read, file) for file in files[::step]), most)
+    return classes_in(partial(read, file) for file in files[::step])
 
 
 def _stripped(field: Field) -> frozenset[str]:

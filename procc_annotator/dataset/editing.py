@@ -203,7 +203,7 @@ def add_unconfirmed(annotation: FrameAnnotation, polylines: Iterable[Polyline]) 
 
 
 def confirm(annotation: FrameAnnotation, class_name: str) -> FrameAnnotation:
-    """Make an unconfirmed element an annotated one; nothing happens when it is none."""
+    """Make an unconfirmed element an annotated one; any other class is ignored."""
     polyline = annotation.get_unconfirmed(class_name)
     return annotation if polyline is None else annotation.with_polyline(polyline)
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from math import inf
 
@@ -59,7 +59,7 @@ class FrameFacts:
         annotated: classes with points; None when the annotation is not known or unreadable.
         comment_text: the text of all comments.
         jac: JaC of the frame at a tau in px, None for the tau in use; None when it has no score.
-        verdicts: whose fault it is, under whatever camera source.
+        verdicts: the parties at fault, under any camera source.
         findings: how sure the label check's findings are; None: it was not checked.
         has_camera: whether the active source has a camera for it; None: one that cannot be read.
     """
@@ -212,66 +212,58 @@ def _if_read(facts: FrameFacts) -> bool | None:
 
 
 def _is(word: Word) -> _Term:
-    choices = {name: name for name in _FLAGS}
-    chosen, missing = choose(word.parts, choices, "a property", other_key_hint(STATUSES, "state"))
-    if not chosen:
-        return _Term(None, missing=missing)
+    chosen, missing = _chosen(word, _FLAGS, "a property", other_key_hint(STATUSES, "state"))
     tests = [_FLAGS[name][0] for name in chosen]
-    needs = max(_FLAGS[name][1] for name in chosen)
+    needs = max((_FLAGS[name][1] for name in chosen), default=_NEEDS_NOTHING)
 
     def test(facts: FrameFacts) -> bool | None:
         answers = [test(facts) for test in tests]
         return True if True in answers else None if None in answers else False
 
-    return _Term(test, needs, missing)
+    return _Term(test if chosen else None, needs, missing)
 
 
 def _state(word: Word) -> _Term:
     choices = {normalised_text(status): status for status in STATUSES}
     chosen, missing = choose(word.parts, choices, "a status", other_key_hint(_FLAGS, "is"))
-    if not chosen:
-        return _Term(None, missing=missing)
     wanted = {spelling for name in chosen for spelling in (name, name.replace(" ", "_"))}
-    return _Term(lambda facts: facts.status in wanted, missing=missing)
+    return _Term((lambda facts: facts.status in wanted) if chosen else None, missing=missing)
 
 
 def _verdict(word: Word) -> _Term:
-    choices = {name: name for name in (*map(str, FaultParty), _NO_VERDICT)}
-    chosen, missing = choose(word.parts, choices, "a verdict", other_key_hint(STATUSES, "state"))
-    if not chosen:
-        return _Term(None, missing=missing)
-    wanted = frozenset(chosen)
+    choices = (*map(str, FaultParty), _NO_VERDICT)
+    wanted, missing = _chosen(word, choices, "a verdict", other_key_hint(STATUSES, "state"))
 
     def test(facts: FrameFacts) -> bool:
         return bool(wanted & facts.verdicts) or (_NO_VERDICT in wanted and not facts.verdicts)
 
-    return _Term(test, missing=missing)
+    return _Term(test if wanted else None, missing=missing)
 
 
 def _check(word: Word) -> _Term:
-    choices = {name: name for name in (*map(str, Severity), _NO_FINDING, _UNCHECKED)}
-    chosen, missing = choose(word.parts, choices, "a finding", other_key_hint(STATUSES, "state"))
-    if not chosen:
-        return _Term(None, missing=missing)
-    wanted = frozenset(chosen)
+    choices = (*map(str, Severity), _NO_FINDING, _UNCHECKED)
+    wanted, missing = _chosen(word, choices, "a finding", other_key_hint(STATUSES, "state"))
 
     def test(facts: FrameFacts) -> bool | None:
         if facts.findings is None:
             return True if _UNCHECKED in wanted else None
         return bool(wanted & facts.findings) or (_NO_FINDING in wanted and not facts.findings)
 
-    return _Term(test, _CHECK, missing)
+    return _Term(test, _CHECK, missing) if wanted else _Term(None, missing=missing)
 
 
 def _camera(word: Word) -> _Term:
-    choices = {name: name for name in _CAMERAS}
-    chosen, missing = choose(
-        word.parts, choices, "a state of a camera", other_key_hint(_FLAGS, "is")
-    )
-    if not chosen:
-        return _Term(None, missing=missing)
+    hint = other_key_hint(_FLAGS, "is")
+    chosen, missing = _chosen(word, _CAMERAS, "a state of a camera", hint)
     wanted = [_CAMERAS[name] for name in chosen]
-    return _Term(lambda facts: facts.has_camera in wanted, missing=missing)
+    return _Term((lambda facts: facts.has_camera in wanted) if wanted else None, missing=missing)
+
+
+def _chosen(
+    word: Word, choices: Iterable[str], what: str, others: Mapping[str, str]
+) -> tuple[frozenset[str], str]:
+    chosen, missing = choose(word.parts, {name: name for name in choices}, what, others)
+    return frozenset(chosen), missing
 
 
 def _has(word: Word, field: Field) -> _Term:

@@ -105,7 +105,7 @@ def rows_of(
 
     Args:
         folders: of `folders_of`.
-        folded: paths of those whose content is not shown.
+        folded: paths of those that are shown without their content.
         shown: ascending, the frames that a filter lets through; None: all.
     """
     rows: list[int] = []
@@ -259,7 +259,7 @@ class _Listing:
 
 
 def _files_in(folder: Path, names: Iterable[str]) -> tuple[ByFrame[str], dict[str, str]]:
-    """The JSON files in a folder whose letters may be composed otherwise than in the names of
+    """The JSON files in a folder, with letters perhaps composed otherwise than in the names of
     pictures, by their stems, and `_unusual_suffixes`."""
     files = json_names(folder)
     plain = all(map(str.isascii, names))
@@ -268,7 +268,8 @@ def _files_in(folder: Path, names: Iterable[str]) -> tuple[ByFrame[str], dict[st
 
 
 def _unusual_suffixes(names: Sequence[str]) -> dict[str, str]:
-    """Stems of the JSON files whose suffix has capital letters, with it; not where there is the
+    """Stems of the JSON files that have a suffix in capital letters, with it; not where there is
+    the
     usual one next to it."""
     found = {name[:-5]: name[-5:] for name in names if not name.endswith(".json")}
     for name in names if found else ():
@@ -341,6 +342,6 @@ def _not_used(root: Path, only_folder: str, frames: Sequence[Frame]) -> Iterator
 
 
 def video_frame(video: Path, number: int) -> Frame:
-    """A frame of a video as one of its dataset, whose annotation lies in `frames_folder`."""
+    """A frame of a video as one of its dataset, with its annotation in `frames_folder`."""
     name = f"{video.stem}_{number:06d}"
     return Frame(name, f"{number:08d}", video, frames_folder(video))

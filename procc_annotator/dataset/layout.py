@@ -186,7 +186,7 @@ OWN_FILES_AND_FOLDERS = (
 
 
 def camera_name_remark(pictures: Iterable[str]) -> str:
-    """A remark on pictures whose annotation files would bear a camera's name; empty without any.
+    """A remark on pictures that would give their annotation files a camera's name; empty without.
 
     Args:
         pictures: file names.
@@ -232,7 +232,7 @@ def folder_of_dataset(place: Path) -> Path | None:
 
     Args:
         place: the dataset's folder, its ``annotations/``, a picture or annotation in one of them;
-            a video, or the folder of one, whose frames are a dataset of their own.
+            a video, or the folder of one: its frames are a dataset of their own.
     """
     if not place.is_dir():
         if not place.is_file() or place.suffix.lower() in _ARCHIVES:
@@ -296,7 +296,7 @@ def annotations_or_path(place: Path) -> Path:
 
 
 def _beside_only_pictures(dataset: Path) -> Path | None:
-    """Return where the annotations are of a dataset whose pictures all lie in one folder just
+    """Return where the annotations are of a dataset that has all its pictures in one folder just
     below, if they are there and none is at its top."""
     if not dataset.is_dir() or _annotated_at_top(dataset):
         return None

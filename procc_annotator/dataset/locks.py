@@ -126,7 +126,7 @@ class FrameLocks:
         """Renew the locks of this window; call it every ten seconds or so.
 
         Returns:
-            The frames whose lock was lost: taken by a person who saw no beat for long (a laptop
+            The frames with a lost lock: taken by a person who saw no beat for long (a laptop
             asleep), or removed. A dataset out of reach loses nothing.
         """
         lost = set()

@@ -246,7 +246,7 @@ class FitSizes:
 
         Args:
             name: of the frame.
-            annotation: whose further entries may give the picture's size.
+            annotation: its further entries may give the picture's size.
         """
         told = size_in_annotation(annotation)
         if told is not None and not is_valid_size(*told):

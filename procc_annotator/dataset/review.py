@@ -98,7 +98,7 @@ def store_check(
     Args:
         annotation: that was checked.
         findings: what was found, the surest first.
-        fit: the camera that was fitted to it, or why there is none.
+        fit: the camera that was fitted to it, or why that failed.
         fitted: False if the camera was not asked for.
         with_paint: whether the picture was examined.
     """

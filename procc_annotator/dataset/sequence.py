@@ -128,7 +128,8 @@ class FrameSequence:
     """Frames of a dataset that follow one another in a video or a folder.
 
     Attributes:
-        numbers: (n,) of the dataset's frames in their source, ascending; of pictures whose names
+        numbers: (n,) of the dataset's frames in their source, ascending; of pictures with names
+            that
             count by more than one, how often that was.
         first, last: numbers of the source; in a video there are frames between the dataset's.
         fps: frames of the source a second.
@@ -297,7 +298,7 @@ _LOOKED_AT_PX = 320
 
 
 def find_shots(source: PictureSource, progress: Callable[[int, int], None]) -> list[range]:
-    """Return where one camera hands over to another: the numbers of the frames of each shot.
+    """Return the stretches between cuts: the numbers of the frames of each shot.
 
     What changes the picture at once without another camera (a banner, a flash) is no cut: the
     stadium moves on steadily behind it.

@@ -148,7 +148,7 @@ class Workspace:
         return True
 
     def changed_outside(self, stopped: Callable[[], bool] = lambda: False) -> dict[int, Stamp]:
-        """Frames whose files were written by others since they were read, for `follow`; one look at
+        """Frames with files that others wrote since they were read, for `follow`; one look at
         every file that was read, in any thread."""
         if not self.folder.is_dir():
             return {}
@@ -247,7 +247,7 @@ class Workspace:
             state.rename(field.canonical_name)
 
     def dirty_frames(self) -> list[int]:
-        """Frames whose annotation is not what the file holds."""
+        """Frames with an annotation that differs from the file."""
         return sorted(i for i, state in self._states.items() if state.dirty)
 
     def save(self, index: int) -> None:

@@ -238,7 +238,7 @@ def read_toml_text(path: Path, error: type[InputError] = FieldError) -> str:
 
 
 def with_stadiums(field: Field, stadiums: Stadiums | None) -> Field:
-    """The field with stadiums whose dimensions it can have, in place of those it may have had.
+    """The field with stadiums that have dimensions it allows, in place of its former ones.
 
     Raises:
         FieldError: a stadium's dimensions are none of this field.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection
+from collections.abc import Callable, Collection
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -268,7 +268,20 @@ def _squared_distances(points: FloatArray, others: FloatArray) -> FloatArray:
     return np.asarray(own - 2 * points @ others.T + (others**2).sum(axis=1))
 
 
-def _segments_of_geometry(geometry: Geometry) -> FloatArray:
+def _few_segments(curve: Arc | Circle) -> int:
+    first, last = angles_of(curve)
+    step = 2 * math.acos(1 - min(_SAGITTA_M / curve.radius, _SAGITTA_SHARE))
+    return math.ceil((last - first) / step)
+
+
+def _chords_of(curve: Arc | Circle) -> int:
+    first, last = angles_of(curve)
+    return max(2, int((last - first) * curve.radius / _CROSSING_CHORD_M))
+
+
+def _segments_of_geometry(
+    geometry: Geometry, count: Callable[[Arc | Circle], int] = _few_segments
+) -> FloatArray:
     """(n, 2, 3) both ends of segments that stand for a geometry; a spot is one without length."""
     found = []
     for part in parts_of(geometry):
@@ -277,11 +290,7 @@ def _segments_of_geometry(geometry: Geometry) -> FloatArray:
         elif isinstance(part, Spot):
             points = np.array([part.position, part.position])
         else:
-            first, last = angles_of(part)
-            step = 2 * math.acos(1 - min(_SAGITTA_M / part.radius, _SAGITTA_SHARE))
-            points = points_at_angles(
-                part, np.linspace(first, last, math.ceil((last - first) / step) + 1)
-            )
+            points = points_at_angles(part, np.linspace(*angles_of(part), count(part) + 1))
         found.append(np.stack([points[:-1], points[1:]], axis=1))
     return np.concatenate(found)
 
@@ -350,7 +359,7 @@ def _end_points(element: Element) -> list[tuple[float, float, float]]:
 def _crossings(elements: tuple[Element, ...]) -> tuple[list[str], FloatArray]:
     """Return where chords of elements on the ground cross those of others; (n, 3) metres."""
     flat = [e for e in elements if e.on_ground and not isinstance(e.geometry, Spot)]
-    chords = [_element_chords(e) for e in flat]
+    chords = [_segments_of_geometry(e.geometry, _chords_of)[..., :2] for e in flat]
     if not chords:
         return [], np.empty((0, 3))
     owner = np.repeat(np.arange(len(flat)), [len(c) for c in chords])
@@ -365,17 +374,3 @@ def _crossings(elements: tuple[Element, ...]) -> tuple[list[str], FloatArray]:
     places = begin[first] + along[first, second][:, None] * step[first]
     names = [flat[owner[row]].name for row in first.tolist()]
     return names, np.column_stack([places, np.zeros(len(places))])
-
-
-def _element_chords(element: Element) -> FloatArray:
-    """(n, 2, 2) metres: begin and end of what stands for an element on the ground."""
-    found = []
-    for part in parts_of(element.geometry):
-        if isinstance(part, Arc | Circle):
-            begin, end = angles_of(part)
-            count = max(2, int(abs(end - begin) * part.radius / _CROSSING_CHORD_M))
-            course = points_at_angles(part, np.linspace(begin, end, count + 1))[:, :2]
-        else:
-            course = np.array([end[:2] for end in ends_of(part) or ()])
-        found.append(np.stack([course[:-1], course[1:]], axis=1))
-    return np.concatenate(found)

@@ -48,16 +48,16 @@ class FieldWarning:
     """Something about a field.
 
     Attributes:
-        severity: an error fails for a person, a warning is most likely a mistake, a note is not.
         place: where in the file, as errors name it.
         text: what is so, a plain sentence.
         advice: what to do about it.
+        severity: an error fails for a person, a warning is most likely a mistake, a note is not.
     """
 
-    severity: WarningSeverity
     place: str
     text: str
     advice: str
+    severity: WarningSeverity = WarningSeverity.WARNING
 
     def __str__(self) -> str:
         return self.with_location(self.place)
@@ -108,7 +108,6 @@ def _dimension_warnings(field: Field) -> Iterator[FieldWarning]:
             yield _invalid_dimension_warning(dimension, broken)
         elif all(isinstance(s, Field) and s.elements == field.elements for s in sized):
             yield FieldWarning(
-                WarningSeverity.WARNING,
                 f"dimensions.{dimension.name}",
                 f"may be {dimension.minimum:g} to {dimension.maximum:g} m, but no element changes"
                 " with it",
@@ -126,7 +125,6 @@ def _resized_or_error(field: Field, values: Mapping[str, float]) -> Field | Fiel
 def _unreachable_limit_warning(field: Field, dimension: Dimension, end: float) -> FieldWarning:
     nominal = {d.name: d.nominal for d in field.dimensions}
     return FieldWarning(
-        WarningSeverity.WARNING,
         f"dimensions.{dimension.name}",
         f"may be {dimension.minimum:g} to {dimension.maximum:g} m, but {end:g} m is never allowed:"
         f" {violated_relation(field.relations, nominal | {dimension.name: end})}",
@@ -137,11 +135,11 @@ def _unreachable_limit_warning(field: Field, dimension: Dimension, end: float) -
 def _invalid_dimension_warning(dimension: Dimension, error: FieldError) -> FieldWarning:
     where = f"{error.place}: " if error.place else ""
     return FieldWarning(
-        WarningSeverity.ERROR,
         f"dimensions.{dimension.name}",
         f"the field cannot be read with every value of {dimension.minimum:g} to"
         f" {dimension.maximum:g} m: {where}{error.problem}",
         "narrow the range, or mend the formula",
+        WarningSeverity.ERROR,
     )
 
 
@@ -152,7 +150,6 @@ def _size_warnings(field: Field) -> Iterator[FieldWarning]:
     painted = [e for e in field.elements if e.on_ground and not e.is_spot]
     if len(painted) < _MIN_GROUND_ELEMENTS:
         yield FieldWarning(
-            WarningSeverity.WARNING,
             "elements",
             f"{pluralize(len(painted), 'line lies', 'lines lie')} on the ground",
             f"a camera can hardly be found with fewer than {_MIN_GROUND_ELEMENTS}",
@@ -164,7 +161,6 @@ def _size_warnings(field: Field) -> Iterator[FieldWarning]:
     for axis, off, extent in zip("xy", middle, span, strict=True):
         if abs(off) > max(0.05, extent / 100):
             yield FieldWarning(
-                WarningSeverity.WARNING,
                 "elements",
                 f"the lines on the ground reach from {axis} = {off - extent / 2:.4g} to"
                 f" {off + extent / 2:.4g} m: their middle is {abs(off):.3g} m away from the origin",
@@ -177,7 +173,6 @@ def _outside(field: Field, span: NDArray[np.float64]) -> Iterator[FieldWarning]:
     sides = [field.dimension(name) for name in ("length", "width")]
     if None in sides:
         yield FieldWarning(
-            WarningSeverity.WARNING,
             "dimensions",
             "there is no length and width of these names",
             "the size of the field is told, changed and measured by them",
@@ -187,7 +182,6 @@ def _outside(field: Field, span: NDArray[np.float64]) -> Iterator[FieldWarning]:
     for name, extent, side in zip(("length", "width"), span, size, strict=True):
         if extent < 0.8 * side:
             yield FieldWarning(
-                WarningSeverity.WARNING,
                 f"dimensions.{name}",
                 f"is {side:g} m, but the lines on the ground span {extent:.4g} m only",
                 "half of a dimension is taken where the whole is meant, or the other way round",
@@ -198,7 +192,6 @@ def _outside(field: Field, span: NDArray[np.float64]) -> Iterator[FieldWarning]:
         if (reach > room).any():
             beyond = float((reach - size / 2).max())
             yield FieldWarning(
-                WarningSeverity.WARNING,
                 _place(element),
                 f"lies up to {beyond:.3g} m outside the field of {size[0]:g} x {size[1]:g} m",
                 "coordinates are counted from the centre of the field",
@@ -210,7 +203,6 @@ def _placement_warnings(field: Field) -> Iterator[FieldWarning]:
         deepest = float(outline_of(element.geometry)[:, 2].max())
         if deepest > _BELOW_GROUND_M:
             yield FieldWarning(
-                WarningSeverity.WARNING,
                 _place(element),
                 f"lies {deepest:.3g} m below the ground",
                 f"z points down: a height of {deepest:.3g} m is z = {-deepest:.3g}",
@@ -218,7 +210,6 @@ def _placement_warnings(field: Field) -> Iterator[FieldWarning]:
         length = length_of(element.geometry)
         if not element.is_spot and length < _MIN_LENGTH_M:
             yield FieldWarning(
-                WarningSeverity.WARNING,
                 _place(element),
                 f"is {length * 100:.2g} cm long",
                 'too short to be clicked along: make it kind = "point"',
@@ -228,7 +219,6 @@ def _placement_warnings(field: Field) -> Iterator[FieldWarning]:
         near = np.abs(middles[one.name] - middles[other.name]).max() < _BELOW_GROUND_M
         if near and same_geometry(one.geometry, other.geometry, within_m=_BELOW_GROUND_M):
             yield FieldWarning(
-                WarningSeverity.WARNING,
                 _place(other),
                 f"lies where {one.title!r} lies",
                 "nobody can tell them apart: is one of them on the other side?",
@@ -251,7 +241,6 @@ def _symmetry_warnings(field: Field) -> Iterator[FieldWarning]:
         turns = " and ".join(f"{turn:g}" for turn in missing)
         whole = ", ".join(f"{turn:g}" for turn in sorted([*listed, *missing]))
         yield FieldWarning(
-            WarningSeverity.WARNING,
             "symmetries",
             f"a turn by {turns} degrees takes the field to itself, but is not listed",
             f"symmetries = [{whole}], unless people can tell the sides apart",
@@ -273,7 +262,6 @@ def _name_warnings(field: Field) -> Iterator[FieldWarning]:
     shipped = field.name in field_names()
     if shipped and field.source is not None and field.source != load_field(field.name).source:
         yield FieldWarning(
-            WarningSeverity.WARNING,
             "name",
             f"{field.name!r} is the name of a field that comes with the program",
             "give it a name of its own",
@@ -282,7 +270,6 @@ def _name_warnings(field: Field) -> Iterator[FieldWarning]:
         if len(elements) > 1:
             names = ", ".join(repr(e.name) for e in elements)
             yield FieldWarning(
-                WarningSeverity.WARNING,
                 f"{_place(elements[-1])}.title",
                 f"{title!r} is the title of {names}",
                 "people choose an element by its title",
@@ -294,7 +281,6 @@ def _colour_warnings(field: Field) -> Iterator[FieldWarning]:
         for one, other in combinations(elements, 2):
             if colour_difference(one.colour, other.colour) < _MIN_COLOUR_DIFFERENCE:
                 yield FieldWarning(
-                    WarningSeverity.WARNING,
                     f"{_place(other)}.colour",
                     f"{other.colour} can hardly be told from {one.title!r}, {one.colour}, in the"
                     f" group {group!r}",
@@ -310,14 +296,12 @@ def _shortcut_warnings(field: Field, taken: Mapping[str, str]) -> Iterator[Field
             continue
         if (does := used.get(element.shortcut.casefold())) is not None:
             yield FieldWarning(
-                WarningSeverity.WARNING,
                 place,
                 f"the key {element.shortcut} is taken by the window: {does}",
                 "choose another key",
             )
         elif not _SHORTCUT.match(element.shortcut):
             yield FieldWarning(
-                WarningSeverity.WARNING,
                 place,
                 f"{element.shortcut!r} is no key",
                 'expected e.g. "7", "K" or "Shift+K"',
@@ -327,32 +311,32 @@ def _shortcut_warnings(field: Field, taken: Mapping[str, str]) -> Iterator[Field
         named = ", ".join(repr(e.title) for e in without[:_MAX_NAMED])
         more = f" and {len(without) - _MAX_NAMED} more" if len(without) > _MAX_NAMED else ""
         yield FieldWarning(
-            WarningSeverity.NOTE,
             "elements",
             f"{pluralize(len(without), 'element has', 'elements have')} no shortcut: {named}{more}",
             "they are chosen in the list, on the field map, or with /",
+            WarningSeverity.NOTE,
         )
 
 
 def _missing_value_warnings(field: Field) -> Iterator[FieldWarning]:
     if not field.rules:
         yield FieldWarning(
-            WarningSeverity.NOTE, "rules", "is not given", "name the rule book and its edition"
+            "rules", "is not given", "name the rule book and its edition", WarningSeverity.NOTE
         )
     if field.cameras is None:
         yield FieldWarning(
-            WarningSeverity.NOTE,
             "cameras",
             "is not given",
             "where cameras stand is taken from the size of the field",
+            WarningSeverity.NOTE,
         )
     painted = [e for e in field.elements if e.on_ground and not e.is_spot]
     if painted and not any(e.line_width for e in painted):
         yield FieldWarning(
-            WarningSeverity.NOTE,
             "paint",
             "no line has a width",
             "painted width cannot be shown: add [paint] with a line_width",
+            WarningSeverity.NOTE,
         )
 
 

@@ -97,7 +97,7 @@ def open_replacing(
     inside: Path | None = None,
     look_again: Callable[[], object] = lambda: None,
 ) -> Iterator[BinaryIO]:
-    """A stream whose content takes the place of a file if the block ends well, as `write_atomic`.
+    """A stream that replaces the content of a file if the block ends well, as `write_atomic`.
 
     Raises:
         SaveError: as of `write_atomic`.
@@ -108,7 +108,7 @@ def open_replacing(
             f"{path}: could not be saved: is a link that leads out of the dataset; not followed"
             f" (replace it by a file, or save to another folder than {inside})"
         )
-    # Not named after the target, whose name may already be as long as the file system allows.
+    # Not named after the target: that name may already be as long as the file system allows.
     temporary = target.with_name(f".procc-{secrets.token_hex(8)}.tmp")
     try:
         mode = mode_to_keep(target)
@@ -128,7 +128,7 @@ def open_replacing(
             f" {advice_for(error)})"
         ) from error
     finally:
-        # After a successful save there is none; also an interruption must not leave one.
+        # Gone after a successful save; an interruption must not leave one either.
         with suppress(OSError):
             temporary.unlink(missing_ok=True)
     _sync_folder(target.parent)
@@ -185,7 +185,7 @@ def _is_stale(entry: os.DirEntry[str], old: float) -> bool:
 
 
 def sibling_path(path: Path, before: str, after: str) -> Path:
-    """A path next to another one whose name is made from its name, cut if it gets too long."""
+    """A path next to another one, named after it; the name is cut if it gets too long."""
     name = os.fsencode(path.name)
     if len(os.fsencode(before)) + len(name) + len(os.fsencode(after)) > _LONGEST_NAME:
         kept, digest = os.fsdecode(name[:100]), hashlib.sha256(name).hexdigest()[:16]

@@ -37,9 +37,9 @@ _SETS = frozenset({"Labels-v3.json", "Labels-GameState.json"})
 
 
 def other_json_among(source: FileSource, files: Mapping[str, str]) -> tuple[str, ...]:
-    """The frames of a listing whose files are JSON of another kind.
+    """The frames of a listing with JSON of another kind.
 
-    Only files whose names are unlike those of the others are read, the rarest kinds of names first.
+    Only files with names unlike those of the others are read, the rarest kinds of names first.
     Files of whole sets of another program are other files where single frames lie next to them.
 
     Args:

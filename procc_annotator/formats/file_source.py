@@ -419,7 +419,7 @@ def read_file(
         shown_as: how to name it to a person, unless by its path.
 
     Raises:
-        error: there is none, it cannot be read, is a folder, a pipe or a device (which would be
+        error: it does not exist, cannot be read, is a folder, a pipe or a device (which would be
             waited for), or is larger than `LARGEST_FILE`. ``__cause__`` is the system's own error
             where there is one, FileNotFoundError for a missing file.
     """

@@ -72,7 +72,7 @@ class LandmarkFile:
     extra: tuple[tuple[str, Any], ...] = field(default=())
 
     def with_landmark(self, landmark: Landmark) -> LandmarkFile:
-        """With an entry replaced in place, or appended if there is none of its name and instant."""
+        """With an entry replaced in place, or appended if its name and instant are new."""
         key = landmark.name, landmark.instant
         there = any((mark.name, mark.instant) == key for mark in self.landmarks)
         kept = [landmark if (m.name, m.instant) == key else m for m in self.landmarks]

@@ -170,7 +170,7 @@ class FrameCache:
 
     The newest few are kept even if they exceed the limit: with large pictures, the neighbours of
     the frame on screen must not push each other out. Failures are not remembered: a picture that
-    was repaired meanwhile is read again; so is one whose file was replaced, by `get`.
+    was repaired meanwhile is read again; so is a replaced file, by `get`.
     """
 
     def __init__(self, max_bytes: int, kept_at_least: int = _MIN_KEPT) -> None:

@@ -22,7 +22,7 @@ from procc_annotator.image.pixels import PixelArray
 Values = NDArray[np.float32]
 
 _WORKING_WIDTH_PX = 1280  # paint is seen as well in a picture made smaller, in less time
-_RIDGE_SIGMAS_PX = (1.2, 2.0)
+_RIDGE_SIGMAS_PX = (1.2, 2.0)  # a line of half width w shows best at w / sqrt(3): 4 to 7 px wide
 _MIN_RIDGE_RESPONSE = 2.5
 # A ridge is lighter than both sides, so many px away; next to a step only one of them is darker.
 _FLANK_DISTANCES_PX, _MIN_CONTRAST, _CONTRAST_SHARE = (4, 7), 2.0, 0.3
@@ -33,13 +33,13 @@ _CONTINUATION_PX, _CONTINUATION_STEP_PX, _CONTINUATION_CURVATURES, _MIN_SHARE = 
     (-0.006, 0.0, 0.006),
     0.7,
 )
-_SAME_DIRECTION_COSINE = np.cos(2 * np.radians(14.0))
+_SAME_DIRECTION_COSINE = np.cos(2 * np.radians(14.0))  # of twice the angle: a line has no sense
 _MASK_MARGIN_PX, _MASK_INNER_PX, _IMAGE_BORDER_PX = 12, 4, 4
 _TEXTURE_WINDOW_PX, _MIN_TEXTURE_RATIO = (
     96,
     12.0,
 )  # a ridge is so many times as strong as usual about it
-_WIDE_LINE_REDUCTION = 3
+_WIDE_LINE_REDUCTION = 3  # lines three times as wide are found by the same filters
 _FILTER_MARGIN_PX = 16  # farther from a place nothing changes what is found there
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache, lru_cache
 
 import cv2
 import numpy as np
@@ -256,19 +256,19 @@ def _level_crossing(falling: Sequence[float], level: float) -> float | None:
     return None
 
 
-@lru_cache(maxsize=4)
-def curvature_kernel(sigma_px: float = PROFILE_SIGMA_PX) -> Values:
+@cache
+def curvature_kernel() -> Values:
     """(1, n) minus the second derivative of a Gaussian; flat ground gives 0."""
-    sigma = sigma_px / STEP_PX
+    sigma = PROFILE_SIGMA_PX / STEP_PX
     t = np.arange(-math.ceil(4 * sigma), math.ceil(4 * sigma) + 1) / sigma
     kernel = (1 - t**2) * np.exp(-(t**2) / 2)
     return np.asarray(kernel - kernel.mean(), dtype=np.float32)[None]
 
 
-@lru_cache(maxsize=4)
-def gradient_kernel(sigma_px: float = PROFILE_SIGMA_PX) -> Values:
+@cache
+def gradient_kernel() -> Values:
     """(1, n) the derivative of a Gaussian, as cv2.filter2D applies it."""
-    sigma = sigma_px / STEP_PX
+    sigma = PROFILE_SIGMA_PX / STEP_PX
     t = np.arange(-math.ceil(4 * sigma), math.ceil(4 * sigma) + 1) / sigma
     return np.asarray(t * np.exp(-(t**2) / 2), dtype=np.float32)[None]
 
@@ -299,7 +299,7 @@ _COLOUR_DIRECTIONS = {
     YELLOW: (-1.0, 0.5, 0.5),
     BLUE: (1.0, -0.3, -0.7),
 }
-_CHANNELS = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
+_CHANNELS = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)  # blue, green and red alone
 _LIGHTNESS_SIGN = {LIGHTER: 1.0, DARKER: -1.0, WHITE: 1.0, BLACK: -1.0}
 # Of the step's length. Video halves the resolution of colour: a thin line differs from its flanks
 # in brightness alone, and only what has another colour than the paint can be separated.
@@ -371,7 +371,6 @@ def straighten_curve(
     course_px: FloatArray,
     across: FloatArray,
     reach_px: float,
-    step_px: float = 0.5,
 ) -> StraightenedCurve:
     """Cut a curve's surroundings out of a picture.
 
@@ -380,13 +379,12 @@ def straighten_curve(
         course_px: (n, 2) places along the curve, picture px.
         across: (n, 2) unit vectors across it.
         reach_px: how far to go to both sides.
-        step_px: between offsets.
 
     Returns:
         Bilinearly interpolated and rounded; beyond the picture its last row or column is repeated.
     """
-    half = round(reach_px / step_px)
-    offsets = np.arange(-half, half + 1, dtype=np.float64) * step_px
+    half = round(reach_px / STEP_PX)
+    offsets = np.arange(-half, half + 1, dtype=np.float64) * STEP_PX
     places = course_px[:, None] + across[:, None] * offsets[None, :, None]
     low = np.floor(places.min(axis=(0, 1))).astype(int) - 1
     high = np.ceil(places.max(axis=(0, 1))).astype(int) + 2

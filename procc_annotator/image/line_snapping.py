@@ -32,14 +32,14 @@ from procc_annotator.image.pixels import PixelArray
 
 SNAP_RADIUS_PX = 6.0
 
-_DIRECTIONS = 12
+_DIRECTIONS = 12  # 15 degrees apart
 _DIRECTION_OFFSETS = np.array(
     [-1.6, -0.8, -0.4, 0.0, 0.4, 0.8, 1.6]
 )  # of the angle between two directions
 _ANGLE_OFFSETS = np.radians([0.0, -5.0, 5.0])  # how a line may be turned against a given direction
 _CURVE_ANGLE_OFFSETS = np.radians([0.0, -6.0, 6.0, -12.0, 12.0])
 _BAR_ANGLE_OFFSETS = np.radians([0.0, -1.5, 1.5, -3.0, 3.0])
-_SAME_BAND_PX = 1.0
+_SAME_BAND_PX = 1.0  # a band that was refused is not examined from a place as near
 _MIN_LENGTH_PX, _MIN_LENGTH_ANY_PX = 16.0, 30.0
 # Px from the position to the middle of the cuts that show it, and how long it then must be.
 _ONE_SIDED_LENGTHS_PX = {LINE: (1.5, 36.0), BAR: (6.0, 46.0)}

@@ -1,4 +1,5 @@
-"""What a camera sees of the field, its wireframe for picking, and the looks of maps in metres."""
+"""Visible part of the field under a camera, its wireframe for picking, and the looks of maps in
+metres."""
 
 from __future__ import annotations
 
@@ -94,7 +95,7 @@ _ACROSS = 0.06  # of the field's length beyond the middle that still leaves the 
 
 @dataclass(frozen=True, eq=False)
 class VisibleField:
-    """What one camera sees of a field.
+    """The visible part of a field under one camera.
 
     Attributes:
         turns: quarter turns, clockwise as seen from above with the main camera at the bottom, that
@@ -213,7 +214,7 @@ class WireframePoint:
 
 @dataclass(frozen=True, eq=False)
 class Wireframe:
-    """What a camera shows of a field.
+    """The lines and places of a field in a camera's picture.
 
     Attributes:
         camera: px of the picture.

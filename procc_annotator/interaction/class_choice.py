@@ -14,6 +14,7 @@ from procc_annotator.field.sampling import distances_from, touching_elements
 
 # SoccerNet's class of a line that no one could name.
 UNNAMED = "Line unknown"  # not shown
+_NAMED = 3  # classes offered for a drawn line: as many as fit beside it
 _REVERSED = 3.0  # how much farther a line counts that runs across what was drawn
 
 
@@ -30,10 +31,9 @@ def unnamed_class(annotation: FrameAnnotation) -> str:
 def rank_classes(
     drawn: FloatArray,
     courses: Mapping[str, Sequence[FloatArray]],
-    otherwise: Iterable[str] = (),
+    otherwise: Iterable[str],
     *,
-    farthest: float = np.inf,
-    most: int = 3,
+    farthest: float,
 ) -> tuple[str, ...]:
     """The elements that a drawn line likely is, best first.
 
@@ -45,7 +45,6 @@ def rank_classes(
         courses: class -> its expected pieces, each (m, 2) px, m >= 1.
         otherwise: classes to fill up with, likeliest first.
         farthest: px; elements that are farther are none of it.
-        most: how many are named.
     """
     away = {
         name: distance
@@ -53,7 +52,7 @@ def rank_classes(
         if len(pieces) and (distance := _distance(drawn, pieces)) <= farthest
     }
     ranked = sorted(away, key=lambda name: away[name])
-    return tuple(dict.fromkeys((*ranked, *(n for n in otherwise if n not in away))))[:most]
+    return tuple(dict.fromkeys((*ranked, *(n for n in otherwise if n not in away))))[:_NAMED]
 
 
 def _distance(drawn: FloatArray, pieces: Sequence[FloatArray]) -> float:

@@ -7,9 +7,11 @@ from dataclasses import dataclass, field
 from procc_annotator.annotation import Point, point_from_px, points_px
 from procc_annotator.dataset import editing
 from procc_annotator.dataset.records import PointKey
-from procc_annotator.interaction import gestures
 from procc_annotator.interaction.gestures import (
+    CONTINUE,
+    DRAW,
     IGNORED,
+    MOVE,
     Edit,
     Modifiers,
     Position,
@@ -19,6 +21,7 @@ from procc_annotator.interaction.gestures import (
     confirmation,
     line_direction,
     point_key,
+    step_name,
 )
 from procc_annotator.interaction.overlay_primitives import NO_DRAFT_STATE, Draft, DraftState, Snap
 from procc_annotator.translation import tr, tr_count
@@ -86,7 +89,7 @@ class DrawTool:
         if placed is not None:
             self._snapped.add(placed)
         self.points.append(placed if placed is not None else position)
-        if context.is_two_point_element and self._is_complete(context):
+        if len(self.points) == 2 and self._ends_with_second(context):
             return self.finish(context, finished=True)
         return Reaction(select=Selection(None)) if self.unnamed else Reaction()
 
@@ -138,7 +141,7 @@ class DrawTool:
         self._snapped.clear()
         goes_on, title = context.polyline(name) is not None, context.title(name)
         edited = editing.append_points(editing.confirm(context.annotation, name), name, points)
-        label = gestures.drawing(title, goes_on=goes_on)
+        label = step_name(CONTINUE if goes_on else DRAW, title)
         edit = Edit(label, edited, snapped=snapped)
         if self.unnamed:
             asked = name if finished else None
@@ -169,30 +172,19 @@ class DrawTool:
             edited = editing.move_point(confirmed, name, 0, point)
         else:
             edited = editing.set_points(confirmed, name, [point])
-        label = gestures.moving(title) if moves else gestures.drawing(title)
+        label = step_name(MOVE if moves else DRAW, title)
         edit = Edit(label, edited)
         return Reaction(edit=edit, select=Selection(name), finished=True, completed=name)
 
     def is_last_click(self, context: ToolContext) -> bool:
         """Return whether another click would finish the element by itself."""
-        name = self.class_name
-        return (
-            context.is_two_point_element
-            and not self.unnamed  # it may be a curve
-            and len(self.points) == 1
-            and name not in context.curved
-            and context.polyline(name) is None
-        )
+        return len(self.points) == 1 and self._ends_with_second(context)
 
-    def _is_complete(self, context: ToolContext) -> bool:
+    def _ends_with_second(self, context: ToolContext) -> bool:
+        """Return whether the second point finishes what is drawn: a new straight element."""
         name = self.class_name
-        return (
-            name is not None
-            and not self.unnamed
-            and name not in context.curved
-            and len(self.points) == 2
-            and context.polyline(name) is None
-        )
+        is_new = name not in context.curved and context.polyline(name) is None
+        return context.is_two_point_element and not self.unnamed and is_new  # unnamed: maybe curved
 
     def _snap_first_again(self, second: Position, context: ToolContext) -> None:
         """Only now is a straight element's direction known, which finds its line more surely."""

@@ -10,9 +10,12 @@ from procc_annotator.annotation import FrameAnnotation, point_from_px, points_px
 from procc_annotator.dataset import editing
 from procc_annotator.dataset.editing import PointRef
 from procc_annotator.dataset.records import OriginKind, PointKey
-from procc_annotator.interaction import gestures
 from procc_annotator.interaction.gestures import (
+    DELETE,
     IGNORED,
+    INSERT,
+    MOVE,
+    MOVE_ALL,
     Edit,
     Modifiers,
     Position,
@@ -26,10 +29,11 @@ from procc_annotator.interaction.gestures import (
     nudged,
     point_key,
     points_within,
+    step_name,
     toggled,
 )
 from procc_annotator.interaction.hit_test import Hit, hit_test
-from procc_annotator.translation import tr
+from procc_annotator.translation import tr, translatable_count
 
 _DRAG_BEGINS_SCREEN_PX = 2.0
 NUDGE_PX, FINE_NUDGE_PX, FAR_NUDGE_PX = 1.0, 0.1, 10.0
@@ -208,14 +212,11 @@ class EditTool:
 
     def _label(self, context: ToolContext) -> str:
         if self._held == "points":
-            return gestures.moving_points(len(self._together))
+            return translatable_count(len(self._together), "move {n} point", "move {n} points")
         name = next(iter(self._together))[0] if self.grabbed is None else self.grabbed[0]
         title = context.title(name)
-        if self._held == "element":
-            return gestures.moving_all(title)
-        if self._inserted:
-            return gestures.inserting(title)
-        return gestures.moving(title)
+        step = MOVE_ALL if self._held == "element" else INSERT if self._inserted else MOVE
+        return step_name(step, title)
 
     def _end_band(self, position: Position, modifiers: Modifiers, context: ToolContext) -> Reaction:
         begin = self._pressed
@@ -259,7 +260,7 @@ class EditTool:
                 return deletion(context, *next(iter(chosen)))
             base = confirmed(context.annotation, chosen)
             edited = editing.delete_points(base, chosen)
-            label = gestures.deleting_points(len(chosen))
+            label = translatable_count(len(chosen), "delete {n} point", "delete {n} points")
             return Reaction(edit=Edit(label, edited), select=Selection(selected))
         return IGNORED
 
@@ -289,7 +290,7 @@ class EditTool:
         if name is None or context.polyline(name) is None:
             return IGNORED
         edited = editing.delete_element(context.annotation, name)
-        return Reaction(edit=Edit(gestures.deleting(context.title(name)), edited))
+        return Reaction(edit=Edit(step_name(DELETE, context.title(name)), edited))
 
     def finish(self, context: ToolContext) -> Reaction:
         """Drop what is held where it is, before anything that would leave the frame."""

@@ -10,66 +10,17 @@ from procc_annotator.annotation import FrameAnnotation, Point, Polyline, points_
 from procc_annotator.dataset import editing
 from procc_annotator.dataset.editing import PointRef
 from procc_annotator.dataset.records import OriginKind, PointKey
-from procc_annotator.translation import translatable, translatable_count
+from procc_annotator.translation import translatable, translatable_count, word
 
 
-def drawing(title: str, *, goes_on: bool = False) -> str:
-    """Points of an element were clicked; ``is_resuming``: behind those it had."""
-    if goes_on:
-        return translatable("continue {title}", title=translatable(title))
-    return translatable("draw {title}", title=translatable(title))
+def step_name(text: str, title: str) -> str:
+    """Name of an undo step about an element: a `word` with ``{title}``."""
+    return translatable(text, title=translatable(title))
 
 
-def confirming(title: str) -> str:
-    """An unconfirmed element counts from now on."""
-    return translatable("confirm {title}", title=translatable(title))
-
-
-def moving(title: str) -> str:
-    """A point of an element, or a single place, is elsewhere."""
-    return translatable("move {title}", title=translatable(title))
-
-
-def moving_all(title: str) -> str:
-    """An element is elsewhere as a whole."""
-    return translatable("move all of {title}", title=translatable(title))
-
-
-def moving_points(count: int) -> str:
-    """Several points are elsewhere."""
-    return translatable_count(count, "move {n} point", "move {n} points")
-
-
-def nudging(title: str) -> str:
-    """The arrows moved points of one element."""
-    return translatable("nudge {title}", title=translatable(title))
-
-
-def nudging_points(count: int) -> str:
-    """The arrows moved points of several elements."""
-    return translatable_count(count, "nudge {n} point", "nudge {n} points")
-
-
-def inserting(title: str) -> str:
-    """A line has a point more."""
-    return translatable("insert a point in {title}", title=translatable(title))
-
-
-def deleting(title: str) -> str:
-    """An element is gone."""
-    return translatable("delete {title}", title=translatable(title))
-
-
-def deleting_point(number: int, title: str) -> str:
-    """A point of an element is gone; the first one is 1."""
-    return translatable(
-        "delete point {number} of {title}", number=number, title=translatable(title)
-    )
-
-
-def deleting_points(count: int) -> str:
-    """Several points are gone."""
-    return translatable_count(count, "delete {n} point", "delete {n} points")
+DRAW, CONTINUE, CONFIRM = word("draw {title}"), word("continue {title}"), word("confirm {title}")
+MOVE, MOVE_ALL, NUDGE = word("move {title}"), word("move all of {title}"), word("nudge {title}")
+INSERT, DELETE = word("insert a point in {title}"), word("delete {title}")
 
 
 Position = tuple[float, float]
@@ -100,7 +51,7 @@ class Modifiers:
 
 @dataclass(frozen=True, slots=True)
 class ToolContext:
-    """What a tool may look at.
+    """Input of a tool.
 
     Attributes:
         annotation: the finished annotation of the frame.
@@ -192,7 +143,7 @@ class Edit:
 
 @dataclass(frozen=True, slots=True)
 class Selection:
-    """What a gesture selects; ``point`` is an index in the class's polyline."""
+    """Selection by a gesture; ``point`` is an index in the class's polyline."""
 
     class_name: str | None
     point: int | None = None
@@ -201,7 +152,7 @@ class Selection:
 
 @dataclass(frozen=True, slots=True)
 class Reaction:
-    """A tool's answer to an event; what is None stays as it is.
+    """A tool's answer to an event; None leaves a value as it is.
 
     Attributes:
         edit: the gesture ended with this.
@@ -237,7 +188,7 @@ def confirmation(context: ToolContext) -> Reaction:
     if name is None or not context.is_unconfirmed(name):
         return IGNORED
     edited = editing.confirm(context.annotation, name)
-    label = confirming(context.title(name))
+    label = step_name(CONFIRM, context.title(name))
     return Reaction(
         edit=Edit(label, edited, OriginKind.COPIED),
         select=Selection(next_unconfirmed(context) or name),
@@ -301,7 +252,8 @@ def deletion(context: ToolContext, class_name: str, index: int) -> Reaction:
     edited = editing.delete_point(base, class_name, index)
     left = edited.get(class_name)
     after = min(index, len(left.points) - 1) if left is not None else None
-    label = deleting_point(index + 1, context.title(class_name))
+    title = translatable(context.title(class_name))
+    label = translatable("delete point {number} of {title}", number=index + 1, title=title)
     return Reaction(edit=Edit(label, edited), select=Selection(class_name, after))
 
 
@@ -313,8 +265,8 @@ def nudged(context: ToolContext, chosen: frozenset[PointRef], arrow: str, step: 
     edited = editing.move_points(base, chosen, dx * step / (width - 1), dy * step / (height - 1))
     names = {name for name, _ in chosen}
     label = (
-        nudging(context.title(next(iter(names))))
+        step_name(NUDGE, context.title(next(iter(names))))
         if len(names) == 1
-        else nudging_points(len(chosen))
+        else translatable_count(len(chosen), "nudge {n} point", "nudge {n} points")
     )
     return Reaction(edit=Edit(label, edited, OriginKind.MOVED))

@@ -18,7 +18,7 @@ from procc_annotator.translation import tr, tr_count, word
 
 @dataclass(frozen=True, slots=True)
 class GhostHint:
-    """What there is to know of ghosts.
+    """State of the ghosts.
 
     Attributes:
         count: how many are shown.

@@ -19,7 +19,7 @@ class Hit:
     """A target under the cursor.
 
     Attributes:
-        class_name: whose polyline.
+        class_name: of the polyline.
         kind: ``point``, or ``segment`` between ``index`` and ``index + 1``.
         index: which one.
         distance_screen: screen px from the cursor.
@@ -40,7 +40,6 @@ def hit_test(
     view_scale: float,
     *,
     prefer: str | None = None,
-    radius_screen: float = PICK_RADIUS_PX,
 ) -> Hit | None:
     """The nearest point within the pick radius, else the nearest segment within it.
 
@@ -50,7 +49,6 @@ def hit_test(
         position: cursor, picture px.
         view_scale: screen px per picture px; the radius does not shrink or grow with zoom.
         prefer: this class wins where two targets are equally near (crossing elements share points).
-        radius_screen: pick radius in screen px.
     """
     points, owners, starts = _all_points(annotation, picture_size)
     if not len(points):
@@ -61,7 +59,7 @@ def hit_test(
 
     def nearest(feet: FloatArray, rows: IntArray, kind: Literal["point", "segment"]) -> Hit | None:
         away = np.hypot(feet[:, 0] - cursor[0], feet[:, 1] - cursor[1]) * view_scale
-        near = np.flatnonzero(away <= radius_screen)
+        near = np.flatnonzero(away <= PICK_RADIUS_PX)
         if not len(near):
             return None
         best = near[np.argmin(away[near] - _SAME_PX * (owners[rows[near]] == preferred))]

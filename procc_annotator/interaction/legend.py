@@ -160,14 +160,14 @@ _STATUSES: tuple[tuple[str, str, Mark | None], ...] = (
 
 @dataclass(frozen=True, slots=True)
 class OnPicture:
-    """What is drawn over a picture.
+    """Content of an overlay, for its legend.
 
     Attributes:
         annotated: whether there is an element, drawn in the colour of its class or its verdict.
         statuses: of elements that a camera is held against; None without a camera.
         colour_by: what the colours of annotated elements say.
         origins: how points came to be.
-        authors: whose points there are.
+        authors: of the points.
         ghosts: whether ghosts are; "unsure" if their camera may be wrong.
         unconfirmed: whether copied elements wait.
         second: whether those of a second annotator are shown.

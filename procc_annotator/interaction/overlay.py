@@ -172,7 +172,7 @@ _UNKNOWN_AUTHOR = FrameAnnotation()
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class OverlayContent:
-    """What an overlay is of.
+    """Content of an overlay.
 
     Attributes:
         annotation: of the frame, gestures under way included.
@@ -305,7 +305,7 @@ class OverlayBuilder:
         yield self._chosen(chosen, drawn, self._waiting)
 
     def _draw(self, annotation: FrameAnnotation, size: Size, other: FrameAnnotation | None) -> None:
-        """What is annotated as arrays; the very same ones while it is."""
+        """Turn the annotation into arrays; the very same ones while it is unchanged."""
         made_of = annotation, annotation.unconfirmed, other, size
         before, self._made_of = self._made_of, made_of
         if made_of == before:

@@ -44,7 +44,7 @@ _SMALLEST_ELLIPSE_PX = 1.0  # picture px; below that the place is as good as kno
 
 @dataclass(frozen=True, eq=False)
 class ShownEllipse:
-    """How surely a view shows a landmark, picture px, in the landmark's colour."""
+    """Error ellipse of a landmark in a view, picture px, in the landmark's colour."""
 
     name: str
     colour: str

@@ -12,10 +12,9 @@ import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation, Polyline
 from procc_annotator.arrays import BoolArray, FloatArray
-from procc_annotator.metrics.explanation import px_text
 from procc_annotator.metrics.measurement import Labelling, Measurement, nearest_points
 from procc_annotator.metrics.projection import ProjectedField
-from procc_annotator.metrics.score import FrameScore
+from procc_annotator.metrics.score import FrameScore, px_text
 from procc_annotator.translation import tr
 
 Size = tuple[int, int]
@@ -293,7 +292,7 @@ class CursorSigns:
 
 @dataclass(frozen=True, slots=True)
 class DraftState:
-    """How far what is drawn has come: its points, how many are missing until it is whole, and what
+    """Progress of what is drawn: its points, how many are missing until it is whole, and what
     snapping does with the next one."""
 
     points: int = 0
@@ -308,7 +307,7 @@ NO_DRAFT_STATE = DraftState()
 class Labels:
     """Texts next to points: (N, 2) picture px.
 
-    ``sign`` is a finding's severity, whose sign goes before each text (or stands alone before "");
+    ``sign`` is a finding's severity: its sign goes before each text (or stands alone before "");
     ``below``: on the other side of their points than texts usually are. ``hand``: what stands
     next to the text at the cursor. ``carried``: at the cursor; others need not give way.
     """
@@ -333,7 +332,7 @@ class FilledArea:
 
 @dataclass(frozen=True, eq=False)
 class Overlay:
-    """What is painted over a picture, first to last: patches, strokes, marks, labels."""
+    """Overlay of a picture, painted first to last: patches, strokes, marks, labels."""
 
     strokes: tuple[Strokes, ...]
     marks: tuple[PointMarks, ...]

@@ -20,8 +20,7 @@ from procc_annotator.errors import UsageError
 from procc_annotator.formats.atomic import open_replacing
 from procc_annotator.messages import pluralize
 from procc_annotator.metrics.agreement import AgreementSummary, FrameAgreement, sorted_quantile
-from procc_annotator.metrics.statistics.bootstrap import BootstrapSettings
-from procc_annotator.metrics.statistics.intervals import Interval
+from procc_annotator.metrics.statistics.intervals import BootstrapSettings, Interval
 from procc_annotator.report.scores.inference_tables import interval_columns, interval_ends
 from procc_annotator.report.scores.score_files import field_terms, score_format
 from procc_annotator.report.scores.score_tables import pixels, worst_words

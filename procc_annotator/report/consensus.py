@@ -24,7 +24,7 @@ from procc_annotator.formats.annotations.soccernet import write_annotation
 from procc_annotator.formats.atomic import open_replacing
 from procc_annotator.messages import pluralize
 from procc_annotator.metrics.agreement import ClassAgreement, FrameAgreement
-from procc_annotator.metrics.statistics.bootstrap import BootstrapSettings
+from procc_annotator.metrics.statistics.intervals import BootstrapSettings
 from procc_annotator.report.agreement import (
     ELEMENT_COLUMNS,
     WORST,

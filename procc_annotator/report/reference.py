@@ -13,7 +13,7 @@ from procc_annotator.batch.agreement import AgreementRun, ConsensusResult, agree
 from procc_annotator.batch.grouping import Clusters
 from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.metrics.agreement import FrameAgreement, sorted_quantile
-from procc_annotator.metrics.statistics.bootstrap import BootstrapSettings
+from procc_annotator.metrics.statistics.intervals import BootstrapSettings
 from procc_annotator.report.agreement import (
     agreement_columns,
     agreement_values,

@@ -12,18 +12,18 @@ import pytest
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.calibration.fitting import fit_camera
+from procc_annotator.calibration.label_check.candidate_classes import (
+    MIRROR_X,
+    MIRROR_Y,
+    mirrored_names,
+    relabelled,
+)
 from procc_annotator.calibration.label_check.check import (
     check_labels,
     find_opposite_frames,
     fitted_position,
 )
 from procc_annotator.calibration.label_check.finding import Rule, Severity
-from procc_annotator.calibration.label_check.orientation import (
-    MIRROR_X,
-    MIRROR_Y,
-    mirrored_names,
-    relabelled,
-)
 from procc_annotator.field.load import load_field
 from procc_annotator.formats.annotations.soccernet import read_annotation
 

@@ -17,6 +17,11 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
+from procc_annotator.calibration.label_check.candidate_classes import (
+    MIRROR_Y,
+    mirrored_names,
+    relabelled,
+)
 from procc_annotator.calibration.label_check.finding import (
     Finding,
     Remedy,
@@ -24,7 +29,6 @@ from procc_annotator.calibration.label_check.finding import (
     Rule,
     Severity,
 )
-from procc_annotator.calibration.label_check.orientation import MIRROR_Y, mirrored_names, relabelled
 from procc_annotator.calibration.result import FitResult
 from procc_annotator.dataset import editing
 from procc_annotator.dataset.review import check_without_fit, store_check

@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.arrays import FloatArray
-from procc_annotator.calibration.model_selection import fit_result_from
 from procc_annotator.calibration.optimization.camera_parameters import (
     FISHEYE_FLAG,
     FREE_PARAMETERS,
@@ -55,7 +54,7 @@ from procc_annotator.calibration.optimization.solver import (
     RobustLoss,
     solve,
 )
-from procc_annotator.calibration.result import FitResult
+from procc_annotator.calibration.result import FitResult, fit_result_from
 from procc_annotator.field.model import Field
 
 _ITERATIONS = 12

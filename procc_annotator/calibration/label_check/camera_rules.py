@@ -9,8 +9,13 @@ import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.calibration.label_check.candidate_classes import (
+    MIRROR_REMEDY_TEXTS,
+    MIRROR_X,
+    MIRROR_Y,
     distances_to_classes,
     leave_one_out_errors,
+    mirrored_names,
+    relabelled,
 )
 from procc_annotator.calibration.label_check.evidence import (
     FrameEvidence,
@@ -31,13 +36,6 @@ from procc_annotator.calibration.label_check.finding import (
     RemedyKind,
     Rule,
     Severity,
-)
-from procc_annotator.calibration.label_check.orientation import (
-    MIRROR_REMEDY_TEXTS,
-    MIRROR_X,
-    MIRROR_Y,
-    mirrored_names,
-    relabelled,
 )
 from procc_annotator.calibration.optimization.camera_parameters import WIDE_ANGLE_MODELS
 from procc_annotator.calibration.optimization.camera_placement import insufficient_reason

@@ -4,9 +4,9 @@ refits.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
-from dataclasses import dataclass
-from functools import partial
+from collections.abc import Collection, Iterable, Mapping
+from dataclasses import dataclass, replace
+from functools import lru_cache, partial
 
 import numpy as np
 
@@ -27,9 +27,10 @@ from procc_annotator.calibration.optimization.residuals import (
     whitened,
 )
 from procc_annotator.calibration.optimization.solver import FINAL_LOSS, Problem, RobustLoss, solve
-from procc_annotator.field.geometry import Spot
+from procc_annotator.field.geometry import Arc, Chain, Geometry, Line, Spot, Vector, same_geometry
 from procc_annotator.field.landmarks import landmark_covariances
 from procc_annotator.field.model import Element, Field
+from procc_annotator.translation import translatable
 
 # Two or three points along a straight line lie on many a curve as well.
 _MIN_CURVE_POINTS = 4
@@ -245,3 +246,79 @@ def leave_one_out_errors(
             return None
         means.append(sum(others) / len(others))
     return means[0], means[1]
+
+
+_SAME_PLACE_M = 0.01
+
+
+MIRROR_X = (-1.0, 1.0)  # left for right
+
+
+MIRROR_Y = (1.0, -1.0)  # top for bottom
+
+
+MIRROR_REMEDY_TEXTS = {  # the remedies
+    MIRROR_Y: translatable("exchange far and near in the whole frame"),
+    MIRROR_X: translatable("exchange left and right in the whole frame"),
+}
+
+
+def mirrored_names(
+    field: Field, signs: tuple[float, float], needed: Iterable[str] = ()
+) -> Mapping[str, str] | None:
+    """The class that each class becomes when the field is reflected.
+
+    A frame may be labelled top for bottom or left for right. Reflecting twice, across and along, is
+    half a turn: of a field that half a turn takes to itself the two reflections are one mistake. A
+    field without symmetry has no reflection either.
+
+    Args:
+        field: the elements.
+        signs: factors of x and y: `ALONG` or `MIRROR_Y`.
+        needed: classes that must become one.
+
+    Returns:
+        None where one of those becomes none: what is given by its place on one side only (a mark
+        before the team benches, a landmark) cannot have been taken for its own reflection.
+    """
+    found = _mirrored_elements(field.elements, signs)
+    return found if all(name in found for name in needed) else None
+
+
+@lru_cache(maxsize=16)
+def _mirrored_elements(elements: tuple[Element, ...], signs: tuple[float, float]) -> dict[str, str]:
+    free = list(elements)
+    found: dict[str, str] = {}
+    for element in elements:
+        there = _mirrored_geometry(element.geometry, signs)
+        twin = next((e for e in free if same_geometry(e.geometry, there, _SAME_PLACE_M)), None)
+        if twin is not None:
+            free.remove(twin)
+            found[element.name] = twin.name
+    return found
+
+
+def _mirrored_geometry(shape: Geometry, signs: tuple[float, float]) -> Geometry:
+    if isinstance(shape, Line):
+        return Line(_mirrored_point(shape.start, signs), _mirrored_point(shape.end, signs))
+    if isinstance(shape, Spot):
+        return Spot(_mirrored_point(shape.position, signs))
+    if isinstance(shape, Chain):
+        parts = (_mirrored_geometry(part, signs) for part in shape.parts)
+        return Chain(tuple(part for part in parts if isinstance(part, Line | Arc)))
+    places = (shape.centre, shape.ahead, shape.aside)
+    centre, ahead, aside = (_mirrored_point(place, signs) for place in places)
+    return replace(shape, centre=centre, ahead=ahead, aside=aside)
+
+
+def _mirrored_point(place: Vector, signs: tuple[float, float]) -> Vector:
+    return signs[0] * place[0], signs[1] * place[1], place[2]
+
+
+def relabelled(annotation: FrameAnnotation, names: Mapping[str, str]) -> FrameAnnotation:
+    """An annotation with classes exchanged, all at once; unconfirmed elements are dropped."""
+    return FrameAnnotation(
+        tuple(
+            Polyline(names.get(p.class_name, p.class_name), p.points) for p in annotation.polylines
+        )
+    )

@@ -24,10 +24,10 @@ from procc_annotator.calibration.label_check.candidate_classes import (
     distances_to_classes,
     farthest_point,
     refit_all_points,
+    relabelled,
     uncertain_landmarks,
 )
 from procc_annotator.calibration.label_check.evidence import CORRECT_PX, FITS_PX, SUSPECT_LIMIT_PX
-from procc_annotator.calibration.label_check.orientation import relabelled
 from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.calibration.optimization.robust_fit import MIN_ELEMENTS
 from procc_annotator.calibration.result import FitResult, PosedCamera

@@ -8,9 +8,8 @@ from functools import lru_cache
 import numpy as np
 
 from procc_annotator.arrays import FloatArray, IntArray
-from procc_annotator.calibration.optimization.closest_points import MIN_DEPTH_M
 from procc_annotator.calibration.optimization.observations import ImageFrame
-from procc_annotator.calibration.optimization.projection import Lens
+from procc_annotator.calibration.optimization.projection import Lens, project, project_visible
 from procc_annotator.field.appearance import BAR, DARKER, LIGHTER, LINE
 from procc_annotator.field.geometry import (
     Line,
@@ -170,7 +169,7 @@ def expected_line_points(
             are taken.
     """
     lens = Lens.of(vector[None], frame.half_diagonal)
-    px, shown = project_points(lens, painted.world)
+    px, shown = (one[0] for one in project_visible(lens, painted.world))
     limit = (np.array(frame.size)[:, None] - 1) / 2 * frame.scale - _IMAGE_MARGIN_PX
     inside = np.flatnonzero(shown & (np.abs(px) <= limit).all(axis=0))
     if not len(inside):
@@ -188,48 +187,22 @@ def expected_line_points(
     within = np.floor((gone - gone[np.flatnonzero(begins)][run]) / spacing_px)
     kept = begins | (np.diff(within, prepend=-1.0) > 0)
     rows, chosen = inside[kept], run[kept]
-    normal, width = _normals_and_widths(lens, painted, rows, seen[:, kept])
+    normal, width = _normals_and_widths(lens, painted, rows)
     length = np.diff(gone[kept], append=gone[-1])
     length[np.diff(chosen, append=-1) != 0] = spacing_px
     return ExpectedLinePoints(rows, seen[:, kept], normal, width, chosen, length)
 
 
-def project_points(lens: Lens, world: FloatArray) -> tuple[FloatArray, np.ndarray]:
-    """(3, N) metres -> (2, N) solver px of one camera, and (N,) whether it shows them."""
-    place = lens.linear[0, :, :3] @ world + lens.linear[0, :, 3:]
-    ahead = place[2] > MIN_DEPTH_M
-    v = place[:2] / np.where(ahead, place[2], 1.0)
-    squares = (v * v).sum(axis=0)
-    bend = float(lens.bend[0, 0])
-    if bend < 0:  # what lies beyond the fold is shown by no lens
-        ahead &= -3 * bend * squares < 1
-    vector = lens.vectors[0]
-    px = v * (1 + bend * squares)
-    px[0] *= 1 + vector[8]
-    px += vector[9:11, None]
-    return px, ahead
-
-
 def _normals_and_widths(
-    lens: Lens, painted: MarkingPoints, rows: IntArray, px: FloatArray
+    lens: Lens, painted: MarkingPoints, rows: IntArray
 ) -> tuple[FloatArray, FloatArray]:
     """(2, n) unit normals in the picture, and (n,) solver px of the bands' widths."""
-    world = painted.world[:, rows]
-    linear = lens.linear[0]
-    depth = linear[2, :3] @ world + linear[2, 3]
-    v = (linear[:2, :3] @ world + linear[:2, 3:]) / depth
-    grown = 1 + lens.bend[0, 0] * (v * v).sum(axis=0)
-
-    def moved(way: FloatArray) -> FloatArray:
-        toward = linear[:, :3] @ way
-        plain = (toward[:2] - v * toward[2]) / depth
-        return np.asarray(plain * grown + 2 * lens.bend[0, 0] * v * (v * plain).sum(axis=0))
-
-    along = moved(painted.along[:, rows])
+    world = painted.world[None][:, :, rows]
+    along = project(lens, world, painted.along[None][:, :, rows], 0)[1][0]
     along /= np.maximum(np.hypot(*along), 1e-12)
     normal = np.stack([-along[1], along[0]])
-    is_bar = ~painted.across[:, rows].any(axis=0)
-    aside = np.abs((moved(painted.across[:, rows]) * normal).sum(axis=0))
-    focal = float(np.exp(lens.vectors[0, 6]))
-    scale = np.where(is_bar, focal / depth, aside)
+    across = painted.across[:, rows]
+    aside = np.abs((project(lens, world, across[None], 0)[1][0] * normal).sum(axis=0))
+    depth = lens.linear[0, 2, :3] @ world[0] + lens.linear[0, 2, 3]
+    scale = np.where(across.any(axis=0), aside, lens.focal / depth)
     return normal, painted.width_m[rows] * scale

@@ -16,7 +16,6 @@ from procc_annotator.calibration.line_alignment.expected_lines import (
     MarkingPoints,
     expected_line_points,
     marking_points,
-    project_points,
 )
 from procc_annotator.calibration.line_alignment.gaussian_state import (
     MIN_WEIGHT,
@@ -36,7 +35,7 @@ from procc_annotator.calibration.line_alignment.line_search import (
 )
 from procc_annotator.calibration.optimization.camera_parameters import vector_from_camera
 from procc_annotator.calibration.optimization.observations import ImageFrame
-from procc_annotator.calibration.optimization.projection import Lens
+from procc_annotator.calibration.optimization.projection import Lens, project_visible
 from procc_annotator.calibration.result import FitResult
 from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.field.model import Field
@@ -289,10 +288,9 @@ def _one_sided_offset(off: FloatArray, length: FloatArray) -> float | None:
 
 def edge_point_residuals(vector: FloatArray, marks: EdgePoints, frame: ImageFrame) -> FloatArray:
     """(n,) solver px that marks are off from where a camera (11,) shows them."""
-    px, _ = project_points(
-        Lens.of(vector[None], frame.half_diagonal), marks.world.astype(np.float64)
-    )
-    return np.asarray(marks.across - (px * marks.normal).sum(axis=0))
+    lens = Lens.of(vector[None], frame.half_diagonal)
+    px, _ = project_visible(lens, marks.world.astype(np.float64))
+    return np.asarray(marks.across - (px[0] * marks.normal).sum(axis=0))
 
 
 def displaced_elements_text(

@@ -9,9 +9,13 @@ from numpy.typing import NDArray
 
 from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.optimization.camera_parameters import POSITION_SLICE, rotated_180
-from procc_annotator.calibration.optimization.closest_points import MIN_DEPTH_M
 from procc_annotator.calibration.optimization.observations import ImageFrame, Observations
-from procc_annotator.calibration.optimization.projection import Lens, project
+from procc_annotator.calibration.optimization.projection import (
+    MIN_DEPTH_M,
+    Lens,
+    project,
+    project_visible,
+)
 from procc_annotator.calibration.optimization.residuals import (
     MAX_NOISE_RESIDUAL_PX,
     Residuals,
@@ -107,10 +111,7 @@ def projected_jacobian(
         shown = (depth[0] > MIN_DEPTH_M) & (world[0, 2] == 0)
     else:
         lens = Lens.of(vector[None], half_diagonal)
-        shown = (lens.linear[:, 2, :3] @ world[0] + lens.linear[:, 2, 3:])[0] > MIN_DEPTH_M
-        beyond = lens.is_beyond_fold(world)
-        if beyond is not None:
-            shown &= ~beyond[0]
+        shown = project_visible(lens, world[0])[1][0]
         safe = np.where(shown, world, (lens.rotation[:, 2] + vector[POSITION_SLICE])[:, :, None])
         _, _, derivatives = project(lens, safe, np.zeros_like(safe), free)
     return derivatives[0].transpose(2, 1, 0), shown

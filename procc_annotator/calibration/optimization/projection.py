@@ -29,6 +29,8 @@ _MAX_ANGLE_RAD, _MAX_RADII = 1.5, 6.0
 _NEWTON_STEPS = 20
 _SERIES_RADIUS = 1e-3  # of the unit: nearer to the axis the curve is straight
 _TINY = 1e-12
+# Nearer than this to the camera's plane nothing is projected: its pixels would be anywhere.
+MIN_DEPTH_M = 0.5
 
 
 @dataclass(frozen=True, eq=False)
@@ -208,9 +210,9 @@ def project(
 
     Args:
         lens: B cameras.
-        world: (B, 3, N) metres, in front of the cameras.
-        along: (B, 3, N) a direction at each point, metres.
-        free: derivatives by the first so many parameters.
+        world: (B or 1, 3, N) metres, in front of the cameras.
+        along: (B or 1, 3, N) a direction at each point, metres.
+        free: derivatives by the first so many parameters; 0 for none, else at least those of P.
 
     Returns:
         (B, 2, N) solver px; (B, 2, N) px that a step of ``along`` moves each point; (B, free, 2, N)
@@ -224,62 +226,61 @@ def project(
     toward = linear[:, :, :3] @ along
     moved = toward[:, :2] - v * toward[:, 2:]
     moved /= depth
-    # Derivatives of the undistorted pixel v, then through the lens; in one place where none bends.
     bends = curve is not None or lens.bend.any()
-    derivatives = np.empty((len(vectors), free, 2, world.shape[2]))
-    inner = np.empty((len(vectors), 7, 2, world.shape[2])) if bends else derivatives[:, :KAPPA]
-    _undistorted_derivatives(lens, v, depth, inner)
-    bent, pixels = v, v
+    bent = v
     if bends or free > KAPPA:
         squares = np.einsum("bkn,bkn->bn", v, v)
     if bends:
-        bent, moved = _distort(lens, v, moved, squares, inner, derivatives[:, :7])
-        pixels = bent
-    stretch = 1 + vectors[:, ASPECT, None]
+        # d(v grown) = grown dv + slope v (v . dv)
+        grown, slope = (
+            (1 + lens.bend * squares, 2 * lens.bend) if curve is None else curve.growth(squares)
+        )
+        twice = slope[:, None] * v
+        bent = v * grown[:, None]
+        moved = moved * grown[:, None] + twice * np.einsum("bkn,bkn->bn", moved, v)[:, None]
+    derivatives = np.empty((len(vectors), free, 2, v.shape[2]))
+    if free:
+        # Derivatives of the undistorted pixel v, then through the lens; in one place if none bends.
+        inner = np.empty((len(vectors), 7, 2, v.shape[2])) if bends else derivatives[:, :KAPPA]
+        _undistorted_derivatives(lens, v, depth, inner)
+        if bends:
+            radial = np.einsum("bpkn,bkn->bpn", inner, v)
+            np.multiply(inner, grown[:, None, None], out=derivatives[:, :7])
+            derivatives[:, :7] += twice[:, None] * radial[:, :, None]
+    pixels, stretch = bent, 1 + vectors[:, ASPECT, None]
     if vectors[:, ASPECT : PRINCIPAL_Y + 1].any():
         pixels = bent.copy()
         pixels[:, 0] *= stretch
         pixels += vectors[:, PRINCIPAL_X : PRINCIPAL_Y + 1, None]
         moved[:, 0] *= stretch
-    if curve is not None and curve.fisheye:
+    if free and curve is not None and curve.fisheye:
         # A ray's angle is the same at every focal length.
         derivatives[:, LOG_FOCAL] = bent
-    first, second = None, None
-    if curve is not None:
-        first, second = curve.by_coefficients(squares)
     if free > KAPPA:
-        by_first = squares * lens.distortion_by_kappa if first is None else first
-        derivatives[:, KAPPA] = v * by_first[:, None]
-    if free > ASPECT:
-        _image_derivatives(derivatives, bent, stretch)
-    if free > SECOND_KAPPA and second is not None:
-        derivatives[:, SECOND_KAPPA] = v * second[:, None]
-        derivatives[:, SECOND_KAPPA, 0] *= stretch
+        first, second = (
+            (squares * lens.distortion_by_kappa, None)
+            if curve is None
+            else curve.by_coefficients(squares)
+        )
+        derivatives[:, KAPPA] = v * first[:, None]
+        if free > ASPECT:
+            _image_derivatives(derivatives, bent, stretch)
+        if free > SECOND_KAPPA and second is not None:
+            derivatives[:, SECOND_KAPPA] = v * second[:, None]
+            derivatives[:, SECOND_KAPPA, 0] *= stretch
     return pixels, moved, derivatives
 
 
-def _distort(
-    lens: Lens,
-    v: FloatArray,
-    along: FloatArray,
-    squares: FloatArray,
-    inner: FloatArray,
-    derivatives: FloatArray,
-) -> tuple[FloatArray, FloatArray]:
-    """(B, 2, N) undistorted pixels ``v`` through the lens, and what moves them ``along``; fills in
-    their derivatives (B, 7, 2, N), those of ``v`` being ``inner``."""
-    curve = lens.curve
-    grown, slope = (
-        (1 + lens.bend * squares, 2 * lens.bend) if curve is None else curve.growth(squares)
-    )
-    # d(v grown) = grown dv + slope v (v . dv)
-    twice = slope[:, None] * v
-    radial = np.einsum("bpkn,bkn->bpn", inner, v)
-    np.multiply(inner, grown[:, None, None], out=derivatives)
-    derivatives += twice[:, None] * radial[:, :, None]
-    moved = along * grown[:, None]
-    moved += twice * np.einsum("bkn,bkn->bn", along, v)[:, None]
-    return v * grown[:, None], moved
+def project_visible(lens: Lens, world: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
+    """(3, N) metres -> (B, 2, N) solver px, and (B, N) whether each camera shows the point; the
+    pixels of others are meaningless."""
+    shown = (lens.linear[:, 2, :3] @ world + lens.linear[:, 2, 3:]) > MIN_DEPTH_M
+    beyond = lens.is_beyond_fold(world[None])
+    if beyond is not None:
+        shown &= ~beyond
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        px, _, _ = project(lens, world[None], np.zeros((1, *world.shape)), 0)
+    return px, shown
 
 
 def _undistorted_derivatives(

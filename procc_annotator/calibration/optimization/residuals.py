@@ -10,13 +10,12 @@ from numpy.typing import NDArray
 from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.optimization.camera_parameters import POSITION_SLICE
 from procc_annotator.calibration.optimization.closest_points import (
-    MIN_DEPTH_M,
     BatchedObservations,
     ClosestPoints,
     find_closest_points,
 )
 from procc_annotator.calibration.optimization.observations import Observations
-from procc_annotator.calibration.optimization.projection import Lens, project
+from procc_annotator.calibration.optimization.projection import MIN_DEPTH_M, Lens, project
 
 # What a point counts whose element is behind the camera, solver px; no direction is better.
 HIDDEN_RESIDUAL_PX = 1000.0

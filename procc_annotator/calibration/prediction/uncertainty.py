@@ -12,7 +12,7 @@ import numpy as np
 from procc_annotator.arrays import BoolArray, FloatArray
 from procc_annotator.calibration.optimization.covariance import max_direction_sd
 from procc_annotator.calibration.result import FitResult
-from procc_annotator.camera.backprojection import ground_jacobian, projection_jacobian
+from procc_annotator.camera.backprojection import projection_jacobian
 from procc_annotator.camera.base import Camera
 from procc_annotator.errors import UsageError
 from procc_annotator.field.geometry import Covariance, Vector
@@ -176,7 +176,10 @@ def ground_covariance(fit: FitResult, ground: FloatArray, *, click_px: float = 0
     shown &= np.isfinite(px).all(axis=1)
     covariance_px = fit.projected_covariance(world[shown])
     covariance_px += click_px**2 * np.eye(2)
-    by_pixel = _ground_from_pixel_jacobian(fit.camera, ground[shown], px[shown])
+    by_ground = projection_jacobian(fit.camera, world[shown])[1][:, :, :2]
+    singular = ~(np.abs(np.linalg.det(by_ground)) > 0)  # also NaN
+    by_pixel = np.linalg.inv(np.where(singular[:, None, None], np.eye(2), by_ground))
+    by_pixel[singular] = np.nan
     found[shown] = by_pixel @ covariance_px @ by_pixel.transpose(0, 2, 1)
     return found
 
@@ -209,16 +212,6 @@ def map_ground_uncertainty(fit: FitResult, field: Field) -> GroundUncertainty:
     sd = np.full(counts.shape, np.nan)
     sd[counts] = ground_sd(fit, np.column_stack((x[counts], y[counts])))
     return GroundUncertainty(fit, xs, ys, px, sd, in_sight)
-
-
-def _ground_from_pixel_jacobian(camera: Camera, ground: FloatArray, px: FloatArray) -> FloatArray:
-    """(N, 2, 2) metres a pixel: columns are steps along u and v, rows x and y."""
-    (a, c), (b, d) = (slope.T for slope in ground_jacobian(camera, ground, px))
-    inverse = np.empty((len(ground), 2, 2))
-    inverse[:, 0, 0], inverse[:, 0, 1] = d, -b
-    inverse[:, 1, 0], inverse[:, 1, 1] = -c, a
-    with np.errstate(divide="ignore", invalid="ignore"):
-        return np.asarray(inverse / (a * d - b * c)[:, None, None])
 
 
 def _visible_grid_axes(

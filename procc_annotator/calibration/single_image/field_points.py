@@ -17,8 +17,8 @@ from procc_annotator.calibration.optimization.camera_placement import (
     CameraPlacementPrior,
     camera_placement_prior,
 )
+from procc_annotator.calibration.optimization.observations import HALF_WIDTH_PX
 from procc_annotator.calibration.optimization.projection import Lens
-from procc_annotator.calibration.single_image.line_distance import HALF_WIDTH_PX
 from procc_annotator.field.geometry import Line, length_of
 from procc_annotator.field.model import Field
 

@@ -36,12 +36,10 @@ from procc_annotator.calibration.single_image.field_points import (
     view_distance_px,
 )
 from procc_annotator.calibration.single_image.icp_refinement import (
+    ImageLinePixels,
     SearchScene,
     chamfer_agreement,
     harmonic_mean,
-)
-from procc_annotator.calibration.single_image.line_distance import (
-    ImageLinePixels,
     line_pixels_for_field,
 )
 from procc_annotator.calibration.single_image.proposal import (

@@ -13,7 +13,6 @@ from procc_annotator.calibration.line_alignment.expected_lines import (
     ExpectedLinePoints,
     MarkingPoints,
     expected_line_points,
-    project_points,
 )
 from procc_annotator.calibration.line_alignment.gaussian_state import (
     MIN_WEIGHT,
@@ -53,7 +52,7 @@ from procc_annotator.calibration.optimization.covariance import (
     projected_covariance,
 )
 from procc_annotator.calibration.optimization.observations import ImageFrame
-from procc_annotator.calibration.optimization.projection import Lens
+from procc_annotator.calibration.optimization.projection import Lens, project_visible
 from procc_annotator.calibration.prediction.visible_elements import visible_stretches
 from procc_annotator.calibration.tracking.motion_model import (
     MOTION_PARAMETERS,
@@ -291,10 +290,9 @@ def _projection_difference(
 ) -> float:
     if not len(expected.rows):
         return np.inf
-    there, _ = project_points(
-        Lens.of(other[None], frame.half_diagonal), painted.world[:, expected.rows]
-    )
-    across = ((there - expected.px) * expected.normal).sum(axis=0)
+    lens = Lens.of(other[None], frame.half_diagonal)
+    there, _ = project_visible(lens, painted.world[:, expected.rows])
+    across = ((there[0] - expected.px) * expected.normal).sum(axis=0)
     return _percentile_90(np.abs(across))
 
 

@@ -19,7 +19,7 @@ from procc_annotator.calibration.line_alignment.refinement import displaced_elem
 from procc_annotator.calibration.optimization.camera_parameters import POSITION_SLICE, X, Z
 from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.calibration.result import FitResult
-from procc_annotator.calibration.single_image.line_distance import line_pixels_for_field
+from procc_annotator.calibration.single_image.icp_refinement import line_pixels_for_field
 from procc_annotator.calibration.single_image.proposal import SURE, KnownPosition, Proposal
 from procc_annotator.calibration.single_image.propose import propose_camera
 from procc_annotator.calibration.tracking.filter_step import (

@@ -11,6 +11,7 @@ from contextlib import ExitStack, closing, contextmanager, suppress
 from pathlib import Path
 
 from procc_annotator.dataset.database.schema import (
+    SET_VERDICT_BY_NAME,
     DamagedError,
     Row,
     Write,
@@ -18,6 +19,7 @@ from procc_annotator.dataset.database.schema import (
 )
 from procc_annotator.formats.atomic import remove_stale
 
+_OLD_VERDICTS = "frame", "source", "fault", "author", "time", "comment"
 _PAGES = 1000  # 4 MB, copied in some milliseconds: so long a question waits
 
 
@@ -76,6 +78,9 @@ def copy_readable(source: sqlite3.Connection, target: sqlite3.Connection) -> Non
             )
             order = ("seq",) if "seq" in info else keys
             target.executemany(sql, _readable(source, table, columns, order))
+        # Of a file that was damaged before its schema was brought up to date.
+        old = _readable(source, "verdict", _OLD_VERDICTS, _OLD_VERDICTS[:2])
+        target.executemany(SET_VERDICT_BY_NAME, old)
 
 
 def copy_readable_file(path: Path, target: sqlite3.Connection) -> None:

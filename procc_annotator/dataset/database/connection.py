@@ -73,7 +73,7 @@ class OpenedDatabase:
     """A database that can be used, with what it says.
 
     Attributes:
-        identity: tells whether another file has taken its place since.
+        identity: differs once another file has taken its place.
         fresh: it was empty.
         data_version: changes when another connection writes.
         notices: what had to be set aside.
@@ -141,7 +141,7 @@ def connect(path: Path | None) -> sqlite3.Connection:
 def open_database(
     path: Path | None, condemned: tuple[Identity | None, Exception] | None = None
 ) -> OpenedDatabase:
-    """Open a database or begin one; what is none is set aside first.
+    """Open a database or begin one; any other file in its place is set aside first.
 
     A new one in the place of one that was lost begins with what can be read of the backup, and then
     of those set aside, which are newer.
@@ -176,7 +176,7 @@ def open_database(
 
 
 def loss_message(path: Path) -> str:
-    """Return how a database is lost whose place shows that there was one; empty if it is there.
+    """Return how a database was lost, by what is left in its folder; empty if it is there.
 
     A file without content is one: SQLite writes none, but for an instant when it begins one.
     """

@@ -207,7 +207,7 @@ class WorkspaceDatabase(MetadataCache):
         """The bytes of a version.
 
         Raises:
-            InputError: there is none of this id, or it cannot be read.
+            InputError: unknown id, or it cannot be read.
         """
         found = next((r[5:] for r in self._unwritten_versions() if r[0] == version_id), None)
         try:
@@ -227,7 +227,7 @@ class WorkspaceDatabase(MetadataCache):
         """Take over what other processes wrote; call it every few seconds, it never waits.
 
         Returns:
-            The frames whose record, comments, verdicts, elements not visible or draft changed, as
+            The frames with another record, comment, verdict, element not visible or draft, as
             the look begun by the call before found them.
         """
         changed = self.collect()

@@ -1,4 +1,4 @@
-"""Where the workspace database of a dataset is, and the fingerprint that matches both."""
+"""Location of a dataset's workspace database, and the fingerprint that matches both."""
 
 from __future__ import annotations
 
@@ -96,7 +96,7 @@ def fingerprints_match(mark: Fingerprint, other: Fingerprint) -> bool:
 
 
 def read_fingerprint(file: Path) -> Fingerprint:
-    """A mark as it was written; empty if there is none that can be read."""
+    """A mark as it was written; empty if it cannot be read."""
     try:
         entries = json.loads(read_file(file))
     except (InputError, ValueError, RecursionError):

@@ -82,11 +82,11 @@ class MetadataCache:
             self._put_write(write(schema.SET_STATUS, frame, str(status)))
             self._known.records[frame] = replace(self.record(frame), status=status)
 
-    def set_committed(self, frame: str, committed: bool) -> None:
-        """Say whether a frame's clicks were declared final."""
-        if self.record(frame).committed != committed:
-            self._put_write(write(schema.SET_COMMITTED, frame, int(committed)))
-            self._known.records[frame] = replace(self.record(frame), committed=bool(committed))
+    def commit(self, frame: str) -> None:
+        """Declare a frame's clicks final."""
+        if not self.record(frame).committed:
+            self._put_write(write(schema.SET_COMMITTED, frame, 1))
+            self._known.records[frame] = replace(self.record(frame), committed=True)
 
     def add_seconds(self, frame: str, seconds: float) -> None:
         """Add to the time spent on a frame; what no clock that runs forward says is left out."""
@@ -109,7 +109,7 @@ class MetadataCache:
         return self._known.comments.get(frame, ())
 
     def resolve_comment(self, comment_id: str, resolved: bool) -> None:
-        """Settle a comment, or open it again; nothing happens if there is none of this id."""
+        """Settle a comment, or open it again; an unknown id is ignored."""
         everywhere = (remark for remarks in self._known.comments.values() for remark in remarks)
         found = next((remark for remark in everywhere if remark.id == comment_id), None)
         if found is None:
@@ -137,7 +137,7 @@ class MetadataCache:
         *,
         place: str = "",
     ) -> Verdict | None:
-        """Say whose fault a frame's score is under a camera source; None takes it back.
+        """Set the party at fault for a frame's score under a camera source; None takes it back.
 
         Args:
             source: its name.

@@ -27,6 +27,9 @@ from procc_annotator.dataset.records import (
 
 APPLICATION_ID = 0x50724343  # "PrCC"
 
+# `verdict.by_name` of a source's stored name, which stays a BLOB when it is one.
+BY_NAME = "CASE typeof({0}) WHEN 'blob' THEN CAST('name:' || {0} AS BLOB) ELSE 'name:' || {0} END"
+
 # One tuple of statements a schema version; a database of version n gets MIGRATIONS[n:].
 MIGRATIONS: tuple[tuple[str, ...], ...] = (
     (
@@ -61,8 +64,8 @@ MIGRATIONS: tuple[tuple[str, ...], ...] = (
         " fault TEXT NOT NULL, author TEXT NOT NULL, time REAL NOT NULL, comment TEXT NOT NULL,"
         " PRIMARY KEY(frame, place)) WITHOUT ROWID",
         "INSERT INTO source_verdict(frame, place, source, fault, author, time, comment)"
-        " SELECT frame, CASE typeof(source) WHEN 'blob' THEN CAST('name:' || source AS BLOB)"
-        " ELSE 'name:' || source END, source, fault, author, time, comment FROM verdict",
+        f" SELECT frame, {BY_NAME.format('source')}, source, fault, author, time, comment"
+        " FROM verdict",
         "DROP TABLE verdict",
     ),
     (
@@ -111,7 +114,7 @@ def as_number(value: Value) -> float:
     """A finite number.
 
     Raises:
-        DamagedError: it is none.
+        DamagedError: it is something else.
     """
     if type(value) is float and math.isfinite(value):
         return value
@@ -167,7 +170,7 @@ def values_of(columns: Sequence[str], row: Row) -> tuple[Any, ...]:
 
 
 # Every statement may be run again with the same values without changing more: what was written
-# before a failure whose extent no one knows is simply written again.
+# before a failure of unknown extent is simply written again.
 SETTING_KEY = "setting "  # what a setting's key begins with among what else is kept by key
 
 SET_META = "INSERT OR REPLACE INTO meta(key, value) VALUES(?1, ?2)"
@@ -204,6 +207,11 @@ SET_DRAFT = "INSERT OR REPLACE INTO draft(frame, data) VALUES(?1, ?2)"
 SET_VERDICT = (
     "INSERT OR REPLACE INTO source_verdict(frame, place, source, fault, author, time, comment)"
     " VALUES(?1, ?2, ?3, ?4, ?5, ?6, ?7)"
+)
+# A row of the table there was before sources were known by their places.
+SET_VERDICT_BY_NAME = (
+    "INSERT OR REPLACE INTO source_verdict(frame, place, source, fault, author, time, comment)"
+    f" VALUES(?1, {BY_NAME.format('?2')}, ?2, ?3, ?4, ?5, ?6)"
 )
 RENAME_SOURCE = "UPDATE source_verdict SET source = ?2 WHERE place = ?1"
 SET_NOT_VISIBLE = (

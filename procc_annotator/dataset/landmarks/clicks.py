@@ -48,10 +48,10 @@ class LocatedLandmark:
 
     Attributes:
         clicked: the clicks.
-        found: the position, or why there is none.
+        found: the position, or why it is unknown.
         without_view: frames that could not take part, with the reason.
         kept: whether its position was given by a person, and is not touched.
-        astray: frames whose click does not agree with the position that is kept.
+        astray: frames with a click that does not agree with the position that is kept.
     """
 
     clicked: ClickedLandmark

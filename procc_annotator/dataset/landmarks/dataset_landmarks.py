@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 
 def with_new_landmark(file: LandmarkFile, name: str, field: Field) -> LandmarkFile:
-    """With a new landmark whose position is not known yet.
+    """With a new landmark without a known position.
 
     Raises:
         UsageError: the name cannot be one, or is taken.

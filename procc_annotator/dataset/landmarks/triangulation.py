@@ -56,7 +56,7 @@ class ViewCameras(Protocol):
     """Sources of the cameras of clicked frames."""
 
     def of(self, frame: str) -> FrameView | str:
-        """A frame's camera, or why there is none."""
+        """A frame's camera, or why it is missing."""
 
 
 @dataclass(frozen=True)
@@ -120,13 +120,13 @@ class FittedViews:
 
 
 def surveyed_only(field: Field) -> Field:
-    """The field with those landmarks alone whose place a person measured and that stay there."""
+    """The field with those landmarks alone that stay in one place, which a person measured."""
     kept = [m for m in field.landmarks if m.surveyed and not is_moving(m)]
     return with_landmarks(field, kept)
 
 
 def view_of_fit(fit: FitResult) -> FrameView | str:
-    """A fitted camera with its uncertainty, or why there is none."""
+    """A fitted camera with its uncertainty, or why it failed."""
     if fit.camera is None:
         return fit.failure or translatable("no camera was found")
     if left_open := ill_conditioned_reason(fit):
@@ -150,7 +150,7 @@ def locate(
         click_px: standard deviation of a click along each axis, px of the views; without it the
             usual one, corrected by the residuals.
         noise: how many times as far off as usual clicks are, where other landmarks have shown.
-        kept: the entry whose position a person gave: it is left alone, and compared to the clicks.
+        kept: the entry with a surveyed position: it is left alone, and compared to the clicks.
     """
     if clicked.problem and kept is None:
         return LocatedLandmark(clicked, Triangulation(failure=clicked.problem))
@@ -177,7 +177,7 @@ def locate(
 def _explained(
     found: Triangulation, missing: Sequence[tuple[str, str]], seen: int
 ) -> Triangulation:
-    """Where cameras are missing, that is why nothing was found."""
+    """Name missing cameras as the reason why nothing was found."""
     if found.position is not None or seen > 1 or not missing:
         return found
     frame, why = missing[0]

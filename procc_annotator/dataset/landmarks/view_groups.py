@@ -330,7 +330,7 @@ def _candidates(names: Sequence[str]) -> Iterator[str]:
 
 
 def _pattern_score(names: Sequence[str], pattern: str) -> tuple[int, int, int] | None:
-    """Return how well a pattern groups names, larger is better; None where it is none for them."""
+    """Return how well a pattern groups names, larger is better; None if it is not plausible."""
     expression = _expression(pattern)
     found = [of for name in names if (of := _view_of(name, expression)) is not None]
     instants = Counter(of.instant for of in found)

@@ -107,7 +107,7 @@ def _number(text: str) -> float:
 
 
 def whole_number(text: str | None) -> int | str | None:
-    """A whole number of a file; what is none as it is."""
+    """A whole number of a file; any other text unchanged."""
     if text is None or not _WHOLE.fullmatch(text):
         return text
     return int(text)
@@ -129,7 +129,7 @@ def kind_of_shape(polyline: Polyline) -> str:
 def server_label(
     polyline: Polyline, label: str, writing: WriteContext, kinds: dict[str, str]
 ) -> str:
-    """A label as the server keeps it, whose kind of shapes is noted for `labels_of_task`."""
+    """A label as the server keeps it; its kind of shapes is noted for `labels_of_task`."""
     # The server's labels have no white space at their ends; reading puts it back.
     label = label.strip() if writing.field.knows(polyline.class_name) else label
     kind = kind_of_shape(polyline)

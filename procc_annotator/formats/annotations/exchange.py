@@ -112,7 +112,7 @@ class Remarks:
         self._frames.setdefault(what, {})[frame] = None
 
     def take(self, others: Remarks, called: Callable[[str], str]) -> None:
-        """Note what others hold, whose frames are called otherwise here."""
+        """Note the remarks of others under the names that their frames have here."""
         for what, frames in others._frames.items():
             for frame in frames:
                 self.add(what, called(frame))
@@ -148,7 +148,7 @@ class ReadContext:
         labels: how many shapes have each label.
         unknown: the same of labels that stand for no class of the field.
         total: how many frames there are in all, as soon as it is known.
-        told: called with what is wrong with a frame or file; what it raises ends the reading.
+        on_problem: called with what is wrong with a frame or file; what it raises ends the reading.
     """
 
     field: Field
@@ -162,7 +162,7 @@ class ReadContext:
     labels: Counter[str] = attribute(default_factory=Counter)
     unknown: Counter[str] = attribute(default_factory=Counter)
     total: int | None = None
-    told: Callable[[InputError], None] | None = None
+    on_problem: Callable[[InputError], None] | None = None
     _at: str = ""
     _pictures: PictureFrames | None = None
 
@@ -176,13 +176,13 @@ class ReadContext:
 
     def note(self, error: InputError) -> None:
         """Take down what is wrong with the frame or file that is being read."""
-        if self.told is not None:
-            self.told(error)
+        if self.on_problem is not None:
+            self.on_problem(error)
         self.problems.append(str(error))
         self.unread.setdefault(self._at, error)
 
     def frame_of_file(self, file: str) -> str:
-        """The frame whose own file this is; whatever goes wrong next is reported of it."""
+        """The frame of a file of its own; the next problem is reported of it."""
         self._at = frame_of_file(file if self.in_tree else file.rpartition("/")[2])
         return self._at
 
@@ -270,7 +270,7 @@ class WriteContext:
         line_width: of masks, px.
         folder: the split that is written: a folder inside the output that files of single frames
             go to, or part of a file's name; may be empty.
-        into: content of an existing file whose other entries are to be kept; None without.
+        into: content of an existing file that keeps its other entries; None without.
         problems: one line for each frame that could not be written.
         remarks: what the format cannot hold.
         frames, elements, points: how many were written.
@@ -315,7 +315,8 @@ class WriteContext:
         return None
 
     def named_size(self, frame: ExchangedFrame) -> Size | None:
-        """The same for a format whose text holds the frame's name, which it must be able to."""
+        """The same for a format with the frame's name in its text, which must be able to spell
+        it."""
         if is_unicode(frame.name):
             return self.size(frame)
         self.problems.append(
@@ -418,7 +419,7 @@ def point_of(x: Any, y: Any, size: Size, path: str, place: str) -> Point:
 
 
 def require_objects(content: Any, keys: Sequence[str], path: str, kind: str) -> dict[str, Any]:
-    """A decoded file whose entries under some keys are lists of objects.
+    """A decoded file with lists of objects under some keys.
 
     Raises:
         AnnotationError: they are not.

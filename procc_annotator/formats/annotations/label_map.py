@@ -107,7 +107,7 @@ def template_named(name: object) -> KeypointTemplate | None:
 
 
 def template_of(category: Mapping[str, Any]) -> KeypointTemplate | None:
-    """The template a category holds; None if it is none that is known."""
+    """The template of a category; None if unknown."""
     names, skeleton = category["keypoints"], _skeleton(category)
     return next((known for known in known_templates() if known.matches(names, skeleton)), None)
 
@@ -122,7 +122,7 @@ def _are_numbers(names: Sequence[Any]) -> bool:
 
 
 def _skeleton(category: Mapping[str, Any]) -> list[tuple[int, int]]:
-    """The edges of a category, from 0; what is none is left out."""
+    """The edges of a category, from 0; anything else is left out."""
     edges = category.get("skeleton")
     if type(edges) is not list:
         return []
@@ -158,7 +158,8 @@ class OrderedClasses:
 
 @dataclass(frozen=True, slots=True)
 class TemplateRule:
-    """A category whose keypoints are places of a template, by its name in `keypoint_templates`."""
+    """A category of keypoints that are places of a template, by its name in
+    `keypoint_templates`."""
 
     name: str
 
@@ -247,7 +248,7 @@ def read_label_map(path: Path, field: Field) -> LabelMap:
 
     Args:
         path: of a ``labels.toml``.
-        field: whose classes the labels stand for.
+        field: has the classes that the labels stand for.
 
     Raises:
         InputError: it cannot be read, or says what makes no sense: file, line and what was

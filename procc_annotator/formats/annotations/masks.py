@@ -112,7 +112,7 @@ def draw_mask(
 def _draw_segment(
     mask: _Mask, start: FloatArray, end: FloatArray, value: int, line_width: float
 ) -> None:
-    """Every pixel whose centre is within half the line width of a segment.
+    """Draw every pixel with its centre within half the line width of a segment.
 
     OpenCV's lines have whole widths and miss or add up to a pixel at their sides and ends. What is
     meant is convex, so that each row of the picture has one run of pixels, found exactly.

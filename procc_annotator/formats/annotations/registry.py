@@ -63,9 +63,9 @@ class AnnotationFormat:
         read: reads a set; None for formats that are only written.
         sniff_json: whether decoded JSON is of this format.
         sniff: whether bytes are.
-        decode_existing: reads a file whose other content is to be kept; None where that is
+        decode_existing: reads a file that keeps its other content; None where that is
             not possible.
-        classes: whose classes it is for: ``any`` field's, ``soccernet`` for SoccerNet's alone, or
+        classes: the field it is for: ``any`` field's, ``soccernet`` for SoccerNet's alone, or
             ``leaning`` where optional elements next to SoccerNet's classes are left out unless they
             are asked for.
         pictures: the folder of the output that pictures go to when they are asked for, with the
@@ -162,7 +162,7 @@ def format_named(name: str) -> AnnotationFormat:
     """A format by its name.
 
     Raises:
-        UsageError: there is none.
+        UsageError: no such format.
     """
     for known in FORMATS:
         if known.name == name:

@@ -90,7 +90,7 @@ def require_soccernet(field: Field, title: str) -> None:
 def official_only(annotation: FrameAnnotation, field: Field) -> tuple[FrameAnnotation, list[str]]:
     """An annotation without the optional elements of a field that has SoccerNet's classes.
 
-    Landmarks are left out wherever they are, also those whose place is not known.
+    Landmarks are left out wherever they are, also those without a known place.
 
     Args:
         annotation: of a frame.

@@ -169,10 +169,10 @@ def write_many(frames: Iterable[ExchangedFrame], writing: WriteContext) -> None:
 
 
 def decode_existing(data: bytes, path: str) -> dict[str, Any]:
-    """A file whose other content is to be kept.
+    """A file that keeps its other content.
 
     Raises:
-        AnnotationError: it is none.
+        AnnotationError: it is of another kind.
     """
     content = _decode(data, path)
     for picture, entry, place in _entries(content, path):

@@ -54,7 +54,7 @@ def matlab_content(data: bytes, path: str) -> dict[str, Any]:
 
     Returns:
         Arrays as nested lists without axes of length 1, a single value as itself, texts, cell
-        arrays as lists, structures as objects or lists of them; None for what is none of this.
+        arrays as lists, structures as objects or lists of them; None for anything else.
 
     Raises:
         CameraError: damaged, cut off, or too large.

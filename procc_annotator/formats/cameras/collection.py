@@ -182,7 +182,7 @@ class CameraCollection:
         return top if top.issuperset(self.frames.values()) else frozenset(self._source.tree())
 
     def _read_beside(self, file: str) -> bytes | None:
-        """The content of a file of the source; None if there is none that can be read."""
+        """The content of a file of the source; None if there is no readable one."""
         try:
             if file in self._all_files:
                 return self._source.read(file)

@@ -1,4 +1,4 @@
-"""What files record about fitted cameras: digest of the fitted annotation, leave-one-element-
+"""Records of files about fitted cameras: digest of the fitted annotation, leave-one-element-
 out distances.
 """
 

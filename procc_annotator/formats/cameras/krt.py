@@ -139,7 +139,7 @@ def camera_of_matrices(
 
 
 def centred_k(fx: float, fy: float, cx: float, cy: float) -> list[list[float]]:
-    """K of a format whose pixels count from the corner of the picture, not from the centre of its
+    """K of a format that counts pixels from the corner of the picture, not from the centre of its
     first pixel."""
     return [[fx, 0.0, cx - 0.5], [0.0, fy, cy - 0.5], [0.0, 0.0, 1.0]]
 
@@ -337,7 +337,7 @@ def nested_records(content: object, path: str) -> CameraRecords:
     """The cameras of a decoded file with ``cameras``.
 
     Raises:
-        CameraError: there is none.
+        CameraError: it holds no camera.
     """
     found = [(name, CameraRecord(place, entry)) for name, place, entry in _nested(content)]
     if not found:

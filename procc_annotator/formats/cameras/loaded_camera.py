@@ -30,7 +30,7 @@ class LoadedCamera:
             of the picture, whatever its size; their ``size`` is the one that makes these pixels.
         extra: keys of the file that are not part of the model, written back on saving.
         notices: remarks a person should see.
-        assumed_field: name of the field whose world these pixels belong to, where the format alone
+        assumed_field: name of the field that the world coordinates are of, where the format alone
             says so and no one named it; empty otherwise.
         content: all of the file's keys and values, so that saving spells unchanged numbers alike.
         fitted_on: `annotation_digest` of the annotation it was fitted to, where that is reported.
@@ -50,13 +50,13 @@ class LoadedCamera:
     assumed_field: str = ""
     size_is_usual: bool = False
 
-    def size_where(self, told: tuple[int, int] | None) -> tuple[int, int] | None:
+    def size_where(self, stated: tuple[int, int] | None) -> tuple[int, int] | None:
         """(width, height) of the picture the pixels refer to; None where nothing says it.
 
         Args:
-            told: what a person says; the file knows better, what is usual for its format does not.
+            stated: by the user; the file knows better, what is usual for its format does not.
         """
-        return (told or self.size) if self.size_is_usual else (self.size or told)
+        return (stated or self.size) if self.size_is_usual else (self.size or stated)
 
 
 def with_notices(loaded: LoadedCamera, notices: Iterable[str]) -> LoadedCamera:
@@ -159,7 +159,7 @@ class CameraFormat:
         default_for: the suffixes ``auto`` reads with it.
         read: ``read(data, path=...)``, the camera of a file that holds one.
         records: ``records(data, path=...)``, the cameras of a file that holds several, or None for
-            a file that holds one; None for a format whose files never do.
+            a file that holds one; None for a format without such files.
         always_many: whether its files always hold several.
     """
 

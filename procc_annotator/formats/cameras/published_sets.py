@@ -110,7 +110,7 @@ def annotation_records(read: ReadRecord, content: object, path: str) -> CameraRe
         read: `read_set_homography` or `read_ptz`.
 
     Raises:
-        CameraError: there is none.
+        CameraError: it holds no camera.
     """
     found = [
         (str(entry["image_name"]), CameraRecord(f"annotation({i})", entry))

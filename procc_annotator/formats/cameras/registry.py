@@ -88,7 +88,7 @@ class JsonFormat:
 
     Attributes:
         name, title: for the table of formats.
-        one: reads a file that holds one camera; None for a format whose files hold many.
+        one: reads a file that holds one camera; None for a format of files with many.
         many: the cameras of a decoded file that holds several; None where it holds one.
         recognises: whether decoded content is of this format, for content no one named.
         keys: by which content is recognised, for messages; empty for a format that is never
@@ -410,7 +410,7 @@ def suffixes_of(fmt: str = "auto") -> frozenset[str]:
 
 
 def _named(fmt: str) -> CameraFormat | None:
-    # Plug-ins are looked for only where the name is none of ours.
+    # Plug-ins are searched only for names that are not ours.
     own = next((known for known in FORMATS if known.name == fmt), None)
     return own or next((known for known in _plugins()[0] if known.name == fmt), None)
 

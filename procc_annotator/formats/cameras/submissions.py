@@ -348,7 +348,7 @@ def check_polylines(
 
     Args:
         path: the archive.
-        field: whose elements count.
+        field: its elements count.
         frames: names of the annotated frames, where they are known.
 
     Raises:

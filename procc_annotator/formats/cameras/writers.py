@@ -70,7 +70,7 @@ class ConvertedCameras:
         written: number of cameras.
         problems: one line for each camera that could not be read or that the format cannot hold.
         losses: remarks on the cameras, what of them the format does not hold, and for how many.
-        folded: frames whose cameras the official evaluation folds into the picture.
+        folded: frames with cameras that the official evaluation folds into the picture.
     """
 
     path: Path

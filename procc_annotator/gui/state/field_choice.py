@@ -13,9 +13,8 @@ from procc_annotator.dataset.database.database import WorkspaceDatabase
 from procc_annotator.dataset.database.location import folder_of
 from procc_annotator.dataset.dataset_field import (
     DatasetField,
-    dimensions_in_settings,
     field_of_settings,
-    lines_in_settings,
+    field_settings,
     own_field_file,
 )
 from procc_annotator.dataset.diagnostics import Mismatch, classes_in, distinctive_classes
@@ -181,10 +180,10 @@ class FieldChoice(QObject):
         def dimensions_of(nominal: Field) -> Mapping[str, float]:
             if field.source == path:
                 return {d.name: d.value for d in field.dimensions if d.value != d.nominal}
-            return dimensions_in_settings(settings, nominal).values
+            return field_settings(settings, nominal).dimensions
 
         def lines_of(nominal: Field) -> str:
-            return lines_in_settings(settings, nominal).lines or nominal.lines
+            return field_settings(settings, nominal).lines or nominal.lines
 
         def work(_: JobControl) -> tuple[Field | None, str]:
             found, problem = read_for_dataset(path, dimensions_of, lines_of)

@@ -153,7 +153,7 @@ class ReviewState(QObject):
         if blind and not self.record(frame).committed:
             commit = BlindCommit(self.database.author, time.time(), content_of(annotation))
             self.set_setting(setting_of(frame), write_commit(commit))
-        self.database.set_committed(frame, True)
+        self.database.commit(frame)
         self.set_status(frame, Status.DONE)
 
     def blind_commit(self, frame: str) -> BlindCommit | None:

@@ -13,8 +13,7 @@ from procc_annotator.batch.strata import Stratum, strata, values_of_frames
 from procc_annotator.field.model import Field
 from procc_annotator.metrics.sets import SetSummary
 from procc_annotator.metrics.setup import EvaluationSetup
-from procc_annotator.metrics.statistics.bootstrap import BootstrapSettings
-from procc_annotator.metrics.statistics.intervals import IntervalMethodName
+from procc_annotator.metrics.statistics.intervals import BootstrapSettings, IntervalMethodName
 from procc_annotator.report.scores.inference_tables import (
     annotation_noise_tables,
     curves_table,

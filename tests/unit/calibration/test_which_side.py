@@ -10,6 +10,7 @@ import pytest
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.assist.frame_analysis import rename_classes
 from procc_annotator.calibration.fitting import fit_camera
+from procc_annotator.calibration.label_check.candidate_classes import relabelled
 from procc_annotator.calibration.label_check.check import (
     FittedPosition,
     OppositeSideFrame,
@@ -18,7 +19,6 @@ from procc_annotator.calibration.label_check.check import (
     opposite_side_finding,
 )
 from procc_annotator.calibration.label_check.finding import RemedyKind, Rule, Severity
-from procc_annotator.calibration.label_check.orientation import relabelled
 from procc_annotator.camera.models import PinholeCamera
 
 STAND = FittedPosition((0.0, -70.0, -16.0), ((0.1, 0, 0), (0, 1.0, 0), (0, 0, 0.1)), "R", True)

@@ -52,4 +52,3 @@ def test_a_camera_is_scaled_to_the_evaluation_and_bears_its_doubt() -> None:
     assert cameras.camera("c", (960, 540)) is None
     assert cameras.why_none("c") == "no track here: a close-up"
     assert cameras.why_none("d") == "not followed so far"
-    assert set(cameras.without(["a"]).frames) == {"b"}

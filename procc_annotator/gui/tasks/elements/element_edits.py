@@ -11,7 +11,7 @@ from procc_annotator.dataset.records import OriginKind
 from procc_annotator.errors import UsageError
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interaction.class_choice import next_element
-from procc_annotator.interaction.gestures import confirming
+from procc_annotator.interaction.gestures import CONFIRM, step_name
 from procc_annotator.translation import tr, tr_count, translatable, translatable_count, word
 
 
@@ -147,7 +147,7 @@ class ElementEdits:
         document.aboutToLeave.emit()
         name = document.selected_class
         if name is not None and document.annotation.get_unconfirmed(name) is not None:
-            label = confirming(document.field.title_of(name))
+            label = step_name(CONFIRM, document.field.title_of(name))
             document.edit(label, lambda seen: editing.confirm(seen, name), OriginKind.COPIED)
 
     def confirm_all(self) -> None:

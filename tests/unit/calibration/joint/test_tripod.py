@@ -13,7 +13,7 @@ from procc_annotator.calibration.joint.shared_position import (
     fit_at_known_position,
     fit_shared_position,
 )
-from procc_annotator.calibration.label_check.orientation import relabelled
+from procc_annotator.calibration.label_check.candidate_classes import relabelled
 from procc_annotator.calibration.result import FitResult
 from procc_annotator.camera.models import PinholeCamera
 

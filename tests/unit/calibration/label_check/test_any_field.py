@@ -7,14 +7,14 @@ import pytest
 
 from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px, points_px
 from procc_annotator.calibration.fitting import fit_camera
-from procc_annotator.calibration.label_check.check import check_labels
-from procc_annotator.calibration.label_check.finding import Finding, Rule, Severity
-from procc_annotator.calibration.label_check.orientation import (
+from procc_annotator.calibration.label_check.candidate_classes import (
     MIRROR_X,
     MIRROR_Y,
     mirrored_names,
     relabelled,
 )
+from procc_annotator.calibration.label_check.check import check_labels
+from procc_annotator.calibration.label_check.finding import Finding, Rule, Severity
 from procc_annotator.calibration.prediction.ghosts import find_ghosts
 from procc_annotator.calibration.prediction.suggestions import suggest_annotations
 from procc_annotator.camera.models import PinholeCamera

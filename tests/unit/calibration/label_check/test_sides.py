@@ -8,17 +8,20 @@ import numpy as np
 import pytest
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.calibration.label_check.check import check_labels
-from procc_annotator.calibration.label_check.evidence import annotated_elements
-from procc_annotator.calibration.label_check.finding import RemedyKind, Rule, Severity
-from procc_annotator.calibration.label_check.orientation import (
+from procc_annotator.calibration.label_check.candidate_classes import (
     MIRROR_X,
     MIRROR_Y,
     mirrored_names,
-    orientation_relations,
     relabelled,
 )
-from procc_annotator.calibration.label_check.side_rules import contradictions, wrong_side_findings
+from procc_annotator.calibration.label_check.check import check_labels
+from procc_annotator.calibration.label_check.evidence import annotated_elements
+from procc_annotator.calibration.label_check.finding import RemedyKind, Rule, Severity
+from procc_annotator.calibration.label_check.side_rules import (
+    contradictions,
+    orientation_relations,
+    wrong_side_findings,
+)
 from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.calibration.result import FitResult
 from procc_annotator.dataset.editing import swap_classes

@@ -95,7 +95,7 @@ def test_everything_comes_back(opened: Open, frame: str) -> None:
     assert first.notices == ()
     assert first.record(frame) == FrameRecord()
     first.set_status(frame, Status.REJECTED)
-    first.set_committed(frame, True)
+    first.commit(frame)
     first.add_seconds(frame, 1.5)
     first.add_seconds(frame, 2.0)
     comment = first.add_comment(frame, "odd \udcff\0 text")
