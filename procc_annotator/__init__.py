@@ -16,6 +16,7 @@ if TYPE_CHECKING:  # for type checkers; each name comes from where `_HOMES` says
     from procc_annotator.annotation import FrameAnnotation as FrameAnnotation
     from procc_annotator.annotation import Point as Point
     from procc_annotator.annotation import Polyline as Polyline
+    from procc_annotator.api.calibration import check_labels as check_labels
     from procc_annotator.api.calibration import fit_camera as fit_camera
     from procc_annotator.api.calibration import propose_camera as propose_camera
     from procc_annotator.api.calibration import track as track
@@ -23,13 +24,12 @@ if TYPE_CHECKING:  # for type checkers; each name comes from where `_HOMES` says
     from procc_annotator.api.cameras import camera_from_homography as camera_from_homography
     from procc_annotator.api.cameras import camera_from_krt as camera_from_krt
     from procc_annotator.api.cameras import camera_from_projection as camera_from_projection
+    from procc_annotator.api.cameras import draw_overlay as draw_overlay
     from procc_annotator.api.cameras import save_camera as save_camera
-    from procc_annotator.api.drawing import draw_overlay as draw_overlay
     from procc_annotator.api.evaluation import disagreement as disagreement
     from procc_annotator.api.evaluation import evaluate as evaluate
     from procc_annotator.api.evaluation import jac_curve as jac_curve
     from procc_annotator.api.evaluation import project_field as project_field
-    from procc_annotator.api.label_check import check_labels as check_labels
     from procc_annotator.api.loading import Dataset as Dataset
     from procc_annotator.api.loading import load_annotation as load_annotation
     from procc_annotator.api.loading import load_annotations as load_annotations
@@ -80,6 +80,7 @@ _HOMES = {
         "Polyline",
     ),
     "api.calibration": (
+        "check_labels",
         "fit_camera",
         "propose_camera",
         "track",
@@ -89,16 +90,15 @@ _HOMES = {
         "camera_from_homography",
         "camera_from_krt",
         "camera_from_projection",
+        "draw_overlay",
         "save_camera",
     ),
-    "api.drawing": ("draw_overlay",),
     "api.evaluation": (
         "disagreement",
         "evaluate",
         "jac_curve",
         "project_field",
     ),
-    "api.label_check": ("check_labels",),
     "api.loading": (
         "Dataset",
         "load_annotation",

@@ -110,7 +110,7 @@ def as_camera(camera: object, name: str) -> CameraOrProjections:
     """A camera of any model, its answers checked from now on.
 
     Raises:
-        UsageError: it is none.
+        UsageError: it is not one.
     """
     if isinstance(camera, type):
         raise UsageError(f"{name}: {camera.__name__} is a class; give a camera made of it")
@@ -132,7 +132,7 @@ def as_annotation(annotation: object) -> FrameAnnotation:
     """An annotation.
 
     Raises:
-        UsageError: it is none.
+        UsageError: it is not one.
     """
     if isinstance(annotation, FrameAnnotation):
         return annotation
@@ -148,7 +148,7 @@ def as_field(field: object) -> Field:
     """A field, or the one of that name or file; the usual one for None.
 
     Raises:
-        UsageError: it is none. FieldError: there is no such field.
+        UsageError: it is not one. FieldError: there is no such field.
     """
     if isinstance(field, Field):
         return field

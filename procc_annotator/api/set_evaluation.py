@@ -38,8 +38,11 @@ from procc_annotator.formats.frame_names import FrameTable
 from procc_annotator.metrics.score import FrameScore
 from procc_annotator.metrics.sets import SetAccumulator, SetSummary
 from procc_annotator.metrics.setup import EvaluationSetup, check_thresholds
-from procc_annotator.metrics.statistics.bootstrap import BootstrapSettings
-from procc_annotator.metrics.statistics.intervals import Interval, IntervalMethodName
+from procc_annotator.metrics.statistics.intervals import (
+    BootstrapSettings,
+    Interval,
+    IntervalMethodName,
+)
 from procc_annotator.metrics.statistics.significance import PairedDifference
 from procc_annotator.report.scores.score_files import FRAME_COLUMNS, frame_values
 

@@ -32,10 +32,10 @@ from procc_annotator.metrics.polylines import arc_lengths
 Size = tuple[int, int]
 
 _AT_EDGE_PX = 12.0  # along the line
-_FARTHEST_BACK = 200
+_FARTHEST_BACK = 200  # frames: eight seconds at 25 per second
 _REACH_PX = 4.0  # the motion is known better
 _AGREE_PX = 1.2  # across: points so near to where the others of their element say show its paint
-_FEWEST_AGREED = 3
+_FEWEST_AGREED = 3  # two may agree by chance
 _ONWARDS = 12  # places at which a line is looked for that goes on to the edge; half must show it
 
 

@@ -13,7 +13,7 @@ from procc_annotator.metrics.polylines import arc_lengths, points_at_arc_lengths
 
 _SAGITTA_PX = 0.5  # how far chords may cut a bend
 _LARGEST_SPACING = 1 / 16  # of the picture's width
-_SMALLEST_SPACING = 1 / 80
+_SMALLEST_SPACING = 1 / 80  # 24 px of 1920
 _STEADY = 9  # so many steps tell how much a curve bends
 
 
@@ -51,7 +51,7 @@ def regular_parameters(
 
 EVERYWHERE = 201  # so many parameters stand for the whole curve
 _INLIER_PX = 1.0
-_ELLIPSE_CLICKS = 5
+_ELLIPSE_CLICKS = 5  # a conic has five degrees of freedom
 _ELLIPSE_PX = 6.0  # how far it may pass from a click
 _CLICKS_PX = 3.0  # ... and an ellipse through paint, from the middle one of them
 _FEWEST_PAINT, _DRAWS = 8, 80

@@ -25,7 +25,7 @@ from procc_annotator.image.pixels import PixelArray
 from procc_annotator.metrics.polylines import polyline_normals
 
 FARTHEST_PX = 80.0  # an end is looked for so far beyond where the camera expects it
-_LEAST_SD = 3.0
+_LEAST_SD = 3.0  # standard deviations: 99.7 %
 _LEAST_PX = 14.0
 _EVERY_PX, _MOST_PLACES = 6.0, 26
 _BESIDE_PX = 4.0
@@ -390,7 +390,6 @@ def _ending_at(line: VisibleLine, corner: Corner) -> VisibleLine | None:
 
 
 def _cut_back(line: VisibleLine, end: ExpectedEnd) -> VisibleLine:
-    """A line as far as it is surely its own."""
     sure = line.expected[1] - math.ceil(reach_of(end))
     seen = max((past for begin, past in line.runs if begin <= line.expected[1]), default=0)
     past = sure if seen >= line.length - _EDGE_GAP else max(sure, seen - _BACK_PX)

@@ -265,8 +265,8 @@ def _orders(shapes: Sequence[Points], names: Sequence[str | None]) -> list[Order
 _MOST_ORDERS = 3000
 _MOST_FRAMES = 16
 _FEWEST_EQUATIONS = 9  # one more than determine a homography: an order can be wrong
-_FEWEST_LINES = 5
-_LARGEST_FAMILY = 4
+_FEWEST_LINES = 5  # four determine a homography, the fifth tests it
+_LARGEST_FAMILY = 4  # 24 orders; a fifth line would make 120
 _FITS = 0.005  # of the picture's width: points are on their lines, as well as lenses let them
 _CAPPED = 0.02  # of the picture's width: a frame where no order fits decides nothing
 
@@ -372,7 +372,6 @@ def _is_whole(frame: LabelledFrame, families: Mapping[str, Sequence[str]]) -> bo
 
 
 def _ways(frames: Sequence[LabelledFrame], label: str) -> list[str]:
-    """The ways of ordering shapes, the one first in which they are always farther apart."""
     apart = [
         np.ptp([middle(points) for points in frame.shapes[label]], axis=0) * np.array(frame.size)
         for frame in frames

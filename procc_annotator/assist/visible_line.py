@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from procc_annotator.arrays import BoolArray, FloatArray, IntArray
-from procc_annotator.field.appearance import EDGE
+from procc_annotator.arrays import BoolArray, FloatArray, IntArray, true_runs
+from procc_annotator.field.model import EDGE
 from procc_annotator.image.line_profiles import (
     LineTarget,
     StraightenedCurve,
@@ -67,14 +67,14 @@ Runs = tuple[tuple[int, int], ...]
 BESIDE_PX = 12.0  # what is looked at to both sides of the line
 _LEAST_CONTRAST = 10.0  # of 255
 _CONTRAST_SHARES = 0.4, 2.2  # of what the line has at the nearest hits
-_COLOUR_COSINE = 0.93
+_COLOUR_COSINE = 0.93  # 22 degrees between two colours
 _GROUND_APART = 0.07  # of the shares of blue, green and red in a side's colour
 _GROUND_LIGHT = 0.45, 2.0
 _RUN_STEADY_PX = 13  # a line shows in nearly every cut over this length
 _STEADY_SHARE = 0.65
 _GAP_PX = 6
-_RUN_PX = 12
-_END_GAP_PX = 3
+_RUN_PX = 12  # twice the gap
+_END_GAP_PX = 3  # half the gap between runs
 _END_PX = 40
 _END_SHARE = 1.7  # as the larger of the contrast shares, where only one side shows the line
 
@@ -212,9 +212,8 @@ def _steady_runs(shown: BoolArray) -> Runs:
     half = min(_RUN_STEADY_PX, n) // 2
     counts = np.convolve(np.pad(shown.astype(float), half, mode="edge"), np.ones(2 * half + 1))
     steady = shown & (counts[2 * half : 2 * half + n] >= _STEADY_SHARE * (2 * half + 1))
-    edges = np.flatnonzero(np.diff(np.concatenate([[0], steady.astype(np.int8), [0]])))
     runs: list[tuple[int, int]] = []
-    for begin, end in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
+    for begin, end in true_runs(steady):
         if runs and begin - runs[-1][1] <= _GAP_PX:
             runs[-1] = runs[-1][0], end
         else:
@@ -250,7 +249,7 @@ def _reached(shown: BoolArray) -> int:
 
 
 _LEAST_REACH_PX = 2.0
-_REACH_SD = 3.0
+_REACH_SD = 3.0  # standard deviations: 99.7 %
 _STEADY_PX = 3  # over so many pixels to either side a line's direction is taken
 _SNAP_EVERY_PX = 14.0
 _SNAPS = (5, 40)

@@ -1,4 +1,4 @@
-"""Compare annotations of two or more annotators frame by frame."""
+"""Compare annotations of two or more annotators frame by frame; confidence intervals."""
 
 from __future__ import annotations
 
@@ -8,9 +8,11 @@ from functools import partial
 from itertools import combinations
 from typing import NamedTuple
 
+import numpy as np
 from natsort import natsorted
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.batch.grouping import Clusters
 from procc_annotator.batch.set_run import (
     ReopenableHandle,
     SetRun,
@@ -30,6 +32,16 @@ from procc_annotator.metrics.agreement import (
 )
 from procc_annotator.metrics.consensus import Consensus, build_consensus, compare_to_consensus
 from procc_annotator.metrics.setup import check_thresholds
+from procc_annotator.metrics.statistics.intervals import (
+    BootstrapSettings,
+    Interval,
+    RatioMetrics,
+    bootstrap,
+    confidence_intervals,
+    critical_value,
+    quantile_confidence_interval,
+)
+from procc_annotator.metrics.statistics.significance import required_frames
 
 MAX_ANNOTATORS = 26  # as many as there are letters
 
@@ -122,7 +134,7 @@ class ConsensusRun(SetRun[FrameOfAnnotators, ConsensusResult, None]):
         alone: for each annotator the frames that no one else has: not compared.
 
     Raises:
-        UsageError: nothing to compare, a threshold that is none, or a size that is no picture.
+        UsageError: nothing to compare, an invalid threshold or picture size.
         InputError: a folder or archive that cannot be listed.
     """
 
@@ -191,7 +203,7 @@ class AgreementRun(ConsensusRun):
         only_a, only_b: names of the frames only one annotated: reported, not compared.
 
     Raises:
-        UsageError: nothing to compare, a threshold that is none, or a size that is no picture.
+        UsageError: nothing to compare, an invalid threshold or picture size.
         InputError: a folder or archive that cannot be listed.
     """
 
@@ -225,3 +237,88 @@ class AgreementRun(ConsensusRun):
     def summary(self) -> AgreementSummary:
         """Figures of the frames seen so far."""
         return self._sums.summary()
+
+
+@dataclass(frozen=True)
+class AgreementIntervals:
+    """Intervals of the figures of an agreement; None of fewer than two clusters.
+
+    Attributes:
+        jac: tau -> of the mean JaC. median, p95: of the distances, px.
+        effective: as many clusters of equal size say as much.
+    """
+
+    jac: Mapping[float, Interval | None]
+    median: Interval | None
+    p95: Interval | None
+    effective: float
+
+
+@dataclass(frozen=True)
+class AgreementInference:
+    """The figures of an agreement over some frames, and how surely they are known.
+
+    Attributes:
+        frames: how many, each counted once.
+    """
+
+    summary: AgreementSummary
+    known: AgreementIntervals
+    frames: int
+
+    def frames_for(self, interval: Interval | None, half: float) -> int | None:
+        """Return how many frames like these make an interval reach so far to either side.
+
+        Args:
+            interval: one of `known`.
+            half: in its unit, above 0.
+
+        Returns:
+            None without an interval, or where it has no width.
+        """
+        if interval is None or not interval.high > interval.low:
+            return None
+        reached = critical_value(self.known.effective, interval.level)
+        deviation = (interval.high - interval.low) / 2 / reached
+        # Power 0.5: the interval's half width equals the wanted precision.
+        return required_frames(
+            half, deviation, self.frames, self.known.effective, level=interval.level, power=0.5
+        )
+
+
+def agreement_inference(
+    frames: Sequence[str],
+    found: Sequence[tuple[str, FrameAgreement]],
+    thresholds: Sequence[float],
+    clusters: Clusters,
+    draws: BootstrapSettings,
+) -> AgreementInference:
+    """The figures of agreements with their intervals.
+
+    Args:
+        frames: F names, as `clusters` has them.
+        found: agreements with the frame that each is of; several of one frame are alike.
+        thresholds: tau, px. draws: says the level.
+    """
+    sums = AgreementAccumulator(thresholds)
+    for name, agreement in found:
+        sums.add(name, agreement)
+    at = {name: place for place, name in enumerate(frames)}
+    places = np.array([at[name] for name, _ in found], dtype=np.intp)
+    distances = np.concatenate([np.empty(0), *(one.distances for _, one in found)])
+    of_frames = np.repeat(places, [len(one.distances) for _, one in found])
+    jacs = {}
+    effective = np.nan
+    for tau in thresholds:
+        own = [one.jac(tau) if one.element_count else np.nan for _, one in found]
+        ratios = RatioMetrics.mean(np.array(own, dtype=np.float64))
+        sampled = bootstrap(ratios, clusters.numbers[places], None)
+        effective = float(sampled.effective[0])
+        jacs[float(tau)] = confidence_intervals(sampled, draws)[0]
+    median, p95 = (
+        quantile_confidence_interval(distances, of_frames, clusters.numbers, share, draws)
+        for share in (0.5, 0.95)
+    )
+    return AgreementInference(
+        sums.summary(), AgreementIntervals(jacs, median, p95, effective), len(set(places))
+    )

@@ -382,7 +382,6 @@ def save_fit(
 
 
 def _fitted_from(annotation: FrameAnnotation, fit: FitResult, field: str) -> dict[str, Any]:
-    """Model, clicks and terms of a fit, and how well it did."""
     known: dict[str, Any] = {
         "program": f"procc-annotator {__version__}",
         "model": fit.model,

@@ -179,7 +179,6 @@ class WithPlugin:
 
 
 def _positions(cameras: Sequence[PinholeCamera]) -> list[KnownPosition]:
-    """Return where cameras stand, the first few of different ones."""
     found: list[np.ndarray] = []
     for camera in cameras:
         place = np.array(camera.position_world)

@@ -32,9 +32,11 @@ from procc_annotator.metrics.legacy import (
     legacy_averages,
     legacy_metrics,
 )
-from procc_annotator.metrics.statistics.bootstrap import BootstrapSettings, RatioMetrics, bootstrap
 from procc_annotator.metrics.statistics.intervals import (
+    BootstrapSettings,
     Interval,
+    RatioMetrics,
+    bootstrap,
     confidence_intervals,
     quantile_confidence_interval,
 )

@@ -199,7 +199,7 @@ def run_evaluation(
         grouping: what else to make figures by.
 
     Raises:
-        UsageError: nothing to evaluate, or a threshold that is none.
+        UsageError: nothing to evaluate, or an invalid threshold.
         InputError: a folder or archive that cannot be listed.
     """
     return run_digested(

@@ -18,8 +18,13 @@ from procc_annotator.batch.scoring import Evaluated
 from procc_annotator.formats.cameras.fit_record import NOT_FITTED, FitCounts, name_with_mark
 from procc_annotator.metrics.measurement import Measurement, measure_projected
 from procc_annotator.metrics.score import FrameScore, jac_curve
-from procc_annotator.metrics.statistics.bootstrap import BootstrapSettings, RatioMetrics, bootstrap
-from procc_annotator.metrics.statistics.intervals import CurveBand, curve_band
+from procc_annotator.metrics.statistics.intervals import (
+    BootstrapSettings,
+    CurveBand,
+    RatioMetrics,
+    bootstrap,
+    curve_band,
+)
 
 REPEATS = 20
 

@@ -14,18 +14,16 @@ from procc_annotator.batch.frame_sums import COMPARED, RATIOS, SPARSE, SPARSE_TA
 from procc_annotator.batch.grouping import Clusters
 from procc_annotator.errors import UsageError
 from procc_annotator.messages import pluralize
-from procc_annotator.metrics.statistics.bootstrap import (
-    BootstrapSample,
-    BootstrapSettings,
-    RatioMetrics,
-    bootstrap,
-)
 from procc_annotator.metrics.statistics.intervals import (
     AnnotationNoiseSensitivity,
+    BootstrapSample,
+    BootstrapSettings,
     CurveBand,
     Interval,
     IntervalMethodName,
+    RatioMetrics,
     annotation_noise_sensitivity,
+    bootstrap,
     confidence_intervals,
     curve_band,
     normal_ppf,

@@ -192,7 +192,6 @@ def agree(given: AgreeOptions) -> None:
 
 
 def _against_reference(given: AgreeOptions, reference: Path) -> int:
-    """Compare, print and write; returns the exit code."""
     files = outputs.figure_files(given.output)
     places = (reference, *given.annotators)
     shown = chosen_field(given.field, *places)
@@ -258,7 +257,6 @@ def _agree_all(
     given: AgreeOptions,
     files: Sequence[Path],
 ) -> list[str]:
-    """Compare, print and write; the errors of files that could not be read."""
     consensus = given.consensus
     writing: AbstractContextManager[None] = nullcontext()
     if consensus is not None:

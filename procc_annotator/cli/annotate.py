@@ -116,7 +116,6 @@ def annotate(
 def _with_camera(
     frames: Sequence[Frame], collection: CameraCollection, cameras: Path
 ) -> list[Frame]:
-    """The frames that have a camera."""
     found = [frame for frame in frames if frame.name in collection.frames]
     if not found:
         if instead := found_instead_of_cameras(cameras):
@@ -170,7 +169,6 @@ def _workspaces(pictures: PictureSource, out: Path) -> dict[Path, bool]:
 
 
 def _interrupted_message(done: Done, total: int, out: Path) -> str:
-    """Return what an interrupted run left, and how to go on."""
     looked_at = len(done.frames) + len(done.bare) + len(done.kept) + len(done.errors)
     return (
         f"{looked_at} of {pluralize(total, 'frame')} looked at,"
@@ -179,7 +177,6 @@ def _interrupted_message(done: Done, total: int, out: Path) -> str:
 
 
 def _report(done: Done, passed_over: int, pictures: PictureSource, out: Path) -> int:
-    """Say what was written and what was not; returns the exit code."""
     written = pluralize(len(done.frames), "annotation")
     what = f"{pluralize(done.elements, 'element')}, {pluralize(done.points, 'point')}"
     echo(f"written: {written} ({what}) to {out}, their points as proposed")

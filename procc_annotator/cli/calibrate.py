@@ -176,7 +176,6 @@ def _calibrate(
     thresholds: tuple[float, ...],
     kept: Checkpoint,
 ) -> int:
-    """Fit the cameras, each alone or with what they share; the exit code."""
     if given.shared_position:
         fits = fit_set(
             source, given.dataset, setup, sizes,
@@ -212,7 +211,6 @@ def _terms(
 
 
 def _interrupted_message(stopped: Interrupted, out: Path) -> str:
-    """Return what an interrupted run left, and how to go on."""
     go_on = "run it again with --resume to go on"
     if is_archive(out):
         return f"{out} was not written; {go_on}"
@@ -224,7 +222,6 @@ def _interrupted_message(stopped: Interrupted, out: Path) -> str:
 
 
 def _fit_individually(run: CalibrationRun, out: Path, workers: int | None, dask: str | None) -> int:
-    """Give every frame a camera of its own, write and print everything; returns the exit code."""
     with make_executor(workers, dask, frames=run.total, worth_from=WORTH_WORKERS) as executor:
         run.executor = executor
         hold_out = run.task.hold_out
@@ -245,7 +242,6 @@ def _fit_individually(run: CalibrationRun, out: Path, workers: int | None, dask:
 def _fit_jointly(
     fits: FittedFrames, setup: EvaluationSetup, thresholds: tuple[float, ...], out: Path
 ) -> int:
-    """Give the frames shared positions, write and print everything; returns the exit code."""
     with progress_bar("sharing positions") as progress:
         run = JointRun(fits.fits, fits.frames, setup, thresholds, progress)
     positions = {joint_calibration.POSITIONS_FILE: joint_calibration.positions_csv(run.places)}
@@ -312,7 +308,6 @@ def _print_report(report: CalibrationReport, out: Path) -> None:
 
 
 def _report_problems(report: CalibrationReport, out: Path) -> int:
-    """Say on stderr what a person should look at; returns the exit code."""
     remarks.report_remarks(report.remarks)
     if report.open:
         echo(

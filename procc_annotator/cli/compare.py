@@ -40,17 +40,15 @@ from procc_annotator.formats.file_listing import ANNOTATIONS_FOLDER, list_annota
 from procc_annotator.formats.file_source import open_source
 from procc_annotator.formats.frame_names import FrameTable
 from procc_annotator.messages import list_names, pluralize
-from procc_annotator.metrics.statistics.bootstrap import BootstrapSettings
+from procc_annotator.metrics.statistics.intervals import BootstrapSettings
 from procc_annotator.report import comparison
 from procc_annotator.report.comparison import (
     ComparisonReport,
+    closer_method_table,
     compare_sources,
+    comparison_intervals_table,
     paint_frames,
     write_comparison,
-)
-from procc_annotator.report.comparison_statistics import (
-    closer_method_table,
-    comparison_intervals_table,
 )
 from procc_annotator.report.tables.table import MetricTable
 
@@ -337,7 +335,6 @@ def _check_outputs(
     cameras: Sequence[CameraSet],
     dataset: Path | None,
 ) -> None:
-    """Nothing may be written over what is read, or among it."""
     with ExitStack() as files:
         inputs: list[outputs.Input] = list(cameras)
         if dataset is not None and dataset.exists():
@@ -365,7 +362,6 @@ def _draw(
     images: dict[str, Path],
     count: int | None,
 ) -> list[str]:
-    """Draw the frames that disagree most; what to say of it."""
     painter = pair_painter()
     if painter is None:
         return []

@@ -10,20 +10,41 @@ from typing import Any, TypeVar
 
 from rich.cells import cell_len
 from rich.console import Console, ConsoleOptions
-from rich.progress import (
-    BarColumn,
-    MofNCompleteColumn,
-    Progress,
-    TextColumn,
-    TimeRemainingColumn,
-)
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 from rich.segment import Segment
 from rich.table import Column, Table
 from rich.text import Text
 
 from procc_annotator.errors import printable
-from procc_annotator.report.tables.table import MetricTable
-from procc_annotator.report.tables.terminal import terminal_table
+from procc_annotator.report.tables.table import MetricTable, display_table
+
+
+def terminal_table(sheet: MetricTable) -> Table:
+    """Title and what the figures rest on, headings, rows, notes."""
+    from rich.table import Table
+    from rich.text import Text
+
+    heading = Text(sheet.title, "bold")
+    if sheet.described:
+        heading = Text.assemble((sheet.title, "bold"), "  ", (f"({sheet.described})", "dim"))
+    table = Table(
+        title=heading,
+        title_justify="left",
+        title_style="",
+        header_style="bold",
+        caption="\n".join(sheet.notes) or None,
+        caption_justify="left",
+    )
+    content = display_table(sheet)
+    for column in content.columns:
+        named = f"{column.group}\n{column.heading}" if column.group else column.heading
+        table.add_column(named, justify="right" if column.numeric else "left")
+    for at, row in enumerate(content.rows):
+        if at in content.parts:
+            table.add_section()
+        table.add_row(*(Text(cell.text, "bold" if cell.bold else "") for cell in row))
+    return table
+
 
 # A longer word (a path, a frame's name) may be cut.
 _LONGEST_WORD = 24

@@ -162,7 +162,6 @@ def convert(given: ConvertOptions) -> None:
 
 
 def _convert_annotations(given: ConvertOptions) -> int:
-    """Write annotations in another format; returns the exit code."""
     wanted = ConversionRequest(
         given.to, given.line_width, given.split, given.into, given.overwrite,
         given.keep_optional, given.pictures,
@@ -199,7 +198,6 @@ def _convert_annotations(given: ConvertOptions) -> int:
 
 
 def _convert_to_polylines(given: ConvertOptions) -> int:
-    """Write where cameras show the elements; returns the exit code."""
     size = options.shown_size(given.size) or OFFICIAL_SIZE
     setup = EvaluationSetup(chosen_field(given.field, given.frames), size, given.protocol)
     method, own = given.method or given.source.stem, options.shown_size(given.camera_size)
@@ -222,7 +220,6 @@ def _convert_to_polylines(given: ConvertOptions) -> int:
 
 
 def _convert_cameras(given: ConvertOptions) -> int:
-    """Write cameras in another format, from one picture size to another; returns the exit code."""
     size, own = options.shown_size(given.size), options.shown_size(given.camera_size)
     with _cameras(given) as (cameras, progress):
         done = export_cameras(

@@ -25,7 +25,7 @@ from procc_annotator.cli.evaluation_plan import (
     require_submitted_for,
     submitted_source,
 )
-from procc_annotator.cli.manifest_option import ManifestFile, ManifestOfRun
+from procc_annotator.cli.manifest import ManifestFile, ManifestOfRun
 from procc_annotator.cli.remarks import (
     report_camera_names,
     report_mismatch,

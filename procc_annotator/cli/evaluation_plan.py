@@ -257,12 +257,12 @@ def print_all(scored: list[Scored]) -> None:
         console.print(evaluations_table(f"By {by}", (by, "set", "method"), rows))
 
 
-def print_inference(told: Sequence[StatisticalResult]) -> None:
+def print_inference(results: Sequence[StatisticalResult]) -> None:
     """The sheets of every set."""
     console = stdout_console()
-    for one in told:
+    for one in results:
         for sheet in one.sheets:
-            named = f"{one.set_name}: {sheet.title}" if len(told) > 1 else sheet.title
+            named = f"{one.set_name}: {sheet.title}" if len(results) > 1 else sheet.title
             console.print(replace(sheet, title=named))
 
 

@@ -42,7 +42,8 @@ HELP = """\
 DATASET is a dataset folder, or a folder or zip archive of annotations; its frames are of one
 stadium, or --groups, else its stadiums.csv, names the stadium of each. Length and width are fitted,
 or whatever --dimension names that the rules of the sport leave open; every frame keeps a camera of
-its own. A dimension that the frames do not determine to half a metre is told, and counts as it was.
+its own. A dimension that the frames do not determine to half a metre is reported, and keeps its
+value.
 
 With --save the dimensions are kept in the workspace of the dataset, with its field and where its
 lines lie: its window and the other commands then go by them. Those of stadiums go to stadiums.csv
@@ -107,13 +108,13 @@ def field_size(
         fitted = fit_set(source, dataset, setup, sizes, model, groups, workers, dask)
     with progress_bar("field size") as progress:
         found = find_field_sizes(fitted.fits, fitted.frames, setup, thresholds, names, progress)
-    told: list[str] = []
+    said: list[str] = []
     try:  # before the table: whoever reads it may stop after the first lines
         if kept_in is not None:
-            told = _save(kept_in, setup.field, found, fitted.fits.groups or {})
+            said = _save(kept_in, setup.field, found, fitted.fits.groups or {})
     finally:
         _print_sizes(found, fitted, setup)
-    for line in told:
+    for line in said:
         echo(line)
     errors = [frame.error for frame in fitted.frames if frame.error is not None]
     raise typer.Exit(report_unreadable(errors))
@@ -151,20 +152,20 @@ def _save(
         What was kept where, a line each.
     """
     named, of_set = [s for s in sizes if s.group], [s for s in sizes if not s.group]
-    told, problems = [], []
+    said, problems = [], []
     try:
-        told += [_save_stadiums(dataset, field, named, groups)] if named else []
+        said += [_save_stadiums(dataset, field, named, groups)] if named else []
     except UsageError as error:
         problems.append(str(error))
     try:
-        told += [_save_of_set(dataset, field, size) for size in of_set]
+        said += [_save_of_set(dataset, field, size) for size in of_set]
     except UsageError as error:
         problems.append(str(error))
-    if not told:
+    if not said:
         raise UsageError("; ".join(problems))
     for problem in problems:
         echo(f"note: {problem}", err=True)
-    return told
+    return said
 
 
 def _save_of_set(dataset: Path, field: Field, size: FieldSize) -> str:

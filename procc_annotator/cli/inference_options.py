@@ -26,9 +26,9 @@ from procc_annotator.dataset.layout import FRAMES_FILE, folder_of_dataset
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.formats.file_source import read_file
 from procc_annotator.formats.strict_json import decode_as
-from procc_annotator.metrics.statistics.bootstrap import BootstrapSettings
 from procc_annotator.metrics.statistics.intervals import (
     INTERVAL_METHODS,
+    BootstrapSettings,
     IntervalMethodName,
     noise_from_median_distance,
 )
@@ -78,7 +78,7 @@ _LEAST_NOISE, _MOST_NOISE = 0.01, 100.0  # px
 
 def _known_method(text: str) -> str:
     if text not in INTERVAL_METHODS:
-        raise typer.BadParameter(f"{text!r} is none of {', '.join(INTERVAL_METHODS)}")
+        raise typer.BadParameter(f"{text!r} is not one of {', '.join(INTERVAL_METHODS)}")
     return text
 
 

@@ -83,7 +83,6 @@ def _is_dimension(name: str, colon: str, given: str) -> bool:
 
 
 def _dimension_example(name: str, key: str) -> str:
-    """Return how a dimension is written: the one that was meant, if the field has it."""
     try:
         field = load_field(name)
     except FieldError:
@@ -152,7 +151,7 @@ def _checked_lines(text: str | None) -> str | None:
     if text is None:
         return None
     if text not in LINE_POSITIONS:
-        raise typer.BadParameter(f"{text!r} is none of {', '.join(LINE_POSITIONS)}")
+        raise typer.BadParameter(f"{text!r} is not one of {', '.join(LINE_POSITIONS)}")
     return text
 
 

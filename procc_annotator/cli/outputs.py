@@ -213,7 +213,6 @@ def check_camera_folder(out: Path, inputs: Iterable[Path | None]) -> None:
 
 
 def _files(one: Input) -> list[str]:
-    """Files of an input on disk; an archive is one."""
     path = one if isinstance(one, Path) else one.path
     if isinstance(one, Path) or not path.is_dir():
         return [str(path)]

@@ -183,7 +183,6 @@ def propose(given: ProposeOptions) -> None:
 
 
 def _require_free(out: Path, frames: Sequence[Frame]) -> None:
-    """Raise UsageError if OUT holds cameras or their table."""
     names = [frame.name for frame in frames]
     there = any(outputs.holds_cameras(place, names) for place in (out, out / UNSURE_FOLDER))
     if there or (out / TABLE_FILE).exists():
@@ -230,7 +229,6 @@ def _frames_to_propose(
 
 
 def _interrupted_message(stopped: Interrupted, out: Path) -> str:
-    """Return what an interrupted run left, and how to go on."""
     go_on = "run it again with --resume to go on"
     if not stopped.written:
         return f"no sure camera was written; {go_on}"
@@ -244,7 +242,6 @@ def _interrupted_message(stopped: Interrupted, out: Path) -> str:
 def _report(
     found: ProposedSet, wanted: _FramesToPropose, problems: tuple[str, ...], out: Path
 ) -> int:
-    """Print what was found; returns the exit code."""
     console = stdout_console()
     console.print(states_table(found))
     if any(one.proposal is not None and not one.is_sure for one in found.frames):

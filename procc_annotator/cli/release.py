@@ -175,7 +175,7 @@ def release(given: ReleaseOptions) -> None:
         if given.check:
             found = _findings(source, given.dataset, folder, known, released)
             files[FINDINGS_FILE] = label_check.findings_csv(found)
-            counts = Counter(told.finding.severity.value for told in found.found)
+            counts = Counter(one.finding.severity.value for one in found.found)
             open_findings = {n: counts[n] for n in ("error", "warning", "hint") if counts[n]}
         agreed = ""
         if given.second is not None:
@@ -209,7 +209,6 @@ def release(given: ReleaseOptions) -> None:
 
 
 def _check_out(out: Path, source: FileSource, dataset: Path, *, overwrite: bool) -> None:
-    """Fail before the work."""
     outputs.check_place(out, [source])
     if dataset.is_dir() and out.resolve().is_relative_to(dataset.resolve()):
         raise UsageError(f"{out}: lies in what is read, write to another place than {dataset}")
@@ -247,14 +246,14 @@ def _date(text: str | None) -> str:
 def _findings(
     source: FileSource, dataset: Path, folder: Path | None, known: Field, own: FrameTable[None]
 ) -> label_check.CheckReport:
-    """Findings of the label check that nobody has ignored."""
+    """Findings of the label check, without those that were ignored."""
     sizes = fit_sizes(source, source.path, dataset, None)
     run = CheckRun(source, known, sizes, "R", looks=True)
     run.frames = [frame for frame in run.frames if frame.name in own]
     report = label_check.check_set(run, with_progress)
     ignored = {} if folder is None else ignored_keys(read_settings(folder)[0])
     report.found = [
-        told for told in report.found if told.key not in ignored.get(told.frame, frozenset())
+        one for one in report.found if one.key not in ignored.get(one.frame, frozenset())
     ]
     return report
 

@@ -13,8 +13,7 @@ from procc_annotator.cli.console import with_progress
 from procc_annotator.cli.echo import echo
 from procc_annotator.cli.painters import overlay_painter
 from procc_annotator.messages import list_names, pluralize
-from procc_annotator.report.overlay_pictures import Rendered, render_pictures
-from procc_annotator.report.overlay_scene import OverlayLook
+from procc_annotator.report.overlay_scene import OverlayLook, Rendered, render_pictures
 
 HELP = """\
 Colours and dashes are those of the window: they say which elements agree at --threshold; --legend

@@ -15,11 +15,10 @@ import typer
 from procc_annotator.cli import options, outputs
 from procc_annotator.cli.echo import echo
 from procc_annotator.cli.main import LazyCommand
-from procc_annotator.cli.manifest_option import DROPPED
+from procc_annotator.cli.manifest import DROPPED, Manifest, differences, read_manifest
 from procc_annotator.errors import UsageError
 from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.messages import pluralize
-from procc_annotator.report.manifest import Manifest, differences, read_manifest
 from procc_annotator.report.tables.data_files import json_bytes
 
 HELP = """\

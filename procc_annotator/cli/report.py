@@ -21,7 +21,7 @@ from procc_annotator.cli import (
 )
 from procc_annotator.cli.console import with_progress
 from procc_annotator.cli.echo import echo
-from procc_annotator.cli.manifest_option import ManifestFile, ManifestOfRun
+from procc_annotator.cli.manifest import ManifestFile, ManifestOfRun
 from procc_annotator.cli.method_arguments import parse_sources
 from procc_annotator.cli.painters import overlay_painter, pair_painter
 from procc_annotator.cli.remarks import report_mismatch, report_remarks, report_unreadable
@@ -36,7 +36,6 @@ from procc_annotator.formats.file_listing import ANNOTATIONS_FOLDER, list_annota
 from procc_annotator.formats.frame_names import FrameTable
 from procc_annotator.interaction.palette import SOURCE_COLOURS
 from procc_annotator.report.overlay_scene import OverlayLook
-from procc_annotator.report.page.html import is_foreign_file
 from procc_annotator.report.page.overlays import Painters
 from procc_annotator.report.page.pairs import PairPainters
 from procc_annotator.report.page.report import (
@@ -44,6 +43,7 @@ from procc_annotator.report.page.report import (
     ReportPainters,
     ReportRequest,
     check_request,
+    is_foreign_file,
     report_kind,
     write_report,
 )
@@ -269,7 +269,7 @@ def _outputs(cameras: list[str] | None, output: list[Path] | None) -> list[Path]
 
 
 def _frame_cost(request: ReportRequest, sources: int) -> int:
-    """Return what a frame of the set costs, in scored frames: comparing two cameras is dear."""
+    """Cost of a frame, in scored frames: comparing two cameras is slow."""
     legacy = sources - 1 if request.reference else 0
     return sources + _COMPARED_FRAME * (len(set(request.disagreement)) + legacy)
 
@@ -319,7 +319,6 @@ def _pair(text: str) -> tuple[str, str]:
 def _painters(
     written_to: Sequence[Path], picture_width: int, *, with_pairs: bool
 ) -> ReportPainters | None:
-    """Painters of a page; None where none is written."""
     if "html" not in map(report_kind, written_to):
         return None
     # matplotlib comes first: Qt reads the source of every module imported after it.

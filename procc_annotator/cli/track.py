@@ -171,7 +171,6 @@ def _track_shots(
     table: TrackTable,
     label: str,
 ) -> None:
-    """Follow shots and write what comes of it."""
     run = TrackRun(shots, shown, follow_shot)
     run.executor = executor
     with progress_bar(label) as progress:
@@ -194,7 +193,6 @@ def _shots_to_retry(
 
 
 def _number_of(text: str, pictures: PictureSource) -> int:
-    """The number of a frame that is given by its name, or by its number."""
     for number, frame in enumerate(pictures.frames):
         if frame.name == text:
             return number
@@ -257,7 +255,6 @@ def _prepare(pictures: PictureSource, shown: Field) -> None:
 
 
 def _shots(pictures: PictureSource, anchors: TrackAnchors, start: int | None) -> list[ShotToTrack]:
-    """The shots to follow: all, or that of one frame."""
     with progress_bar("looking for cuts") as progress:
         ranges = find_shots(pictures, progress)
     if start is not None:
@@ -274,7 +271,6 @@ def _shots(pictures: PictureSource, anchors: TrackAnchors, start: int | None) ->
 
 
 def _interrupted_message(stopped: Interrupted, out: Path) -> str:
-    """Return what an interrupted run left, and how to go on."""
     return (
         f"{stopped.written} of {pluralize(stopped.total, 'frame')} are in {out}/{TABLE_FILE};"
         " run it"
@@ -283,7 +279,6 @@ def _interrupted_message(stopped: Interrupted, out: Path) -> str:
 
 
 def _report(table: TrackTable, problems: list[str], kept: int, out: Path) -> int:
-    """Print what was found; returns the exit code."""
     console = stdout_console()
     console.print(shots_table(table))
     if gaps := gaps_of(table):

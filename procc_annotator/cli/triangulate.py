@@ -378,8 +378,6 @@ def _refuse_classes_of_another_field(source: FileSource, field: Field) -> None:
 def _locate(
     source: FileSource, place: Path, dataset: Path, field: Field, search: TriangulationSettings
 ) -> FoundInDataset:
-    """Read every annotation, and triangulate what is clicked."""
-
     def read(file: str) -> FrameAnnotation:
         return read_plain(source.read(file), source.display(file), field)
 

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.arrays import FloatArray
-from procc_annotator.field.appearance import (
+from procc_annotator.field.model import (
     ANY,
     ANY_LINE,
     BAR,
@@ -299,7 +299,7 @@ _COLOUR_DIRECTIONS = {
     YELLOW: (-1.0, 0.5, 0.5),
     BLUE: (1.0, -0.3, -0.7),
 }
-_CHANNELS = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
+_CHANNELS = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)  # blue, green and red alone
 _LIGHTNESS_SIGN = {LIGHTER: 1.0, DARKER: -1.0, WHITE: 1.0, BLACK: -1.0}
 # Of the step's length. Video halves the resolution of colour: a thin line differs from its flanks
 # in brightness alone, and only what has another colour than the paint can be separated.

@@ -16,7 +16,7 @@ from dataclasses import replace
 import numpy as np
 
 from procc_annotator.arrays import FloatArray
-from procc_annotator.field.appearance import ANY, BAR, EDGE, LINE, NOTHING, WHITE
+from procc_annotator.field.model import ANY, BAR, EDGE, LINE, NOTHING, WHITE
 from procc_annotator.image.line_candidates import (
     MARGIN_PX,
     MAX_CANDIDATES,
@@ -32,21 +32,19 @@ from procc_annotator.image.pixels import PixelArray
 
 SNAP_RADIUS_PX = 6.0
 
-_DIRECTIONS = 12
+_DIRECTIONS = 12  # 15 degrees apart
 _DIRECTION_OFFSETS = np.array(
     [-1.6, -0.8, -0.4, 0.0, 0.4, 0.8, 1.6]
 )  # of the angle between two directions
 _ANGLE_OFFSETS = np.radians([0.0, -5.0, 5.0])  # how a line may be turned against a given direction
 _CURVE_ANGLE_OFFSETS = np.radians([0.0, -6.0, 6.0, -12.0, 12.0])
 _BAR_ANGLE_OFFSETS = np.radians([0.0, -1.5, 1.5, -3.0, 3.0])
-_SAME_BAND_PX = 1.0
+_SAME_BAND_PX = 1.0  # a band that was refused is not examined from a place as near
 _MIN_LENGTH_PX, _MIN_LENGTH_ANY_PX = 16.0, 30.0
 # Px from the position to the middle of the cuts that show it, and how long it then must be.
 _ONE_SIDED_LENGTHS_PX = {LINE: (1.5, 36.0), BAR: (6.0, 46.0)}
-_CLICK_ERROR_PX, _LENGTH_PER_OFFSET = (
-    4.5,
-    20.0,
-)  # so far off a hand clicks; px of length for each px more
+# So far off a hand clicks; px of length for each px more
+_CLICK_ERROR_PX, _LENGTH_PER_OFFSET = 4.5, 20.0
 # Of the band against a given direction, which of a curve is that of a chord.
 _MAX_TURN_RAD, _MAX_TURN_CURVE_RAD = math.radians(8.0), math.radians(20.0)
 # Of the best one's merit: another band that convinces nearly as much; where paint may be lighter or

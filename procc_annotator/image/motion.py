@@ -13,13 +13,13 @@ from numpy.typing import NDArray
 from procc_annotator.arrays import BoolArray, FloatArray
 from procc_annotator.image.pixels import PixelArray
 
-_THUMBNAIL_SIZE = (48, 27)
+_THUMBNAIL_SIZE = (48, 27)  # 16:9, so small that players hardly count
 _HISTOGRAM_BINS = 6  # per colour channel
 _MIN_CUT_DIFFERENCE = (
     0.055  # a pan by 1.5 % of the width stays below 0.05, cuts between views start at 0.06
 )
 _CUT_RATIO = 2.5  # a cut stands out of the motion before and after it
-_CUT_WINDOW = 6
+_CUT_WINDOW = 6  # frames to either side: a quarter of a second
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,15 +98,15 @@ def cut_indices(steps: FloatArray, lasting: FloatArray) -> list[int]:
 
 
 _WORKING_SIDE_PX = 960  # pictures are matched with their longer side reduced to this
-_GRID_CELLS = (16, 9)
-_FEATURES_PER_CELL = 14
+_GRID_CELLS = (16, 9)  # square in a 16:9 picture: features come from all of it
+_FEATURES_PER_CELL = 14  # 2,016 in all
 _INLIER_PX = 2.5  # of the consensus among matches, at the reduced size
 _FINE_INLIER_PX = 1.2  # of the consensus among tracked points
 _STATIC_PX = 1.5  # a match that moves less could belong to a graphic
 _OVERLAY_GRAPHIC_PX = 4.0  # what moves so far and yet looks the same where it was is a graphic
 _FINE_STATIC_PX = 0.35  # the same of a tracked point
 _MIN_MATCHES = 12  # whatever their share: tracking shows whether they were right
-_MIN_TRACKED = 24
+_MIN_TRACKED = 24  # three per degree of freedom of a homography
 _MIN_CELLS = 8
 _MIN_SHARE = 0.3
 

@@ -19,7 +19,7 @@ from procc_annotator.errors import ImageError
 PixelArray = NDArray[np.uint8]
 
 MAX_PIXELS = 100_000_000  # 400 MB once decoded: more than any camera, less than any memory
-_PAGE_ALIGNMENT_BYTES = 4096
+_PAGE_ALIGNMENT_BYTES = 4096  # a memory page: touching one byte reserves all of it
 
 
 def require_decodable_size(path: Path, width: int, height: int) -> None:

@@ -12,10 +12,9 @@ import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation, Polyline
 from procc_annotator.arrays import BoolArray, FloatArray
-from procc_annotator.metrics.explanation import px_text
 from procc_annotator.metrics.measurement import Labelling, Measurement, nearest_points
 from procc_annotator.metrics.projection import ProjectedField
-from procc_annotator.metrics.score import FrameScore
+from procc_annotator.metrics.score import FrameScore, px_text
 from procc_annotator.translation import tr
 
 Size = tuple[int, int]

@@ -9,15 +9,18 @@ from typing import Any
 
 import numpy as np
 
-from procc_annotator.batch.agreement import AgreementRun, ConsensusResult
-from procc_annotator.batch.agreement_statistics import AgreementInference, agreement_inference
+from procc_annotator.batch.agreement import (
+    AgreementInference,
+    AgreementRun,
+    ConsensusResult,
+    agreement_inference,
+)
 from procc_annotator.batch.grouping import Clusters, clusters_of
 from procc_annotator.errors import UsageError
 from procc_annotator.formats.atomic import open_replacing
 from procc_annotator.messages import pluralize
 from procc_annotator.metrics.agreement import AgreementSummary, FrameAgreement, sorted_quantile
-from procc_annotator.metrics.statistics.bootstrap import BootstrapSettings
-from procc_annotator.metrics.statistics.intervals import Interval
+from procc_annotator.metrics.statistics.intervals import BootstrapSettings, Interval
 from procc_annotator.report.scores.inference_tables import interval_columns, interval_ends
 from procc_annotator.report.scores.score_files import field_terms, score_format
 from procc_annotator.report.scores.score_tables import pixels, worst_words
@@ -137,13 +140,13 @@ def inter_annotator_words(floor: AgreementInference) -> str:
     """The noise floor with its intervals, in words."""
     found, known = floor.summary.overall, floor.known
 
-    def told(value: float | None, interval: Interval | None) -> str:
+    def worded(value: float | None, interval: Interval | None) -> str:
         around = ""
         if interval is not None:
             around = f" [{pixels(interval.low)}, {pixels(interval.high)}]"
         return f"{pixels(value)} px{around}"
 
-    return f"median {told(found.median, known.median)}, 95 % {told(found.p95, known.p95)}"
+    return f"median {worded(found.median, known.median)}, 95 % {worded(found.p95, known.p95)}"
 
 
 def inter_annotator_entry(floor: AgreementInference, described: str) -> dict[str, Any]:
@@ -302,13 +305,13 @@ def jac_table(agreed: AgreementReport) -> MetricTable:
 def agreement_classes_table(agreed: AgreementReport) -> MetricTable:
     """Per class and, last, all classes together."""
     per_class, overall = agreed.summary.per_class, agreed.summary.overall
-    told = (POINTS, LEFT_OUT, COMMON, APART, ONLY_A, ONLY_B)
+    shown = (POINTS, LEFT_OUT, COMMON, APART, ONLY_A, ONLY_B)
     columns = (
-        Column("class", "class"), *(count_column(count.key, count.title) for count in told),
+        Column("class", "class"), *(count_column(count.key, count.title) for count in shown),
         *map(metric_column, DISTANCES),
     )  # fmt: skip
     rows = tuple(
-        (name, *metric_values((*told, *DISTANCES), figures))
+        (name, *metric_values((*shown, *DISTANCES), figures))
         for name, figures in [*((n.strip(), f) for n, f in per_class.items()), ("all", overall)]
     )
     title, parts = "Distances between A and B", (len(per_class),)

@@ -150,8 +150,8 @@ def calibrate_set(
                     target.write(result.file_name, result.data)
                     written.add(result.file_name)
                     worst.add(FrameRow.of(result.name, result.scores[thresholds[0]]))
-                told = _held_out_row(result, thresholds) if hold_out else ()
-                rows.append((*_row(result, thresholds), *told))
+                left_out = _held_out_row(result, thresholds) if hold_out else ()
+                rows.append((*_row(result, thresholds), *left_out))
                 element_rows += _element_rows(result)
                 _note(result, report)
         except KeyboardInterrupt:

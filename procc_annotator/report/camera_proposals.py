@@ -175,17 +175,17 @@ def _row(one: Proposed) -> Row:
 def states_table(found: ProposedSet) -> MetricTable:
     """Return how many frames are in each state, and how they are, median."""
     looked_at = len(found.frames) - len(found.errors)
-    told = (COVERAGE, EXPLAINED, RESIDUAL, MARGIN)
+    shown = (COVERAGE, EXPLAINED, RESIDUAL, MARGIN)
     rows = []
     for state in PROPOSAL_STATES:
         own = [one for one in found.frames if one.proposal and one.proposal.state == state]
-        said = [metric_values(told, one.proposal) for one in own]
-        medians = (_median([values[i] for values in said]) for i in range(len(told)))
+        said = [metric_values(shown, one.proposal) for one in own]
+        medians = (_median([values[i] for values in said]) for i in range(len(shown)))
         rows.append((state, len(own), *medians, _median([one.seconds for one in own])))
     columns = (
         Column("state"),
         count_column("frames"),
-        *map(metric_column, told),
+        *map(metric_column, shown),
         metric_column(SECONDS),
     )
     title = f"Proposals for {pluralize(looked_at, 'frame')}"

@@ -1,20 +1,27 @@
-"""The comparison of two camera sources: tables, files, and pictures painted by who is passed in."""
+"""The comparison of two camera sources: tables, intervals, files and pictures."""
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import asdict, astuple, dataclass, field, fields
 from pathlib import Path
 from typing import Any
 
 from procc_annotator.batch.comparison import (
+    KEYS,
+    SHARES,
     CameraPair,
     ComparedFrame,
     ComparisonRun,
     ComparisonSummary,
+    MetricWithInterval,
+    closer_source,
+    medians_with_intervals,
+    metrics_with_intervals,
     worst_frames,
 )
+from procc_annotator.batch.grouping import Clusters
 from procc_annotator.errors import ImageError, InputError, UsageError
 from procc_annotator.field.load import field_for_frame
 from procc_annotator.field.model import Field
@@ -24,11 +31,25 @@ from procc_annotator.formats.frame_names import file_of_frame
 from procc_annotator.messages import pluralize
 from procc_annotator.metrics.error_maps import OFFSIDE_ACCURACY_M, Disagreement
 from procc_annotator.metrics.legacy import LegacyMetrics, MetricAverage
+from procc_annotator.metrics.statistics.intervals import (
+    BootstrapSettings,
+)
+from procc_annotator.metrics.statistics.significance import PairedDifference
+from procc_annotator.report.agreement import intervals_described
+from procc_annotator.report.scores.inference_tables import interval_ends
 from procc_annotator.report.scores.score_files import field_terms, score_format
 from procc_annotator.report.tables.data_files import csv_bytes, json_bytes, table_entry
-from procc_annotator.report.tables.metrics import LEGACY, METRES, PIXELS, WITHIN
+from procc_annotator.report.tables.metrics import (
+    LEGACY,
+    METRES,
+    P_CORRECTED,
+    P_VALUE,
+    PIXELS,
+    WITHIN,
+)
 from procc_annotator.report.tables.table import (
     Column,
+    Metric,
     MetricTable,
     Row,
     count_column,
@@ -211,18 +232,19 @@ def legacy_table(compared: ComparisonReport) -> MetricTable:
 def worst_comparison_table(compared: ComparisonReport, count: int = WORST) -> MetricTable:
     """The frames to look at first: largest median disagreement."""
     worst = worst_frames(compared.frames, count)
-    told = LEGACY[:3]
+    legacy = LEGACY[:3]
     columns = (
         Column("frame", "frame"),
         *map(metric_column, METRES),
         metric_column(WITHIN),
         *map(metric_column, PIXELS[1:]),
-        *map(metric_column, told),
+        *map(metric_column, legacy),
     )
     rows = tuple(
         (
             frame.name, *metric_values(METRES, frame.statistics.metres), frame.within,
-            *metric_values(PIXELS[1:], frame.statistics.pixels), *metric_values(told, frame.legacy),
+            *metric_values(PIXELS[1:], frame.statistics.pixels),
+            *metric_values(legacy, frame.legacy),
         )
         for frame in worst
         if frame.statistics is not None and frame.legacy is not None
@@ -305,3 +327,112 @@ def _values(frame: ComparedFrame) -> Row:
         return (None,) * (8 + len(_LEGACY))
     distances = (*astuple(frame.statistics.metres), *astuple(frame.statistics.pixels))
     return (*distances, frame.within, frame.compared_share, *astuple(frame.legacy))
+
+
+# By the keys of `KEYS`; of the distances the median of a frame is meant.
+_FIGURES: dict[str, Metric] = {
+    "metres": METRES[1],
+    "pixels": PIXELS[1],
+    "within": WITHIN,
+    **{figure.key: figure for figure in LEGACY},
+}
+_WORDS = {
+    "metres": "frames' medians on the ground, m",
+    "pixels": "frames' medians in the picture, px",
+}
+_ENDS = (
+    Column("low", "low", "number", joined=" [{}, "),
+    Column("high", "high", "number", joined="{}]"),
+)
+
+
+def comparison_intervals_table(
+    frames: Sequence[ComparedFrame],
+    clusters: Clusters,
+    draws: BootstrapSettings,
+    names: tuple[str, str],
+    described: str,
+    name: str = "intervals",
+) -> MetricTable:
+    """Every figure of a comparison with its interval.
+
+    Args:
+        frames: those compared. clusters: of them. draws: says the level.
+        names: of the two sources. described: field and size.
+        name: of the sheet.
+    """
+    known, medians = (
+        metrics_with_intervals(frames, clusters, draws),
+        medians_with_intervals(frames, clusters, draws),
+    )
+    rows: list[Row] = []
+    figures: list[Metric] = []
+
+    def add(over: str, key: str, found: MetricWithInterval) -> None:
+        figures.append(_FIGURES[key])
+        rows.append((_words(key), over, found.value, *interval_ends(found.interval), found.frames))
+
+    for key in KEYS:
+        add("share of all area" if key == "within" else "mean", key, known[key])
+        if key in medians:
+            add("median", key, medians[key])
+    columns = (
+        Column("figure", "figure"), Column("over", "over frames"),
+        Column("value", "value", "number"), *_ENDS, count_column("frames"),
+    )  # fmt: skip
+    note = f"In brackets {intervals_described(draws, clusters)}."
+    return MetricTable(
+        name, f"{names[1]} against {names[0]}, intervals", columns, tuple(rows), described,
+        (note,), of_rows=tuple(figures),
+    )  # fmt: skip
+
+
+def closer_method_table(
+    pair: tuple[Sequence[ComparedFrame], Sequence[ComparedFrame]],
+    clusters: Clusters,
+    draws: BootstrapSettings,
+    names: tuple[str, str, str],
+    described: str,
+) -> MetricTable:
+    """Which of two sources is nearer to a third, figure by figure.
+
+    Args:
+        pair: the comparisons of each with the third, of the same frames. clusters: of these.
+        names: of the third, and of the two.
+        described: field and size.
+    """
+    found = closer_source(pair[0], pair[1], clusters, draws)
+    columns = (
+        Column("figure", "figure"),
+        Column("difference", f"{names[1]} less {names[2]}", "number"),
+        *_ENDS,
+        count_column("frames", "frames of all"),
+        metric_column(P_VALUE),
+        metric_column(P_CORRECTED),
+        Column("nearer", f"nearer to {names[0]}"),
+    )
+    rows = tuple(
+        (_words(key), one.value, *interval_ends(one.interval), one.frames, one.p, one.corrected,
+         _nearer(key, one, names[1:]))
+        for key, one in found.items()
+    )  # fmt: skip
+    notes = (
+        f"Means over the frames that all three have. In brackets"
+        f" {intervals_described(draws, clusters)}; p corrected for {len(found)} figures,"
+        f" {draws.count:,} exchanges, seed {draws.seed}.",
+    )
+    title = f"Is {names[1]} or {names[2]} nearer to {names[0]}"
+    figures = tuple(_FIGURES[key] for key in found)
+    return MetricTable("nearer", title, columns, rows, described, notes, of_rows=figures)
+
+
+def _words(key: str) -> str:
+    figure = _FIGURES[key]
+    return _WORDS.get(key) or f"{figure.title}, {figure.unit}"
+
+
+def _nearer(key: str, found: PairedDifference, names: Sequence[str]) -> str:
+    if found.value is None or not found.beyond_chance:
+        return "undecided"
+    second = (found.value > 0) != (key in SHARES)
+    return names[second]

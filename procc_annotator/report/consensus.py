@@ -12,15 +12,19 @@ from typing import Any
 import numpy as np
 
 from procc_annotator.arrays import FloatArray
-from procc_annotator.batch.agreement import ConsensusResult, ConsensusRun
-from procc_annotator.batch.agreement_statistics import AgreementInference, agreement_inference
+from procc_annotator.batch.agreement import (
+    AgreementInference,
+    ConsensusResult,
+    ConsensusRun,
+    agreement_inference,
+)
 from procc_annotator.batch.grouping import Clusters
 from procc_annotator.errors import UsageError
 from procc_annotator.formats.annotations.soccernet import write_annotation
 from procc_annotator.formats.atomic import open_replacing
 from procc_annotator.messages import pluralize
 from procc_annotator.metrics.agreement import ClassAgreement, FrameAgreement
-from procc_annotator.metrics.statistics.bootstrap import BootstrapSettings
+from procc_annotator.metrics.statistics.intervals import BootstrapSettings
 from procc_annotator.report.agreement import (
     ELEMENT_COLUMNS,
     WORST,

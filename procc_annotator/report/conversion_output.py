@@ -172,7 +172,7 @@ def write_converted(
     Raises:
         UsageError: a place or an option that makes no sense, an output that is an input, a format
             of SoccerNet's own for another sport or for classes that are another sport's.
-        AnnotationError: the existing file to be written into is none.
+        AnnotationError: the existing file is not of the format.
         SaveError: writing failed; an archive is then not there.
     """
     check_line_width(wanted.line_width)

@@ -120,11 +120,11 @@ def field_sizes_table(sizes: Sequence[FieldSize], described: str) -> MetricTable
     for size in sizes:
         for number, found in enumerate(size.stadium.dimensions if size.stadium else ()):
             d, sure = found.dimension, found.is_determined
-            told = _scores(size) if number == 0 else (None,) * (2 * len(scores))
+            shown = _scores(size) if number == 0 else (None,) * (2 * len(scores))
             rows.append((
                 size.group, d.title, d.value, None if sure else "not determined",
                 found.sd_m if sure else None, found.frames,
-                size.stadium.frames if size.stadium else 0, d.minimum, d.maximum, *told,
+                size.stadium.frames if size.stadium else 0, d.minimum, d.maximum, *shown,
             ))  # fmt: skip
     if not any(row[0] for row in rows):
         columns, rows = columns[1:], [row[1:] for row in rows]

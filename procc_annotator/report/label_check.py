@@ -93,11 +93,11 @@ class CheckReport:
         """Return what informs a person about a single label."""
         if not self.wrong_field:
             return self.found
-        return [told for told in self.found if told.finding.rule is not Rule.UNKNOWN_CLASS]
+        return [one for one in self.found if one.finding.rule is not Rule.UNKNOWN_CLASS]
 
     def frames_with(self, severity: Severity) -> int:
         """Number of frames with a finding of this severity."""
-        return len({told.frame for told in self.found if told.finding.severity is severity})
+        return len({one.frame for one in self.found if one.finding.severity is severity})
 
     def has_any(self, least: Severity) -> bool:
         """Return whether something is at least so severe; an unreadable annotation is."""
@@ -193,7 +193,7 @@ def findings_json(report: CheckReport, run: CheckRun) -> bytes:
         **field_terms(run.task.field),
         "size": _only(size.fitted for size in run.sizes.counts),
         "frames": report.frames,
-        "findings": [_entry(told) for told in report.found],
+        "findings": [_entry(one) for one in report.found],
         "without_camera": [
             {"frame": one.frame, "elements": one.elements, "failure": one.failure}
             for one in report.without_camera
@@ -209,11 +209,11 @@ def _only(sizes: Iterable[tuple[int, int]]) -> list[int] | None:
     return list(found.pop()) if len(found) == 1 else None
 
 
-def _entry(told: ReportedFinding) -> dict[str, Any]:
-    finding = told.finding
+def _entry(one: ReportedFinding) -> dict[str, Any]:
+    finding = one.finding
     return {
-        "frame": told.frame,
-        "size": list(told.size),
+        "frame": one.frame,
+        "size": list(one.size),
         "severity": finding.severity.value,
         "rule": finding.rule.value,
         "elements": list(finding.elements),
@@ -243,7 +243,7 @@ def counts_table(report: CheckReport) -> MetricTable:
         Column("rule", "found"),
         *(count_column(severity.value, f"{severity}s") for severity in Severity),
     )
-    counts = Counter((told.finding.rule, told.finding.severity) for told in report.found)
+    counts = Counter((one.finding.rule, one.finding.severity) for one in report.found)
     by_rule: list[Row] = [(rule.value, *(counts[rule, s] for s in Severity)) for rule in Rule]
     rows = [row for row in by_rule if any(row[1:])]
     concerned: Row = ("frames concerned", *(report.frames_with(severity) for severity in Severity))

@@ -9,12 +9,11 @@ from typing import Any
 
 import numpy as np
 
-from procc_annotator.batch.agreement import AgreementRun, ConsensusResult
-from procc_annotator.batch.agreement_statistics import agreement_inference
+from procc_annotator.batch.agreement import AgreementRun, ConsensusResult, agreement_inference
 from procc_annotator.batch.grouping import Clusters
 from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.metrics.agreement import FrameAgreement, sorted_quantile
-from procc_annotator.metrics.statistics.bootstrap import BootstrapSettings
+from procc_annotator.metrics.statistics.intervals import BootstrapSettings
 from procc_annotator.report.agreement import (
     agreement_columns,
     agreement_values,

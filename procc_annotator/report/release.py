@@ -276,7 +276,6 @@ def write_release(
 
 
 def _index_table(frames: Iterable[ReleasedFrame]) -> MetricTable:
-    """A row a frame: its files by their SHA-256."""
     columns = (
         *map(Column, ("frame", "split", "annotation", "annotation_sha256")),
         *map(count_column, ("elements", "points")),

@@ -16,8 +16,11 @@ from procc_annotator.batch.audit import TAU_GRID
 from procc_annotator.batch.frame_sums import FrameSums, SourceSums
 from procc_annotator.batch.grouping import clusters_of
 from procc_annotator.batch.inference import Inference
-from procc_annotator.metrics.statistics.bootstrap import BootstrapSettings
-from procc_annotator.metrics.statistics.intervals import INTERVAL_METHODS, IntervalMethodName
+from procc_annotator.metrics.statistics.intervals import (
+    INTERVAL_METHODS,
+    BootstrapSettings,
+    IntervalMethodName,
+)
 
 TAUS = (2.0, 5.0, 10.0, 20.0)
 FRAMES, SOURCES = 1454, 3

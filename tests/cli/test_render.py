@@ -14,8 +14,7 @@ from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.field.load import load_field
 from procc_annotator.metrics.setup import EvaluationSetup
-from procc_annotator.report.overlay_pictures import render_pictures
-from procc_annotator.report.overlay_scene import Scene, caption
+from procc_annotator.report.overlay_scene import Scene, caption, render_pictures
 
 PASS = (0x00, 0x9E, 0x73)
 TOO_FAR = (0xD5, 0x5E, 0x00)

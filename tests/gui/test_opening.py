@@ -13,7 +13,7 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.judged.score_table import WORST
-from procc_annotator.metrics.explanation import px_text
+from procc_annotator.metrics.score import px_text
 from tests.gui.conftest import MakeWindow
 
 ROOT = Path(__file__).parents[2]

@@ -18,7 +18,7 @@ from procc_annotator.dataset.records import FaultParty, Verdict
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
-from procc_annotator.metrics.explanation import explain_score, worst_elements_first
+from procc_annotator.metrics.score import explain_score, worst_elements_first
 from tests.gui.conftest import Hand, MakeWindow, all_done
 
 SETS = ("true", "bad")

@@ -12,8 +12,7 @@ import numpy as np
 
 from procc_annotator.camera.models import rotation_cam_from_world
 from procc_annotator.errors import CameraError
-from procc_annotator.formats.cameras.loaded_camera import LoadedCamera
-from procc_annotator.formats.cameras.registry import CameraFormat
+from procc_annotator.formats.cameras.loaded_camera import CameraFormat, LoadedCamera
 
 KEYS = {"size": 2, "pan_tilt_roll": 3, "position": 3, "focal": 1, "centre": 2, "lambda": 1}
 

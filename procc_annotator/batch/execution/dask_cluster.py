@@ -179,7 +179,6 @@ def _library_quiet() -> Iterator[None]:
 
 
 def _run_same_version(version: str, key: str, task: Callable[[C], R], chunk: C) -> R:
-    """Called in a Dask worker."""
     if version != __version__:
         raise ProccError(
             f"a Dask worker has procc-annotator {__version__}, this is {version}: the figures might"

@@ -268,6 +268,10 @@ def mirrored_names(
 ) -> Mapping[str, str] | None:
     """The class that each class becomes when the field is reflected.
 
+    A frame may be labelled top for bottom or left for right. Reflecting twice, across and along, is
+    half a turn: of a field that half a turn takes to itself the two reflections are one mistake. A
+    field without symmetry has no reflection either.
+
     Args:
         field: the elements.
         signs: factors of x and y: `ALONG` or `MIRROR_Y`.

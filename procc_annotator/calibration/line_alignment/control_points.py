@@ -20,7 +20,7 @@ from procc_annotator.calibration.optimization.camera_parameters import (
 )
 from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.calibration.optimization.projection import Lens, project
-from procc_annotator.camera.distortion import rays_cam
+from procc_annotator.camera.backprojection import rays_cam
 from procc_annotator.camera.models import NEAREST_DEPTH_M, PinholeCamera, rotation_cam_from_world
 from procc_annotator.field.model import Field
 from procc_annotator.image.pixels import PixelArray

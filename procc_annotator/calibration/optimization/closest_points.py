@@ -26,7 +26,7 @@ _PADDING_CURVE = np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 0.0]])
 def is_batchable(seen: Observations) -> bool:
     """Return whether all points lie on lines and curves that end at their ends, and count as they
     are."""
-    plain = seen.candidates.of_point is None and seen.parts.all_have_ends and seen.soft is None
+    plain = seen.candidates.of_point is None and seen.soft is None
     return plain and seen.curve_pairs == seen.points.shape[1]
 
 
@@ -115,7 +115,6 @@ class BatchedObservations:
                 circles.reshape(len(frames), 3, -1)[frame_of_row],
                 half[frame_of_row],
                 np.empty((3, 0)),
-                np.ones((2, 1), dtype=bool),
                 (),
             ),
             np.take_along_axis(first, line[:, None], axis=2)[frame_of_row],
@@ -277,9 +276,6 @@ def _closest_on_lines(
     feet.along[:, :, :split] = seen.line_span
     feet.hidden[:, :split] = False if hidden is None else seen.of_lines(hidden)
     at_first, at_second = position <= 0.0, position >= 1.0
-    if isinstance(seen, Observations) and not seen.parts.all_have_ends:
-        at_first &= seen.parts.ends[0, seen.line_of_pair]
-        at_second &= seen.parts.ends[1, seen.line_of_pair]
     at_first |= at_second
     np.logical_and(inside != share, at_first, out=feet.at_end[:, :split])
 
@@ -369,9 +365,6 @@ def _closest_on_curves(
     at_end = np.abs(angle) >= half
     if corner is not None:
         corner &= ~at_end
-    if isinstance(seen, Observations) and not seen.parts.all_have_ends:
-        ends = seen.parts.ends[:, seen.parts.lines :][:, seen.curve_of_pair]
-        at_end = ((angle <= -half) & ends[0]) | ((angle >= half) & ends[1])
     feet.at_end[:, on_curves] = at_end if corner is None else at_end | corner
 
 

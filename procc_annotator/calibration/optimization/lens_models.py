@@ -22,7 +22,6 @@ from procc_annotator.calibration.optimization.camera_parameters import (
     TILT,
 )
 from procc_annotator.calibration.optimization.camera_placement import (
-    camera_placement_prior,
     implausible_reason,
 )
 from procc_annotator.calibration.optimization.covariance import point_error_sd
@@ -33,10 +32,9 @@ from procc_annotator.calibration.optimization.initialization import (
     prior_near,
     wide_prior,
 )
-from procc_annotator.calibration.optimization.observations import ImageFrame, Observations
+from procc_annotator.calibration.optimization.observations import Observations
 from procc_annotator.calibration.optimization.residuals import (
     linear_map,
-    pinhole_residuals,
     whitened,
 )
 from procc_annotator.calibration.optimization.robust_fit import (
@@ -53,7 +51,6 @@ from procc_annotator.calibration.optimization.solver import (
     Problem,
     solve,
 )
-from procc_annotator.field.model import Field
 
 # Where the coefficient is looked for.
 _NEGATIVE_K1_STARTS = (-0.01, -0.05)
@@ -62,22 +59,22 @@ _NEGATIVE_K1_STARTS = (-0.01, -0.05)
 _NEGATIVE_K1_EVIDENCE = 6.0
 
 
-def try_negative_k1(found: CameraSolution, field: Field, frame: ImageFrame) -> CameraSolution:
+def try_negative_k1(found: CameraSolution, scene: FitScene) -> CameraSolution:
     """The same camera, or one with barrel distortion if that explains the points clearly better.
 
     Args:
         found: of the model R or R+.
-        field: the elements.
-        frame: the picture.
+        scene: what was fitted.
     """
-    if found.vector[KAPPA] != 0 or _predicted_gain(found, frame) < _NEGATIVE_K1_EVIDENCE / 2:
+    if found.vector[KAPPA] != 0 or _predicted_gain(found, scene) < _NEGATIVE_K1_EVIDENCE / 2:
         return found
     free = found.prior.mean.shape[1]
     starts = np.tile(found.vector, (len(_NEGATIVE_K1_STARTS), 1))
     starts[:, KAPPA] = _NEGATIVE_K1_STARTS
-    prior = prior_near(found.vector, camera_placement_prior(field), free)
-    other = _best_fit(FitScene(found.seen, field, frame), starts, prior, prior, bounded=KAPPA)
-    better = other.vector[KAPPA] < 0 and _explains_more(other, found, field, _NEGATIVE_K1_EVIDENCE)
+    prior = prior_near(found.vector, scene.around, free)
+    scene = scene._replace(seen=found.seen)
+    other = _best_fit(scene, starts, prior, prior, bounded=KAPPA)
+    better = other.vector[KAPPA] < 0 and _explains_more(other, found, scene, _NEGATIVE_K1_EVIDENCE)
     return other if better else found
 
 
@@ -91,7 +88,7 @@ def is_negative_k1_supported(found: CameraSolution) -> bool:
 
 
 def _explains_more(
-    other: CameraSolution, found: CameraSolution, field: Field, evidence: float
+    other: CameraSolution, found: CameraSolution, scene: FitScene, evidence: float
 ) -> bool:
     """Return whether a camera is plausible, leaves out no more elements than another one, and
     costs clearly less.
@@ -99,10 +96,10 @@ def _explains_more(
     Args:
         other: the one in question.
         found: the one it is compared with.
-        field: the elements.
+        scene: what was fitted.
         evidence: what it must save, squares of the error of a point.
     """
-    if implausible_reason(other.vector, camera_placement_prior(field)):
+    if implausible_reason(other.vector, scene.around):
         return False
     saved = found.robust_cost - other.robust_cost
     clearly = saved > evidence * point_error_sd(other) ** 2
@@ -128,9 +125,8 @@ def _best_fit(
         final_prior: of the final fit; None for `prior_near` the best one.
         bounded, iterations, hopeless: see `SolveRequest`.
     """
-    seen, field, frame = scene
-    around, free = camera_placement_prior(field), prior.mean.shape[1]
-    residuals = partial(pinhole_residuals, half_diagonal=frame.half_diagonal, free=free)
+    seen, around, free = scene.seen, scene.around, prior.mean.shape[1]
+    residuals = scene.residuals(free)
     problem = Problem(partial(residuals, seen=seen), seen.weights, ROBUST_LOSS, prior, bounded)
     robust = solve(problem, starts, iterations=iterations, tolerance=1e-3, hopeless=hopeless)
     order = np.argsort(robust.costs, kind="stable").tolist()
@@ -142,12 +138,12 @@ def _best_fit(
     return final_fit(seen, chosen, left_out, residuals, near)
 
 
-def _predicted_gain(found: CameraSolution, frame: ImageFrame) -> float:
+def _predicted_gain(found: CameraSolution, scene: FitScene) -> float:
     """Return what a step of the coefficient below 0 promises to save, squares of the error of a
     point."""
     free = found.prior.mean.shape[1]
     seen = found.seen.with_excluded(found.left_out)
-    at = pinhole_residuals(found.vector[None], seen, half_diagonal=frame.half_diagonal, free=free)
+    at = scene.residuals(free)(found.vector[None], seen)
     weights = FINAL_LOSS.cost_and_weight(at.distances)[1][0] * seen.weights
     weighted = at.derivatives[0] * weights
     slope = float((weighted[KAPPA] * at.values[0]).sum())
@@ -174,7 +170,7 @@ _CROPPED_EVIDENCE = 6.0
 _CROPPED_OVER_NEGATIVE_K1_EVIDENCE = 3.0
 
 
-def try_cropped(found: CameraSolution, field: Field, frame: ImageFrame) -> CameraSolution:
+def try_cropped(found: CameraSolution, scene: FitScene) -> CameraSolution:
     """The same camera, or one with its principal point elsewhere if that explains the points.
 
     Only a camera is doubted that leaves elements out, lies off the points, strains for the
@@ -183,18 +179,16 @@ def try_cropped(found: CameraSolution, field: Field, frame: ImageFrame) -> Camer
 
     Args:
         found: of the model R+.
-        field: the elements.
-        frame: the picture.
+        scene: what was fitted.
     """
     if is_cropped(found) or not _is_poor_fit(found):
         return found
-    around = camera_placement_prior(field)
-    side = np.array([camera_side(found.vector, around)])
-    prior = wide_prior(side, around, _CROPPED_FREE, centre_sd=CROPPED_CENTRE_SD)
-    scene, starts = FitScene(found.seen, field, frame), _cropped_starts(found.vector)
+    side = np.array([camera_side(found.vector, scene.around)])
+    prior = wide_prior(side, scene.around, _CROPPED_FREE, centre_sd=CROPPED_CENTRE_SD)
+    scene, starts = scene._replace(seen=found.seen), _cropped_starts(found.vector)
     other = _best_fit(scene, starts, prior, prior, bounded=KAPPA, hopeless=3.0)
     worth = _CROPPED_OVER_NEGATIVE_K1_EVIDENCE if found.vector[KAPPA] < 0 else _CROPPED_EVIDENCE
-    return other if _explains_more(other, found, field, worth) else found
+    return other if _explains_more(other, found, scene, worth) else found
 
 
 def is_cropped(found: CameraSolution) -> bool:
@@ -243,9 +237,7 @@ MANY_OUTLIERS = 3
 
 
 def fit_wide_angle(
-    seen: Observations,
-    field: Field,
-    frame: ImageFrame,
+    scene: FitScene,
     model: str,
     near: CameraSolution,
     fisheye: CameraSolution | None = None,
@@ -253,9 +245,7 @@ def fit_wide_angle(
     """Fit a strong lens without a start of its own.
 
     Args:
-        seen: the annotated points.
-        field: the elements.
-        frame: the picture.
+        scene: what is fitted.
         model: R2 or F.
         near: the best camera with one coefficient.
         fisheye: the best fisheye, if that is known already.
@@ -264,7 +254,8 @@ def fit_wide_angle(
     if fisheye is not None:
         fisheyes.append(fisheye.vector)
     for focal in _WIDE_ANGLE_FOCALS_PX if fisheye is None else ():
-        found = search_cameras([FitScene(_undistort_as_fisheye(seen, focal), field, frame)], "P")[0]
+        straight = scene._replace(seen=_undistort_as_fisheye(scene.seen, focal))
+        found = search_cameras([straight], "P")[0]
         own = _fisheye_vector_from(found.vector)
         own[KAPPA] = own[SECOND_KAPPA] = 0.0
         assumed = own.copy()
@@ -273,7 +264,7 @@ def fit_wide_angle(
     starts = (
         fisheyes
         if model == "F"
-        else [_radial_vector_from(v, frame.half_diagonal) for v in fisheyes]
+        else [_radial_vector_from(v, scene.frame.half_diagonal) for v in fisheyes]
     )
     if model == "R2":
         starts += [
@@ -283,29 +274,24 @@ def fit_wide_angle(
             starts[-len(_COEFFICIENT_STARTS) :], _COEFFICIENT_STARTS, strict=True
         ):
             start[[KAPPA, SECOND_KAPPA]] = both
-    return _best_wide_angle(seen, field, frame, np.array(starts))
+    return _best_wide_angle(scene, np.array(starts))
 
 
-def refine_wide_angle(
-    seen: Observations, field: Field, frame: ImageFrame, start: FloatArray
-) -> CameraSolution:
+def refine_wide_angle(scene: FitScene, start: FloatArray) -> CameraSolution:
     """Fit a strong lens from parameters (13,) that are nearly right; stale if they are not."""
-    around = camera_placement_prior(field)
-    residuals = partial(pinhole_residuals, half_diagonal=frame.half_diagonal, free=_WIDE_ANGLE_FREE)
-    seen = whitened(seen, linear_map(start))
+    residuals = scene.residuals(_WIDE_ANGLE_FREE)
+    seen = whitened(scene.seen, linear_map(start))
     left_out = outlier_elements(seen, residuals(start[None], seen).distances[0])
-    prior = prior_near(start, around, _WIDE_ANGLE_FREE)
+    prior = prior_near(start, scene.around, _WIDE_ANGLE_FREE)
     found = final_fit(seen, start[None], left_out, residuals, prior)
     return (
         found
         if found.has_stale_start or found.is_consistent
-        else _best_wide_angle(seen, field, frame, start[None])
+        else _best_wide_angle(scene, start[None])
     )
 
 
-def try_wide_angle(
-    found: CameraSolution, seen: Observations, field: Field, frame: ImageFrame
-) -> tuple[CameraSolution, str] | None:
+def try_wide_angle(found: CameraSolution, scene: FitScene) -> tuple[CameraSolution, str] | None:
     """A strong lens, and its model, if that explains the points clearly better; else None.
 
     Only a camera is doubted whose lines are bent, as only lenses of a wide angle do it, or that
@@ -313,34 +299,31 @@ def try_wide_angle(
 
     Args:
         found: of the model R+.
-        seen: the annotated points.
-        field: the elements.
-        frame: the picture.
+        scene: what was fitted.
     """
-    doubted = _has_bent_lines(seen) or found.left_out.sum() >= MANY_OUTLIERS
+    doubted = _has_bent_lines(scene.seen) or found.left_out.sum() >= MANY_OUTLIERS
     if found.vector[KAPPA] >= 0 and not doubted:
         return None
-    fisheye = fit_wide_angle(seen, field, frame, "F", found)
-    fits = (fit_wide_angle(seen, field, frame, "R2", found, fisheye), "R2"), (fisheye, "F")
-    better = [fit for fit in fits if wide_angle_explains_more(fit[0], found, field)]
+    fisheye = fit_wide_angle(scene, "F", found)
+    fits = (fit_wide_angle(scene, "R2", found, fisheye), "R2"), (fisheye, "F")
+    better = [fit for fit in fits if wide_angle_explains_more(fit[0], found, scene)]
     return min(better, key=lambda fit: fit[0].robust_cost, default=None)
 
 
-def wide_angle_explains_more(strong: CameraSolution, plain: CameraSolution, field: Field) -> bool:
+def wide_angle_explains_more(
+    strong: CameraSolution, plain: CameraSolution, scene: FitScene
+) -> bool:
     """Return whether a strong lens explains the points clearly better than one coefficient."""
-    return _explains_more(strong, plain, field, _WIDE_ANGLE_EVIDENCE)
+    return _explains_more(strong, plain, scene, _WIDE_ANGLE_EVIDENCE)
 
 
-def _best_wide_angle(
-    seen: Observations, field: Field, frame: ImageFrame, starts: FloatArray
-) -> CameraSolution:
+def _best_wide_angle(scene: FitScene, starts: FloatArray) -> CameraSolution:
     """The strong lens that explains the points best, from (B, 13) that may lead to it."""
-    around = camera_placement_prior(field)
-    rows = [prior_near(start, around, _WIDE_ANGLE_FREE) for start in starts]
+    rows = [prior_near(start, scene.around, _WIDE_ANGLE_FREE) for start in starts]
     prior = GaussianPrior(
         np.concatenate([row.mean for row in rows]), np.concatenate([row.inverse_sd for row in rows])
     )
-    scene = FitScene(whitened(seen, linear_map(starts[0])), field, frame)
+    scene = scene._replace(seen=whitened(scene.seen, linear_map(starts[0])))
     return _best_fit(scene, starts, prior, iterations=40)
 
 

@@ -12,9 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.annotation import FrameAnnotation, Polyline, points_px
-from procc_annotator.arrays import BoolArray, FloatArray, IntArray
+from procc_annotator.arrays import FloatArray, IntArray
 from procc_annotator.field.geometry import (
-    SAME_PLACE_M,
     Arc,
     Chain,
     Circle,
@@ -22,15 +21,10 @@ from procc_annotator.field.geometry import (
     Part,
     Spot,
     angles_of,
-    ends_of,
     parts_of,
-    points_at_angles,
 )
 from procc_annotator.field.landmarks import landmark_covariances
 from procc_annotator.field.model import Element, Field
-
-# A chain that turns by less at a joint goes on smoothly: a point off it lies across one part.
-_SMOOTH_JOINT_COSINE = math.cos(math.radians(10))
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,8 +37,6 @@ class Primitives:
             arc, then to the point a quarter turn further.
         curve_half: (C,) rad: half of each arc's angle; infinite for a circle, which has no ends.
         spots: (3, S) metres.
-        ends: (2, L + C + S) whether a part ends there, at its first and at its second end: not
-            where the next part of its chain goes on smoothly.
         of_element: E arrays of numbers: the parts of each element.
     """
 
@@ -52,7 +44,6 @@ class Primitives:
     curve_frames: FloatArray
     curve_half: FloatArray
     spots: FloatArray
-    ends: BoolArray
     of_element: tuple[IntArray, ...]
 
     @classmethod
@@ -68,7 +59,6 @@ class Primitives:
         lines = [part for part in flat if isinstance(part, Line)]
         curves = [part for part in flat if isinstance(part, Arc | Circle)]
         half = [(g.end_rad - g.start_rad) / 2 if isinstance(g, Arc) else np.inf for g in curves]
-        ends = np.concatenate([_end_flags(e) for e in elements], axis=1)
         return cls(
             _as_columns([*(g.start for g in lines), *(g.end for g in lines)]),
             _as_columns(
@@ -78,7 +68,6 @@ class Primitives:
             ),
             np.array(half, dtype=np.float64),
             _as_columns([part.position for part in flat if isinstance(part, Spot)]),
-            ends[:, order],
             tuple(np.split(number, until[:-1])),
         )
 
@@ -91,11 +80,6 @@ class Primitives:
     def curves(self) -> int:
         """Number of arcs and circles."""
         return int(self.curve_half.shape[-1])
-
-    @cached_property
-    def all_have_ends(self) -> bool:
-        """Return whether all parts end at their ends: without smooth chains they do."""
-        return bool(self.ends.all())
 
 
 @dataclass(frozen=True, eq=False)
@@ -145,34 +129,6 @@ def _vector_from_centre(curve: Arc | Circle, further_rad: float) -> Sequence[flo
     along, across = math.cos(middle + further_rad), math.sin(middle + further_rad)
     both = zip(curve.ahead, curve.aside, strict=True)
     return [curve.radius * (along * a + across * b) for a, b in both]
-
-
-def _end_flags(element: Element) -> BoolArray:
-    """(2, parts) whether the parts of an element end at their first and their second end."""
-    shape = element.geometry
-    if not isinstance(shape, Chain):
-        return np.ones((2, 1), dtype=bool)
-    count = len(shape.parts)
-    found = np.ones((2, count), dtype=bool)
-    followers = range(count if ends_of(shape) is None else count - 1)
-    for one in followers:
-        other = (one + 1) % count
-        if _continues_smoothly(shape.parts[one], shape.parts[other]):
-            found[1, one] = found[0, other] = False
-    return found
-
-
-def _continues_smoothly(one: Line | Arc, other: Line | Arc) -> bool:
-    return bool(_end_direction(one, 1) @ _end_direction(other, 0) > _SMOOTH_JOINT_COSINE)
-
-
-def _end_direction(part: Line | Arc, end: int) -> FloatArray:
-    """(3,) unit vector: where a part leads at its first or second end."""
-    if isinstance(part, Line):
-        span = np.subtract(part.end, part.start)
-        return np.asarray(span / max(float(np.linalg.norm(span)), SAME_PLACE_M))
-    angle = np.array([angles_of(part)[end] + math.pi / 2])
-    return np.asarray((points_at_angles(part, angle)[0] - part.centre) / part.radius)
 
 
 AnyArray = TypeVar("AnyArray", FloatArray, NDArray[np.bool_])

@@ -127,6 +127,23 @@ class CameraSolution:
         return bool(off.mean() >= _STALE_ELEMENT_SHARE or np.median(means) > _STALE_PX)
 
 
+class FitScene(NamedTuple):
+    """Annotated points of a frame, the field's elements, and the picture."""
+
+    seen: Observations
+    field: Field
+    frame: ImageFrame
+
+    @property
+    def around(self) -> CameraPlacementPrior:
+        """Where cameras stand around the field."""
+        return camera_placement_prior(self.field)
+
+    def residuals(self, free: int) -> Callable[..., Residuals]:
+        """(B, n) parameters, observations -> residuals, with derivatives by the first ``free``."""
+        return partial(pinhole_residuals, half_diagonal=self.frame.half_diagonal, free=free)
+
+
 def outlier_elements(seen: Observations, distances: FloatArray) -> NDArray[np.bool_]:
     """(E,) elements to leave out; none when too few would remain to say who is right."""
     left_out = seen.max_per_element(distances) > OUTLIER_PX
@@ -211,9 +228,7 @@ def final_request(
 
 
 def fit_models(
-    seen: Observations,
-    field: Field,
-    frame: ImageFrame,
+    scene: FitScene,
     vector: FloatArray,
     left_out: NDArray[np.bool_],
     models: Sequence[str],
@@ -221,9 +236,7 @@ def fit_models(
     """The final fits of several pinhole models to the same elements, sharing the work.
 
     Args:
-        seen: N points.
-        field: the elements.
-        frame: the picture.
+        scene: what is fitted.
         vector: (11,) parameters that are nearly right.
         left_out: (E,) elements taken for mistakes.
         models: P, R, R+ or some of them, the simplest first.
@@ -231,19 +244,17 @@ def fit_models(
     Returns:
         By model.
     """
-    around = camera_placement_prior(field)
     free = np.array([FREE_PARAMETERS[model] for model in models])
     most = int(free.max())
     fixed = np.arange(len(vector)) >= free[:, None]
     vectors = np.where(fixed, 0.0, vector)
-    rows = [prior_near(row, around, most) for row in vectors]
+    rows = [prior_near(row, scene.around, most) for row in vectors]
     prior = GaussianPrior(
         np.concatenate([one.mean for one in rows]), np.concatenate([one.inverse_sd for one in rows])
     )
-    residuals = partial(pinhole_residuals, half_diagonal=frame.half_diagonal, free=most)
-    seen = whitened(seen, linear_map(vector))
+    seen = whitened(scene.seen, linear_map(vector))
     asked = final_request(
-        seen, vectors, left_out, residuals, prior, held=fixed[:, :most], tolerance=1e-4
+        seen, vectors, left_out, scene.residuals(most), prior, held=fixed[:, :most], tolerance=1e-4
     )
     found = solve_request(asked)
     return {
@@ -271,46 +282,27 @@ _HOPELESS_RATIO = 3.0  # times the cost of a search that has ended
 _CORRECTION_SD = 0.1
 
 
-class FitScene(NamedTuple):
-    """Annotated points of a frame, the field's elements, and the picture."""
-
-    seen: Observations
-    field: Field
-    frame: ImageFrame
-
-    @property
-    def around(self) -> CameraPlacementPrior:
-        """Where cameras stand around the field."""
-        return camera_placement_prior(self.field)
-
-
 def search_cameras(scenes: Sequence[FitScene], model: str) -> list[CameraSolution]:
     """Fit a pinhole model to each of several frames without starts, all solved together."""
     return _fit_best_starts(scenes, _best_starts(scenes), model)
 
 
-def refine_camera(
-    seen: Observations, field: Field, frame: ImageFrame, model: str, start: FloatArray
-) -> CameraSolution:
+def refine_camera(scene: FitScene, model: str, start: FloatArray) -> CameraSolution:
     """Fit a pinhole model from parameters (11,) that are nearly right; stale if they are not."""
-    scene = FitScene(seen, field, frame)
-    vectors = start[None].copy()
-    vectors[:, FREE_PARAMETERS[model] :] = 0.0
-    vector, left_out = inlier_elements_near(seen, field, frame, vectors[0], model)
-    vectors = vector[None]
-    residuals = partial(
-        pinhole_residuals, half_diagonal=frame.half_diagonal, free=FREE_PARAMETERS[model]
-    )
-    prior = prior_near(vector, scene.around, FREE_PARAMETERS[model])
-    found = final_fit(seen, vectors, left_out, residuals, prior)
+    free = FREE_PARAMETERS[model]
+    start = start.copy()
+    start[free:] = 0.0
+    vector, left_out = inlier_elements_near(scene, start, model)
+    prior = prior_near(vector, scene.around, free)
+    found = final_fit(scene.seen, vector[None], left_out, scene.residuals(free), prior)
     same_side = camera_side(found.vector, scene.around) == camera_side(vector, scene.around)
     if found.has_stale_start or (same_side and found.is_consistent):
         return found
-    return _fit_best_starts([scene], [vectors], model)[0]
+    return _fit_best_starts([scene], [vector[None]], model)[0]
 
 
 def inlier_elements_near(
-    seen: Observations, field: Field, frame: ImageFrame, start: FloatArray, model: str
+    scene: FitScene, start: FloatArray, model: str
 ) -> tuple[FloatArray, NDArray[np.bool_]]:
     """Which elements to believe near a camera that was known before.
 
@@ -318,18 +310,16 @@ def inlier_elements_near(
     is far off may only be new: where the camera was little known it has much to say.
 
     Args:
-        seen: the annotated points.
-        field: the elements.
-        frame: the picture.
+        scene: what is fitted.
         start: (11,) parameters.
         model: P, R or R+.
 
     Returns:
         (11,) parameters to go on from, and (E,) the elements to leave out.
     """
-    around, free = camera_placement_prior(field), FREE_PARAMETERS[model]
-    residuals = partial(pinhole_residuals, half_diagonal=frame.half_diagonal, free=free)
-    seen = whitened(seen, linear_map(start))
+    around, free = scene.around, FREE_PARAMETERS[model]
+    residuals = scene.residuals(free)
+    seen = whitened(scene.seen, linear_map(start))
     left_out = outlier_elements(seen, residuals(start[None], seen).distances[0])
     if not left_out.any():
         return start, left_out
@@ -358,10 +348,10 @@ def refine_homography(seen: Observations, basis: FloatArray) -> CameraSolution:
     return final_fit(seen, robust.vectors, left_out, residuals, prior, basis=basis)
 
 
-def search_homography(seen: Observations, field: Field, frame: ImageFrame) -> CameraSolution:
+def search_homography(scene: FitScene) -> CameraSolution:
     """Fit a homography without a start: from the pinhole camera that explains the ground best."""
-    found = search_cameras([FitScene(seen, field, frame)], "P")[0]
-    return refine_homography(seen, homography_from_pinhole(found.vector))
+    found = search_cameras([scene], "P")[0]
+    return refine_homography(scene.seen, homography_from_pinhole(found.vector))
 
 
 def _best_starts(scenes: Sequence[FitScene]) -> list[FloatArray]:
@@ -376,13 +366,7 @@ def _best_starts(scenes: Sequence[FitScene]) -> list[FloatArray]:
         requests = [
             SolveRequest(
                 Problem(
-                    partial(
-                        pinhole_residuals,
-                        seen=few[row],
-                        half_diagonal=scene.frame.half_diagonal,
-                        free=free,
-                        thorough=False,
-                    ),
+                    partial(scene.residuals(free), seen=few[row], thorough=False),
                     few[row].weights,
                     SEARCH_LOSS,
                     search_prior(sides[row], scene.around, free),
@@ -424,13 +408,7 @@ def _fit_best_starts(
     for scene, vectors in zip(scenes, starts, strict=True):
         # The first is the best of the search.
         seen = whitened(scene.seen, linear_map(vectors[0]))
-        residuals = partial(
-            pinhole_residuals,
-            half_diagonal=scene.frame.half_diagonal,
-            seen=seen,
-            free=free,
-            thorough=False,
-        )
+        residuals = partial(scene.residuals(free), seen=seen, thorough=False)
         # A search may have led round a corner: what is expected of a camera goes by where it is.
         prior = wide_prior(_camera_sides(vectors, scene.around), scene.around, free)
         problem = Problem(residuals, seen.weights, ROBUST_LOSS, prior, bounded=KAPPA)
@@ -450,13 +428,12 @@ def _final_start(scene: FitScene, vectors: FloatArray, robust: Solution, model: 
     chosen = robust.vectors[[best]]
     prior = prior_near(chosen[0], around, FREE_PARAMETERS[model])
     distances = robust.distances[best]
-    residuals = partial(pinhole_residuals, half_diagonal=scene.frame.half_diagonal)
     if seen.curve_pairs > seen.line_pairs or seen.spreads is not None:
         # Those of curves were not thorough, and spots were softened by another camera.
         seen = whitened(seen, linear_map(chosen[0]))
-        distances = residuals(chosen, seen, free=free).distances[0]
-    residuals = partial(residuals, free=FREE_PARAMETERS[model])
-    return seen, chosen, outlier_elements(seen, distances), residuals, prior
+        distances = scene.residuals(free)(chosen, seen).distances[0]
+    left_out = outlier_elements(seen, distances)
+    return seen, chosen, left_out, scene.residuals(FREE_PARAMETERS[model]), prior
 
 
 def _camera_sides(vectors: FloatArray, around: CameraPlacementPrior) -> IntArray:

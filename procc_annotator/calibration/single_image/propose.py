@@ -36,12 +36,10 @@ from procc_annotator.calibration.single_image.field_points import (
     view_distance_px,
 )
 from procc_annotator.calibration.single_image.icp_refinement import (
+    ImageLinePixels,
     SearchScene,
     chamfer_agreement,
     harmonic_mean,
-)
-from procc_annotator.calibration.single_image.line_distance import (
-    ImageLinePixels,
     line_pixels_for_field,
 )
 from procc_annotator.calibration.single_image.proposal import (
@@ -161,17 +159,13 @@ _MIN_POSITION_SD_M = 0.05
 _MAX_MAHALANOBIS = 3.5  # beyond, the picture contradicts a known position (1 in 400 by chance)
 
 
-def _never_cancel() -> None:
-    """No one wants it stopped."""
-
-
 def propose_camera(
     picture: PixelArray,
     field: Field,
     *,
     known: Sequence[KnownPosition] = (),
     elsewhere: bool = True,
-    go_on: Callable[[], None] = _never_cancel,
+    go_on: Callable[[], None] = lambda: None,
 ) -> Proposal:
     """Find the camera of a picture from the paint on the ground.
 

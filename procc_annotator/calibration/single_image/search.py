@@ -31,17 +31,15 @@ from procc_annotator.calibration.single_image.field_points import (
 )
 from procc_annotator.calibration.single_image.icp_refinement import (
     ChamferAgreement,
-    SearchScene,
-    chamfer_agreement,
-    refine_by_icp,
-)
-from procc_annotator.calibration.single_image.line_distance import (
     CoarseLineGrid,
     ImageLinePixels,
     LineDistanceMaps,
+    SearchScene,
+    chamfer_agreement,
     direction_indices,
     map_cells,
     map_shape,
+    refine_by_icp,
 )
 
 DISTANCE_CELL_PX = 4

@@ -18,7 +18,7 @@ from procc_annotator.calibration.line_alignment.expected_lines import (
 from procc_annotator.calibration.line_alignment.refinement import POINT_SPACING_PX
 from procc_annotator.calibration.optimization.camera_parameters import camera_from_vector
 from procc_annotator.calibration.optimization.observations import ImageFrame
-from procc_annotator.calibration.single_image.line_distance import (
+from procc_annotator.calibration.single_image.icp_refinement import (
     SAME_DIRECTION_RAD,
     ImageLinePixels,
 )

@@ -10,17 +10,15 @@ from itertools import product
 import numpy as np
 
 from procc_annotator.arrays import FloatArray, IntArray
-from procc_annotator.metrics.statistics.bootstrap import (
+from procc_annotator.metrics.statistics.intervals import (
     BootstrapSample,
     BootstrapSettings,
-    RatioMetrics,
-    random_batches,
-)
-from procc_annotator.metrics.statistics.intervals import (
     Interval,
     IntervalMethodName,
+    RatioMetrics,
     confidence_intervals,
     critical_value,
+    random_batches,
     student_t_ppf,
 )
 

@@ -251,7 +251,6 @@ def _curves(report: AuditReport, charted: list[ChartedMethod]) -> Chart:
 
 
 def _differences(report: AuditReport, colours: Sequence[str]) -> Chart:
-    """JaC of every two sources, one less the other, over tau."""
     names = [source.marked_name for source in report.evaluated]
     pairs = report.certainty.pairs[:_MOST_PAIRS]
     shown = _LARGEST_TAU >= TAU_GRID

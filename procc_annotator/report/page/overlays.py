@@ -12,9 +12,8 @@ from procc_annotator.errors import ImageError, InputError
 from procc_annotator.formats.annotations.soccernet import read_annotation
 from procc_annotator.formats.file_listing import list_annotations
 from procc_annotator.formats.file_source import FileSource
-from procc_annotator.metrics.explanation import explain_score, worst_elements_first
 from procc_annotator.metrics.measurement import measure
-from procc_annotator.metrics.score import display_score, score
+from procc_annotator.metrics.score import display_score, explain_score, score, worst_elements_first
 from procc_annotator.report.overlay_scene import Paint, Scene
 from procc_annotator.report.page.report_data import AuditReport, ReportedSource
 from procc_annotator.report.scores.score_tables import percent_text, pixels

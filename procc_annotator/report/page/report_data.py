@@ -196,7 +196,7 @@ class AuditReport:
 
     @cached_property
     def certainty(self) -> Inference:
-        """Return how surely the figures of the sources that have any are known."""
+        """Statistical inference over the evaluated sources."""
         return self.chance.certainty(
             self.dataset,
             [
@@ -213,8 +213,8 @@ class AuditReport:
         return tuple(self.evaluated[at] for at in self.certainty.highest(MOST_DETAILED))
 
     @cached_property
-    def told(self) -> StatisticalResult:
-        """Return what chance leaves of their figures."""
+    def statistics(self) -> StatisticalResult:
+        """Intervals, tests and ranks of the evaluated sources."""
         return statistical_result(
             self.certainty,
             [source.summaries for source in self.evaluated],
@@ -323,7 +323,6 @@ def _evaluate(
     thresholds: tuple[float, ...],
     work: ReportWork,
 ) -> EvaluationRun[ReportedFrame]:
-    """The one place where the evaluation is called."""
     return run_digested(
         annotations,
         source.cameras,

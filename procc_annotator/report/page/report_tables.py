@@ -299,7 +299,7 @@ def report_json(
         "sources": [_source_entry(source) for source in report.sources],
         "pairs": [_pair_entry(pair) for pair in pairs],
         "failures": report.failures(),
-        **inference_entries([report.told]),
+        **inference_entries([report.statistics]),
         **(over_time_entries(over_time) if over_time else {}),
     }
     return json_bytes(content)

@@ -13,8 +13,7 @@ from procc_annotator.batch.strata import Stratum, strata, values_of_frames
 from procc_annotator.field.model import Field
 from procc_annotator.metrics.sets import SetSummary
 from procc_annotator.metrics.setup import EvaluationSetup
-from procc_annotator.metrics.statistics.bootstrap import BootstrapSettings
-from procc_annotator.metrics.statistics.intervals import IntervalMethodName
+from procc_annotator.metrics.statistics.intervals import BootstrapSettings, IntervalMethodName
 from procc_annotator.report.scores.inference_tables import (
     annotation_noise_tables,
     curves_table,
@@ -151,9 +150,9 @@ def statistical_result(
     return StatisticalResult(of_set[0], described, tuple(sheets), curves)
 
 
-def inference_entries(told: Sequence[StatisticalResult]) -> dict[str, Any]:
+def inference_entries(results: Sequence[StatisticalResult]) -> dict[str, Any]:
     """As files of figures hold it; nothing where nothing was asked."""
-    if not told:
+    if not results:
         return {}
     return {
         "chance": [
@@ -162,6 +161,6 @@ def inference_entries(told: Sequence[StatisticalResult]) -> dict[str, Any]:
                 "described": one.described,
                 **{sheet.name: table_entry(sheet) for sheet in (*one.sheets, *one.curves())},
             }
-            for one in told
+            for one in results
         ]
     }

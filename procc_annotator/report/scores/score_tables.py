@@ -178,7 +178,6 @@ def _set_columns(thresholds: Sequence[float]) -> tuple[Column, ...]:
 def _set_values(
     summaries: Mapping[float, SetSummary], thresholds: Sequence[float]
 ) -> tuple[float | None, ...]:
-    """A value for each of `_set_columns`."""
     return (
         summaries[thresholds[0]].completeness,
         *(summaries[tau].mean_jac for tau in thresholds),

@@ -22,7 +22,7 @@ from procc_annotator.batch.strata import strata, values_of_frames
 from procc_annotator.errors import UsageError
 from procc_annotator.field.load import load_field
 from procc_annotator.formats.cameras.fit_record import FitCounts
-from procc_annotator.metrics.statistics.bootstrap import BootstrapSettings
+from procc_annotator.metrics.statistics.intervals import BootstrapSettings
 from procc_annotator.report.scores.inference_tables import (
     annotation_noise_tables,
     differences_table,

@@ -17,7 +17,7 @@ from procc_annotator.calibration.optimization.camera_parameters import vector_fr
 from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.calibration.result import FitResult
 from procc_annotator.calibration.single_image.proposal import KnownPosition, Proposal
-from procc_annotator.calibration.tracking import edge_points, shot_tracker
+from procc_annotator.calibration.tracking import shot_tracker, smoother
 from procc_annotator.calibration.tracking.filter_step import (
     FilterStep,
     nearest_pinhole_vector,
@@ -139,7 +139,7 @@ def test_frames_solved_some_at_a_time_have_the_same_cameras(
         return _picture(number, lines=not 6 <= number < 12)  # some have nothing to solve
 
     whole = _followed(frame)
-    monkeypatch.setattr(edge_points, "_BATCH_FRAMES", 3)
+    monkeypatch.setattr(smoother, "_BATCH_FRAMES", 3)
     for one, other in zip(whole.frames, _followed(frame).frames, strict=True):
         assert one.fit is not None
         assert other.fit is not None

@@ -14,10 +14,9 @@ from procc_annotator.field.geometry import Arc, Chain, Circle, Line, Spot, parts
 from procc_annotator.field.landmarks import with_landmarks
 from procc_annotator.field.model import Field, Landmark, Symmetry
 from procc_annotator.metrics.agreement import compare_annotations
-from procc_annotator.metrics.explanation import explain_score
 from procc_annotator.metrics.measurement import Measurement, measure
 from procc_annotator.metrics.projection import project_field
-from procc_annotator.metrics.score import FrameScore, jac_curve, score
+from procc_annotator.metrics.score import FrameScore, explain_score, jac_curve, score
 from procc_annotator.metrics.sets import SetAccumulator
 from procc_annotator.metrics.setup import PROTOCOLS, EvaluationSetup
 from tests.unit.metrics.conftest import SIZE, make_field

@@ -5,11 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from procc_annotator.metrics.explanation import explain_score, worst_elements_first
 from procc_annotator.metrics.measurement import measure
 from procc_annotator.metrics.polylines import Polylines
 from procc_annotator.metrics.projection import ProjectedField
-from procc_annotator.metrics.score import jac_curve, score
+from procc_annotator.metrics.score import explain_score, jac_curve, score, worst_elements_first
 from procc_annotator.metrics.setup import EvaluationSetup
 
 CENTRE = (50.0, 25.0)

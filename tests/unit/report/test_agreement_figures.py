@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from procc_annotator.batch.agreement_statistics import AgreementInference, AgreementIntervals
+from procc_annotator.batch.agreement import AgreementInference, AgreementIntervals
 from procc_annotator.batch.grouping import NONE, clusters_of
 from procc_annotator.metrics.agreement import AgreementMetrics, AgreementSummary
-from procc_annotator.metrics.statistics.bootstrap import BootstrapSettings
-from procc_annotator.metrics.statistics.intervals import Interval
+from procc_annotator.metrics.statistics.intervals import BootstrapSettings, Interval
 from procc_annotator.report.agreement import intervals_described, sample_size_table
 from procc_annotator.report.tables.table import records
 

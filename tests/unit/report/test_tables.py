@@ -9,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from rich.console import Console
 
+from procc_annotator.cli.console import terminal_table
 from procc_annotator.metrics.sets import ClassSummary, SetSummary
 from procc_annotator.report.scores.score_tables import (
     FrameRow,
@@ -19,7 +20,6 @@ from procc_annotator.report.scores.score_tables import (
     summary_table,
 )
 from procc_annotator.report.tables.table import MetricTable
-from procc_annotator.report.tables.terminal import terminal_table
 
 
 def row(name: str, jac: float, error: float | None = 1.0) -> FrameRow:

@@ -14,14 +14,14 @@ from procc_annotator.gui.panels.rows import RIGHT, ElementRowsModel, ElementTabl
 from procc_annotator.gui.panels.states import EXPLANATIONS, ElementState, class_title, words_for
 from procc_annotator.gui.panels.titles import TitleDelegate
 from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU
-from procc_annotator.metrics.explanation import (
+from procc_annotator.metrics.measurement import Measurement
+from procc_annotator.metrics.score import (
+    FrameScore,
     ScoreExplanation,
     explain_score,
     px_text,
     worst_elements_first,
 )
-from procc_annotator.metrics.measurement import Measurement
-from procc_annotator.metrics.score import FrameScore
 from procc_annotator.translation import tr, word
 
 ELEMENT, STATUS, POINT, WORST, PASSES = range(5)

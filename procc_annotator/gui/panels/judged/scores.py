@@ -38,8 +38,7 @@ from procc_annotator.gui.panels.refresher import Refresher, judged
 from procc_annotator.gui.panels.states import ElementState, symbol_icon
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import fixed_width
-from procc_annotator.metrics.explanation import ScoreExplanation
-from procc_annotator.metrics.score import FrameScore
+from procc_annotator.metrics.score import FrameScore, ScoreExplanation
 from procc_annotator.translation import tr, word
 
 _VERY_NARROW = 300

@@ -17,8 +17,11 @@ from procc_annotator.calibration.label_check.candidate_classes import (
 from procc_annotator.calibration.label_check.check import check_labels
 from procc_annotator.calibration.label_check.evidence import annotated_elements
 from procc_annotator.calibration.label_check.finding import RemedyKind, Rule, Severity
-from procc_annotator.calibration.label_check.orientation import orientation_relations
-from procc_annotator.calibration.label_check.side_rules import contradictions, wrong_side_findings
+from procc_annotator.calibration.label_check.side_rules import (
+    contradictions,
+    orientation_relations,
+    wrong_side_findings,
+)
 from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.calibration.result import FitResult
 from procc_annotator.dataset.editing import swap_classes

@@ -9,10 +9,12 @@ import numpy as np
 import pytest
 import scipy
 
-from procc_annotator.metrics.statistics.bootstrap import BootstrapSettings, RatioMetrics, bootstrap
 from procc_annotator.metrics.statistics.intervals import (
     INTERVAL_METHODS,
+    BootstrapSettings,
+    RatioMetrics,
     bca_acceleration,
+    bootstrap,
     confidence_intervals,
     critical_value,
     student_t_cdf,

@@ -9,9 +9,11 @@ import numpy as np
 import pytest
 import scipy
 
-from procc_annotator.metrics.statistics.bootstrap import BootstrapSettings, RatioMetrics, bootstrap
 from procc_annotator.metrics.statistics.intervals import (
+    BootstrapSettings,
+    RatioMetrics,
     annotation_noise_sensitivity,
+    bootstrap,
     confidence_intervals,
     curve_band,
     noise_from_median_distance,

@@ -5,8 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from procc_annotator.metrics.statistics.bootstrap import BootstrapSettings
-from procc_annotator.metrics.statistics.intervals import quantile_confidence_interval
+from procc_annotator.metrics.statistics.intervals import (
+    BootstrapSettings,
+    quantile_confidence_interval,
+)
 
 DRAWS = BootstrapSettings()
 

@@ -11,7 +11,7 @@ import pytest
 from procc_annotator.batch.comparison import ComparisonSummary
 from procc_annotator.metrics.error_maps import MapSummary
 from procc_annotator.report.page.pairs import ReportedPair, disagreement_section
-from procc_annotator.report.tables.latex import escape_latex, latex_table, latex_tables
+from procc_annotator.report.tables.data_files import escape_latex, latex_table, latex_tables
 from procc_annotator.report.tables.table import Column, Metric, MetricTable, metric_column
 
 

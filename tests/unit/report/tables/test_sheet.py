@@ -10,8 +10,9 @@ import math
 import pytest
 from rich.console import Console
 
+from procc_annotator.cli.console import terminal_table
 from procc_annotator.formats.csv_tables import unescape_formula
-from procc_annotator.report.page.html import page_template
+from procc_annotator.report.page.report import page_template
 from procc_annotator.report.tables import metrics
 from procc_annotator.report.tables.data_files import csv_bytes, json_bytes, table_entry
 from procc_annotator.report.tables.table import (
@@ -26,7 +27,6 @@ from procc_annotator.report.tables.table import (
     display_table,
     metric_column,
 )
-from procc_annotator.report.tables.terminal import terminal_table
 
 LOW = Metric("low", "low", "%")
 HIGH = Metric("high", "high", "%")
