@@ -18,7 +18,6 @@ from procc_annotator.report.export import (
     Exported,
     Scoring,
     export_dataset,
-    export_split,
     split_scores,
 )
 from procc_annotator.report.outputs import is_archive
@@ -93,10 +92,9 @@ def export(
         folder = f"{split}/" if split else ""
         names = [*(f"{folder}{name}.json" for name in frames.names), *scores]
         with outputs.replacing_nothing(out, names, "export", overwrite=overwrite):
-            if split:
-                exported = export_split(frames, out, split, scoring)
-            else:
-                exported = export_dataset(frames, out, scoring, keep_optional=keep_optional)
+            exported = export_dataset(
+                frames, out, scoring, split=split, keep_optional=keep_optional
+            )
     _print_summary(exported, setup, scored=camera_set is not None, split=split)
     raise typer.Exit(remarks.report_unreadable(exported.problems))
 

@@ -42,7 +42,8 @@ HELP = """\
 DATASET is a dataset folder, or a folder or zip archive of annotations; its frames are of one
 stadium, or --groups, else its stadiums.csv, names the stadium of each. Length and width are fitted,
 or whatever --dimension names that the rules of the sport leave open; every frame keeps a camera of
-its own. A dimension that the frames do not determine to half a metre is reported and kept.
+its own. A dimension that the frames do not determine to half a metre is reported, and keeps its
+value.
 
 With --save the dimensions are kept in the workspace of the dataset, with its field and where its
 lines lie: its window and the other commands then go by them. Those of stadiums go to stadiums.csv

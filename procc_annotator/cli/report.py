@@ -36,7 +36,6 @@ from procc_annotator.formats.file_listing import ANNOTATIONS_FOLDER, list_annota
 from procc_annotator.formats.frame_names import FrameTable
 from procc_annotator.interaction.palette import SOURCE_COLOURS
 from procc_annotator.report.overlay_scene import OverlayLook
-from procc_annotator.report.page.html import is_foreign_file
 from procc_annotator.report.page.overlays import Painters
 from procc_annotator.report.page.pairs import PairPainters
 from procc_annotator.report.page.report import (
@@ -44,6 +43,7 @@ from procc_annotator.report.page.report import (
     ReportPainters,
     ReportRequest,
     check_request,
+    is_foreign_file,
     report_kind,
     write_report,
 )

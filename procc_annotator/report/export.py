@@ -9,7 +9,7 @@ from __future__ import annotations
 import os
 from collections import Counter
 from collections.abc import Callable, Container, Iterator, Sequence
-from contextlib import ExitStack, contextmanager
+from contextlib import AbstractContextManager, ExitStack
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import IO
@@ -94,93 +94,78 @@ class Scoring:
 def export_dataset(
     frames: AnnotatedFrames,
     out: Path,
-    scoring: Scoring,
+    scoring: Scoring | None = None,
     progress: Progress | None = None,
     *,
+    split: str = "",
     keep_optional: bool = False,
 ) -> Exported:
-    """Write the annotations of all annotated frames, ``jac.csv`` and ``jac.json``.
+    """Write the annotations of all annotated frames, and their scores.
+
+    With a split only ``SPLIT/FRAME.json`` is written, as the official evaluation reads it: it takes
+    every file of an archive, or of a split's folder, for a frame, and stops at a class it does not
+    know and at an entry that is no list of points, which are left out. Scores, of exactly what is
+    written, then go to `split_scores` where there are cameras.
 
     Args:
         frames: of the dataset.
         out: a folder (made if needed), or an archive if it ends in ``.zip``.
-        scoring: what to score with.
+        scoring: what to score with, to ``jac.csv`` and ``jac.json``; None writes no scores.
         progress: called with frames done and frames in all.
+        split: the folder inside OUT.
         keep_optional: whether elements that SoccerNet has no class for are written as well; a
             field of another sport keeps them anyway.
 
     Raises:
-        UsageError: ``out`` is where the dataset itself lies.
+        UsageError: ``out`` is where the dataset itself lies; for a split, a field of another sport,
+            a frame in a tree of folders, or a folder that holds another set's files.
         SaveError: writing failed; an archive is then not there at all.
     """
+    if split:
+        require_soccernet(frames.field, "the official evaluation")
+        _require_flat(frames.names)
+        if not is_archive(out):
+            _require_own(out / split, frames.names)
+        if scoring is not None and scoring.cameras is None:
+            scoring = None
+    own = {folder.resolve() for folder in frames.folders}
+    if out.resolve() in own or (split and (out / split).resolve() in own):
+        raise UsageError(f"{out}: this is the dataset itself, export to another folder")
     exported, written = Exported(out), set[str]()
-    with _open_target(frames, out) as target, ExitStack() as open_files:
-        writers = [
-            _writer(open_files.enter_context(target.stream(name)), Path(name), scoring)
-            for name in JAC_FILES
-        ]
-        totals = _Totals(scoring, exported, writers)
+    with open_target(out) as target, ExitStack() as open_files:
+        totals = None
+        if scoring is not None:
+            streams = [
+                (open_files.enter_context(_score_stream(target, path, split)), path)
+                for path in (split_scores(out) if split else map(Path, JAC_FILES))
+            ]
+            totals = _Totals(scoring, exported, [_writer(*stream, scoring) for stream in streams])
         for name, annotation in _annotated(frames, exported, progress):
             leaves = _leaving(annotation, frames.field, exported, keep_optional)
-            target.write(f"{name}.json", write_annotation(leaves))
+            if split:
+                leaves, out_words = without_unknown_to_official(leaves)
+                exported.left_out.update(out_words)
+            file = f"{split}/{name}.json" if split else f"{name}.json"
+            target.write(file, write_annotation(leaves))
             exported.annotations += 1
-            written.add(f"{name}.json")
-            totals.add(name, annotation)
-        totals.finish()
-    if not is_archive(out):
+            written.add(file)
+            if totals is not None:
+                totals.add(name, leaves if split else annotation)
+        if totals is not None:
+            totals.finish()
+    if scoring is not None and not split and not is_archive(out):
         with open_source(out) as there:
             kept = list_annotations(there).items()
             exported.others = tuple(name for name, file in kept if file not in written)
     return exported
 
 
-def export_split(
-    frames: AnnotatedFrames,
-    out: Path,
-    split: str,
-    scoring: Scoring,
-    progress: Progress | None = None,
-) -> Exported:
-    """Write annotations as the official evaluation reads them: nothing but ``SPLIT/FRAME.json``.
-
-    It takes every file of an archive, or of a split's folder, for a frame, and stops at a class it
-    does not know and at an entry that is no list of points: those are left out. Scores, of exactly
-    what is written, go to `split_scores` where there are cameras.
-
-    Args:
-        frames: of the dataset.
-        out: a folder (made if needed), or an archive if it ends in ``.zip``.
-        split: the folder inside it.
-        scoring: what to score with.
-        progress: called with frames done and frames in all.
-
-    Raises:
-        UsageError: ``out`` is where the dataset itself lies; a field of another sport; a frame in a
-            tree of folders, which the evaluation cannot name; or the split's folder holds another
-            set's files.
-        SaveError: writing failed; an archive is then not there at all.
-    """
-    require_soccernet(frames.field, "the official evaluation")
-    _require_flat(frames.names)
-    if not is_archive(out):
-        _require_own(out / split, frames.names)
-    exported = Exported(out)
-    paths = split_scores(out) if scoring.cameras is not None else ()
-    with _open_target(frames, out, split) as target, ExitStack() as open_files:
-        for path in paths:
-            make_folder(path.parent)
-        streams = [(open_files.enter_context(open_replacing(path)), path) for path in paths]
-        totals = _Totals(scoring, exported, [_writer(*stream, scoring) for stream in streams])
-        for name, annotation in _annotated(frames, exported, progress):
-            leaves = _leaving(annotation, frames.field, exported, keep_optional=False)
-            leaves, out_words = without_unknown_to_official(leaves)
-            exported.left_out.update(out_words)
-            target.write(f"{split}/{name}.json", write_annotation(leaves))
-            exported.annotations += 1
-            if paths:
-                totals.add(name, leaves)
-        totals.finish()
-    return exported
+def _score_stream(target: Target, path: Path, split: str) -> AbstractContextManager[IO[bytes]]:
+    """A score file inside OUT, or beside a split."""
+    if not split:
+        return target.stream(path.name)
+    make_folder(path.parent)
+    return open_replacing(path)
 
 
 def split_scores(out: Path) -> tuple[Path, ...]:
@@ -188,23 +173,6 @@ def split_scores(out: Path) -> tuple[Path, ...]:
     if is_archive(out):
         return tuple(out.with_name(f"{out.stem}_{name}") for name in JAC_FILES)
     return tuple(out / name for name in JAC_FILES)
-
-
-def export_annotations(
-    frames: AnnotatedFrames,
-    out: Path,
-    progress: Progress | None = None,
-    *,
-    keep_optional: bool = False,
-) -> Exported:
-    """Write the annotations alone; arguments and errors as for `export_dataset`."""
-    exported = Exported(out)
-    with _open_target(frames, out) as target:
-        for name, annotation in _annotated(frames, exported, progress):
-            leaves = _leaving(annotation, frames.field, exported, keep_optional)
-            target.write(f"{name}.json", write_annotation(leaves))
-            exported.annotations += 1
-    return exported
 
 
 def export_scores(
@@ -345,19 +313,6 @@ def _input(
 
 
 # ------------------------------------------------------------------------------------- targets
-
-
-@contextmanager
-def _open_target(frames: AnnotatedFrames, out: Path, split: str = "") -> Iterator[Target]:
-    _keep_off_the_dataset(frames, out, split)
-    with open_target(out) as target:
-        yield target
-
-
-def _keep_off_the_dataset(frames: AnnotatedFrames, out: Path, split: str) -> None:
-    own = {folder.resolve() for folder in frames.folders}
-    if out.resolve() in own or (split and (out / split).resolve() in own):
-        raise UsageError(f"{out}: this is the dataset itself, export to another folder")
 
 
 def _require_flat(names: Sequence[str]) -> None:

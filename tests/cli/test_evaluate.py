@@ -87,7 +87,7 @@ def test_lines_lie_where_the_rules_measure_unless_told(cli, dataset, tmp_path) -
     assert scored("--lines", "measured") == usual
     done = cli("evaluate", *dataset.set_arguments, "--lines", "edge")
     assert done.exit_code == 2
-    assert "'edge' is none of measured, middle" in done.stderr
+    assert "'edge' is not one of measured, middle" in done.stderr
 
 
 def test_tables_name_protocol_and_size(cli, dataset) -> None:

@@ -171,7 +171,7 @@ def test_several_sets_are_told_apart(cli, methods) -> None:
         (("--cluster", "match"), "cannot cluster by 'match': there is shot, none; tags come from"),
         (("--cluster", "x", "--tags", "tags.csv"), "there is shot, none, light, match"),
         (("--cluster", "shot"), "names of frames tell no shots"),
-        (("--interval-method", "guess"), "is none of t, percentile, bca"),
+        (("--interval-method", "guess"), "is not one of t, percentile, bca"),
         (("--by", "weather"), "cannot group by 'weather'"),
     ],
 )

@@ -3,17 +3,22 @@
 from __future__ import annotations
 
 import platform
+from base64 import b64encode
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
+from hashlib import sha256
 from importlib import metadata
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 from procc_annotator.dataset.camera_set import CameraSet
-from procc_annotator.errors import UsageError
+from procc_annotator.errors import UsageError, printable
 from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.formats.file_source import FileSource
+from procc_annotator.messages import condensed
+from procc_annotator.regular_file import read_head
 from procc_annotator.report.page.charts import draw_charts, jitter_chart
-from procc_annotator.report.page.html import Heading, Page, report_html
 from procc_annotator.report.page.overlays import (
     OverlayDrawer,
     OverlayPicture,
@@ -29,24 +34,37 @@ from procc_annotator.report.page.pairs import (
 )
 from procc_annotator.report.page.report_data import AuditReport, ReportWork
 from procc_annotator.report.page.report_tables import (
+    classes_section,
     comparison_table,
+    errors_table,
+    every_frame_table,
     fits_table,
+    frames_table,
     report_csv,
     report_json,
     terms,
 )
 from procc_annotator.report.tables.data_files import latex_tables
-from procc_annotator.report.tables.table import MetricTable
+from procc_annotator.report.tables.metrics import FN, FP, JAC, TP
+from procc_annotator.report.tables.table import MetricTable, definitions, display_table
 from procc_annotator.report.temporal import (
     TemporalMetrics,
     breaks_table,
     shots_over_time_table,
     terminal_tables,
 )
+from procc_annotator.resources import resources_dir
 from procc_annotator.version import __version__
+
+if TYPE_CHECKING:
+    from jinja2 import Template
 
 REPORT_SUFFIXES = (".html", ".csv", ".json", ".tex")
 _MOST_BREAKS = 100  # on the page; all are in the files
+_MOST_FAILURES = 200
+_MOST_FRAMES = 2000  # of the table of all frames
+_GENERATOR = "procc-annotator report"  # in the page's head, within so many bytes
+_HEAD = 2000
 _LIBRARIES = ("numpy", "opencv-python-headless", "matplotlib", "PySide6-Essentials")
 
 
@@ -75,7 +93,7 @@ class ReportRequest:
 
 @dataclass(frozen=True)
 class ReportPainters:
-    """Painters and colours of a report.
+    """Painters and colours of a page.
 
     Attributes:
         overlays: paint one frame under one source.
@@ -166,8 +184,8 @@ def write_report(
     if disagreeing:
         tables.append(disagreement_section(_marked(disagreeing, report)))
     if legacy:
-        told = _marked(legacy, report)
-        tables.append(legacy_section(told[0].a, told))
+        marked = _marked(legacy, report)
+        tables.append(legacy_section(marked[0].a, marked))
     steady = (
         terminal_tables(shots_over_time_table(material.over_time)) if material.over_time else []
     )
@@ -188,12 +206,12 @@ def write_report(
             "utf-8", "backslashreplace"
         )
     if "html" in kinds and drawing is not None:
-        page = _page(report, material, request, drawing, pairs, tables, work, problems)
-        if material.over_time:
-            chart = jitter_chart(material.over_time, drawing.colours)
-            page = replace(page, over_time=[*steady, *_breaks(material)], over_time_charts=[chart])
-        contents["html"] = report_html(report, heading(report, request), page)
-        problems = list(page.failures)
+        shown = _pictures(report, material, request, drawing, pairs, work)
+        problems = _without_paths([*problems, *shown.pop("problems")], material)
+        contents["html"] = _html(
+            report, request, problems, pair_tables=tables, **shown,
+            **_over_time(material.over_time, steady, drawing.colours),
+        )  # fmt: skip
     for path, kind in zip(outputs, kinds, strict=True):
         write_atomic(path, contents[kind])
     return list(dict.fromkeys(problems))
@@ -204,14 +222,94 @@ def _marked(pairs: Sequence[ReportedPair], report: AuditReport) -> list[Reported
     return [replace(p, a=names.get(p.a, p.a), b=names.get(p.b, p.b)) for p in pairs]
 
 
-def _breaks(material: ReportInputs) -> list[MetricTable]:
-    """The jumps and outages, where there are any and not too many to be read."""
-    found = breaks_table(material.over_time, shown=True)
-    return [found] if 0 < len(found.rows) <= _MOST_BREAKS else []
+def _over_time(
+    found: Sequence[TemporalMetrics], tables: list[MetricTable], colours: Sequence[str]
+) -> dict[str, Any]:
+    """Tables and charts of temporal metrics, with the jumps and outages unless they are many."""
+    if not found:
+        return {"over_time": [], "over_time_charts": []}
+    breaks = breaks_table(found, shown=True)
+    more = [breaks] if 0 < len(breaks.rows) <= _MOST_BREAKS else []
+    return {"over_time": [*tables, *more], "over_time_charts": [jitter_chart(found, colours)]}
 
 
-def heading(report: AuditReport, request: ReportRequest) -> Heading:
-    """Title, date, settings and versions."""
+def _html(report: AuditReport, request: ReportRequest, problems: list[str], **shown: Any) -> bytes:
+    """The page, UTF-8; the same input gives the same bytes.
+
+    Args:
+        problems: files that could not be used, besides those that the report itself lists.
+        shown: charts, pictures and tables by their names in the template.
+    """
+    failures = list(dict.fromkeys([*report.failures(), *problems]))
+    notices = [
+        (source.name, text, count)
+        for source in report.sources
+        for text, count in condensed(source.notices).items()
+    ]
+    found = (
+        comparison_table(report), fits_table(report), frames_table(report), errors_table(report)
+    )  # fmt: skip
+    tables, classes = [table for table in found if table is not None], classes_section(report)
+    explained = [
+        *tables, *report.statistics.sheets, *shown["over_time"], classes, *shown["pair_tables"]
+    ]  # fmt: skip
+    text = page_template("report.html").render(
+        request=request,
+        settings=_settings(report, request),
+        report=report,
+        terms=terms(report),
+        tables=tables,
+        chance=report.statistics.sheets,
+        classes=classes,
+        frames=every_frame_table(report) if len(report.frames) <= _MOST_FRAMES else None,
+        definitions=definitions(explained, also=(TP, FP, FN, JAC)),
+        failures=failures[:_MOST_FAILURES],
+        more_failures=max(0, len(failures) - _MOST_FAILURES),
+        notices=notices,
+        **shown,
+    )
+    return text.encode("utf-8", "replace")
+
+
+def is_foreign_file(path: Path) -> bool:
+    """Return whether there is a file, and no report wrote it."""
+    try:
+        return f'"{_GENERATOR}"'.encode() not in read_head(path, _HEAD)
+    except FileNotFoundError:
+        return False
+    except OSError:  # a folder, or nothing that may be read
+        return True
+
+
+@cache
+def page_template(name: str) -> Template:
+    """A template of the page; ``table.html`` has the macro of tables."""
+    from jinja2 import Environment, FileSystemLoader, StrictUndefined
+
+    sorting = (resources_dir() / "report" / "sort.js").read_text(encoding="utf-8")
+    environment = Environment(
+        loader=FileSystemLoader(resources_dir() / "report"),
+        autoescape=True,
+        undefined=StrictUndefined,
+        finalize=lambda value: printable(value, keep="\n") if type(value) is str else value,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+    )
+    environment.filters["shown"] = display_table
+    environment.filters["data_uri"] = _data_uri
+    environment.globals["generator"] = _GENERATOR
+    environment.globals["sorting"] = sorting
+    environment.globals["sorting_hash"] = b64encode(sha256(sorting.encode()).digest()).decode()
+    return environment.get_template(name)
+
+
+def _data_uri(picture: bytes, kind: str) -> str:
+    return f"data:{kind};base64,{b64encode(picture).decode('ascii')}"
+
+
+def _settings(report: AuditReport, request: ReportRequest) -> list[tuple[str, str]]:
+    """Name and value of everything the metrics depend on, and versions."""
     taus = ", ".join(f"{tau:g}" for tau in report.thresholds)
     settings = [
         ("Field", report.setup.field.title),
@@ -231,20 +329,18 @@ def heading(report: AuditReport, request: ReportRequest) -> Heading:
     if request.reference:
         settings.append(("Reference of the metrics of earlier papers", request.reference))
     versions = [("procc-annotator", __version__), ("Python", platform.python_version())]
-    versions += [(name, _version(name)) for name in _LIBRARIES]
-    return Heading(request.title, request.date, tuple(settings), tuple(versions))
+    return settings + versions + [(name, _version(name)) for name in _LIBRARIES]
 
 
-def _page(
+def _pictures(
     report: AuditReport,
     material: ReportInputs,
     request: ReportRequest,
     drawing: ReportPainters,
     pairs: Pairs,
-    tables: Sequence[MetricTable],
     work: ReportWork,
-    problems: Sequence[str],
-) -> Page:
+) -> dict[str, Any]:
+    """Charts, overlays and pairs by their names in the template, and problems with them."""
     charts = draw_charts(report, drawing.colours)
     chosen = choose_frames(report, request.worst, request.lot, request.seed)
     drawer = OverlayDrawer(
@@ -262,21 +358,19 @@ def _page(
             b,
             None,
             pairs.compared(a, b).described,
-            pairs.pictures(a, b, request.pictures, drawing.pairs, material.pictures)
-            if drawing.pairs is not None
-            else (),
+            pairs.pictures(a, b, request.pictures, drawing.pairs, material.pictures),
         )
         for a, b in request.disagreement
+        if drawing.pairs is not None
     ]
     drawn, by_lot = figures[: len(worst)], figures[len(worst) :]
-    return Page(
-        charts,
-        [(s, [f for f in drawn if f.source == s]) for s in chosen.worst] if drawn else [],
-        [(n, [f for f in by_lot if f.frame == n]) for n in chosen.random],
-        shown,
-        tables,
-        _without_paths([*problems, *drawer.problems], material),
-    )
+    return {
+        "charts": charts,
+        "worst": [(s, [f for f in drawn if f.source == s]) for s in chosen.worst] if drawn else [],
+        "lot": [(n, [f for f in by_lot if f.frame == n]) for n in chosen.random],
+        "pairs": shown,
+        "problems": drawer.problems,
+    }
 
 
 def _legacy_pairs(

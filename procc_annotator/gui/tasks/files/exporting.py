@@ -12,7 +12,7 @@ from procc_annotator.dataset.workspace import Workspace, dataset_frames
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl, run_in_background
 from procc_annotator.gui.writing import ask_where, opened_frame
-from procc_annotator.report.export import Exported, Scoring, export_annotations, export_scores
+from procc_annotator.report.export import Exported, Scoring, export_dataset, export_scores
 from procc_annotator.report.provenance import export_provenance
 from procc_annotator.translation import tr, tr_count
 
@@ -60,8 +60,8 @@ class Exporter:
     def write_annotations(self, path: Path) -> None:
         """Write SoccerNet JSON of all annotated frames to a folder or zip archive."""
         self._run(
-            lambda workspace, progress: export_annotations(
-                dataset_frames(workspace), path, progress
+            lambda workspace, progress: export_dataset(
+                dataset_frames(workspace), path, progress=progress
             ),
             "export_annotations",
         )

@@ -12,7 +12,7 @@ from rich.console import Console
 
 from procc_annotator.cli.console import terminal_table
 from procc_annotator.formats.csv_tables import unescape_formula
-from procc_annotator.report.page.html import page_template
+from procc_annotator.report.page.report import page_template
 from procc_annotator.report.tables import metrics
 from procc_annotator.report.tables.data_files import csv_bytes, json_bytes, table_entry
 from procc_annotator.report.tables.table import (
