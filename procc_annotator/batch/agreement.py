@@ -225,6 +225,7 @@ class AgreementRun(ConsensusRun):
         if own is not None:
             self.frames = [frame for frame in self.frames if frame.name in own]
             self.only_a = tuple(name for name in self.only_a if name in own)
+        self.alone = self.only_a, self.only_b
         if not self.frames:
             raise UsageError("nothing to do: none of the frames asked for has annotations of both")
         self._sums = AgreementAccumulator(self.thresholds, self.only_a, self.only_b)
