@@ -50,7 +50,6 @@ from procc_annotator.report.tables.table import MetricTable, definitions, displa
 from procc_annotator.report.temporal import (
     TemporalMetrics,
     breaks_table,
-    shots_over_time_table,
     terminal_tables,
 )
 from procc_annotator.resources import resources_dir
@@ -186,9 +185,7 @@ def write_report(
     if legacy:
         marked = _marked(legacy, report)
         tables.append(legacy_section(marked[0].a, marked))
-    steady = (
-        terminal_tables(shots_over_time_table(material.over_time)) if material.over_time else []
-    )
+    steady = terminal_tables(material.over_time) if material.over_time else []
     every_pair = tuple({(p.a, p.b): p for p in (*disagreeing, *legacy)}.values())
     problems = [problem for pair in every_pair for problem in pair.problems]
     problems += [f"{pair.a}, {pair.b}: {pair.failure}" for pair in every_pair if pair.failure]
