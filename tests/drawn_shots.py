@@ -21,10 +21,19 @@ import numpy as np
 
 from procc_annotator.calibration.optimization.camera_placement import camera_placement_prior
 from procc_annotator.camera.models import PinholeCamera
-from procc_annotator.field.appearance import BLACK, BLUE, NOTHING, ORANGE, RED, WHITE, YELLOW
 from procc_annotator.field.geometry import Arc, Circle, Line, parts_of, points_at_angles
 from procc_annotator.field.load import load_field, with_lines
-from procc_annotator.field.model import MIDDLE_LINE, Field
+from procc_annotator.field.model import (
+    BLACK,
+    BLUE,
+    MIDDLE_LINE,
+    NOTHING,
+    ORANGE,
+    RED,
+    WHITE,
+    YELLOW,
+    Field,
+)
 from procc_annotator.image.pixels import PixelArray
 from tests.bench.sports.views import SIZE as VIEW_SIZE
 from tests.bench.sports.views import Views

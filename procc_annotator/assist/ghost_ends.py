@@ -390,7 +390,6 @@ def _ending_at(line: VisibleLine, corner: Corner) -> VisibleLine | None:
 
 
 def _cut_back(line: VisibleLine, end: ExpectedEnd) -> VisibleLine:
-    """A line as far as it is surely its own."""
     sure = line.expected[1] - math.ceil(reach_of(end))
     seen = max((past for begin, past in line.runs if begin <= line.expected[1]), default=0)
     past = sure if seen >= line.length - _EDGE_GAP else max(sure, seen - _BACK_PX)

@@ -372,7 +372,6 @@ def _is_whole(frame: LabelledFrame, families: Mapping[str, Sequence[str]]) -> bo
 
 
 def _ways(frames: Sequence[LabelledFrame], label: str) -> list[str]:
-    """The ways of ordering shapes, the one first in which they are always farther apart."""
     apart = [
         np.ptp([middle(points) for points in frame.shapes[label]], axis=0) * np.array(frame.size)
         for frame in frames

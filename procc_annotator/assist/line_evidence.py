@@ -17,9 +17,8 @@ from procc_annotator.calibration.label_check.evidence import LineEvidence
 from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.calibration.prediction.visible_elements import steps_to_image_edge
 from procc_annotator.camera.base import Camera, projects_only_ground
-from procc_annotator.field.appearance import ANY_LINE, LINE, NOTHING
 from procc_annotator.field.geometry import Chain
-from procc_annotator.field.model import Element, Field
+from procc_annotator.field.model import ANY_LINE, LINE, NOTHING, Element, Field
 from procc_annotator.field.sampling import sample_evenly
 from procc_annotator.image.line_profiles import LineTarget
 from procc_annotator.image.line_snapping import SNAP_RADIUS_PX, snap_points_to_lines

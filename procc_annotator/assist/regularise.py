@@ -273,7 +273,6 @@ def _polyline(
     size: tuple[int, int],
     kept: tuple[Point, ...] = (),
 ) -> Polyline:
-    """The polyline with other points; those kept, and what a file says about the ends, as given."""
     as_given = {(p.u, p.v): p for p in kept}
     made = [point_from_px(x, y, size) for x, y in places]
     points = [_nearly(p, as_given) for p in made]

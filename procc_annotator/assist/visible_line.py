@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from procc_annotator.arrays import BoolArray, FloatArray, IntArray
-from procc_annotator.field.appearance import EDGE
+from procc_annotator.arrays import BoolArray, FloatArray, IntArray, true_runs
+from procc_annotator.field.model import EDGE
 from procc_annotator.image.line_profiles import (
     LineTarget,
     StraightenedCurve,
@@ -212,9 +212,8 @@ def _steady_runs(shown: BoolArray) -> Runs:
     half = min(_RUN_STEADY_PX, n) // 2
     counts = np.convolve(np.pad(shown.astype(float), half, mode="edge"), np.ones(2 * half + 1))
     steady = shown & (counts[2 * half : 2 * half + n] >= _STEADY_SHARE * (2 * half + 1))
-    edges = np.flatnonzero(np.diff(np.concatenate([[0], steady.astype(np.int8), [0]])))
     runs: list[tuple[int, int]] = []
-    for begin, end in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
+    for begin, end in true_runs(steady):
         if runs and begin - runs[-1][1] <= _GAP_PX:
             runs[-1] = runs[-1][0], end
         else:

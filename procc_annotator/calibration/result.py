@@ -319,7 +319,7 @@ def fit_result_from(
     else:
         of_vector = fisheye_from_vector if is_fisheye(found.vector) else camera_from_vector
         camera = of_vector(found.vector, frame)
-        deviations = _pose_deviations(found.vector, covariance, frame)
+        deviations = pose_deviations(found.vector, covariance, frame)
         names = parameter_names(model)
     return FitResult(
         model,
@@ -375,10 +375,11 @@ def _element_residuals(found: CameraSolution, frame: ImageFrame) -> tuple[Elemen
     )
 
 
-def _pose_deviations(
+def pose_deviations(
     vector: FloatArray, covariance: FloatArray, frame: ImageFrame
 ) -> PoseStandardDeviations:
-    sd = np.sqrt(np.diag(covariance)).tolist()
+    """Standard deviations of a pinhole camera's pose, from the covariance of its parameters."""
+    sd = np.sqrt(np.maximum(np.diag(covariance), 0.0)).tolist()
     focal = float(np.exp(vector[LOG_FOCAL])) / frame.scale
     return PoseStandardDeviations(
         sd[0], sd[1], sd[2], (sd[X], sd[X + 1], sd[Z]), focal * sd[LOG_FOCAL]

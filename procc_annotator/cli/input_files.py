@@ -29,7 +29,12 @@ from procc_annotator.dataset.layout import (
     has_pictures_below,
     pictures_in,
 )
-from procc_annotator.dataset.workspace import AnnotatedFrames, DatasetFrames, FileFrames, Workspace
+from procc_annotator.dataset.workspace import (
+    AnnotatedFrames,
+    Workspace,
+    dataset_frames,
+    file_frames,
+)
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.formats.annotations.label_map import LabelMap, read_label_map
@@ -114,10 +119,10 @@ def annotated_frames(
         )
     names = own_label_map(path, field) if labels is None else read_label_map(labels, field)
     if (pictured and names is None) or not path.exists():
-        yield DatasetFrames(open_dataset(path, field, annotations)), None
+        yield dataset_frames(open_dataset(path, field, annotations)), None
         return
     with open_annotations(annotations or annotations_of(path), field, names) as source:
-        frames = FileFrames(source, field)
+        frames = file_frames(source, field)
         if not frames.names:
             raise UsageError(f"nothing to do: no picture and no annotation in {path}")
         report_mismatch(source, field)

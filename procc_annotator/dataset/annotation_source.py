@@ -22,9 +22,9 @@ from procc_annotator.formats.annotations.label_map import LABELS_FILE, LabelMap,
 from procc_annotator.formats.annotations.registry import (
     PLAIN,
     ReadSet,
+    SetReader,
     detect_formats,
     read_plain,
-    read_set,
 )
 from procc_annotator.formats.annotations.soccernet import write_annotation
 from procc_annotator.formats.file_listing import AnnotationFiles, list_annotations
@@ -108,9 +108,9 @@ def read_labels(path: Path, field: Field) -> ReadSet:
 
 def _read(source: FileSource, place: Path, field: Field, names: LabelMap | None) -> ReadSet:
     sizes = PictureSizes.around(place, place)
-    return read_set(
+    return SetReader(
         source, field, names, size_of=sizes.size, pictures=sizes.names(), called=sizes.called
-    )
+    ).read_all()
 
 
 def own_label_map(place: Path, field: Field) -> LabelMap | None:

@@ -207,7 +207,6 @@ _FLAGS: Mapping[str, tuple[_Test, int]] = {
 
 
 def _if_read(facts: FrameFacts) -> bool | None:
-    """No, if the file was read; otherwise it cannot be determined."""
     return None if facts.annotated is None and not facts.unreadable else False
 
 

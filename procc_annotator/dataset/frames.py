@@ -205,8 +205,6 @@ def list_frames(
 
 
 class _Listing:
-    """The frames of a dataset's folders, as they are gone through."""
-
     def __init__(self, root: Path, found: PictureTree, annotations: Path | None) -> None:
         self.frames: dict[str, Frame] = {}
         self.notices: list[str] = []
@@ -279,7 +277,6 @@ def _unusual_suffixes(names: Sequence[str]) -> dict[str, str]:
 
 
 def _folder_of(root: Path, below: str, names: Iterable[str], *, in_tree: bool) -> Path:
-    """Return where the annotations of a folder's pictures are, or are to be made."""
     if in_tree:
         return _folder_in_tree(root, below, names)
     if not below:
@@ -303,7 +300,6 @@ def _folder_in_tree(root: Path, below: str, names: Iterable[str]) -> Path:
 
 
 def _has_any_of(folder: Path, names: Iterable[str]) -> bool:
-    """Return whether a folder has a JSON file called like one of these pictures."""
     stems = _stems_in(folder)
     return any(os.path.splitext(name)[0] in stems for name in names)
 
@@ -331,7 +327,6 @@ def _taken_by_others(root: Path, found: PictureTree) -> bool:
 
 
 def _not_used(root: Path, only_folder: str, frames: Sequence[Frame]) -> Iterator[str]:
-    """That there are annotations next to the pictures while others are taken."""
     folder = frames[0].annotation_folder if frames else root
     beside = root / only_folder if only_folder else root
     if folder == beside:

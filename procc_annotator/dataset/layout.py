@@ -109,7 +109,6 @@ def has_pictures(root: Path) -> bool:
 def _below(
     root: Path, on_unread: Callable[[InputError], None]
 ) -> Iterator[tuple[str, tuple[str, ...]]]:
-    """Folders below a place that hold pictures, with these; those kept of videos left out."""
     of_videos: set[str] = set()
     for folder, names in walk(root, on_unread):
         suffixes = {suffix_of(name) for name in names}
@@ -248,7 +247,6 @@ def folder_of_dataset(place: Path) -> Path | None:
 
 
 def _has_own_files(folder: Path) -> bool:
-    """Return whether a folder called ``annotations`` was worked on as a dataset itself."""
     if any((folder / name).is_file() for name in OWN_FILES_AND_FOLDERS):
         return True
     return (folder / WORKSPACE_FOLDER).is_dir() and bool(pictures_in(folder))
@@ -370,7 +368,6 @@ def _annotated_at_top(folder: Path) -> bool:
 
 
 def _may_be_json_object(source: FileSource, file: str) -> bool:
-    """Return whether JSON is an object, or damaged so that no one knows."""
     try:
         return type(msgspec.json.decode(strip_bom(source.read(file)))) is dict
     except (InputError, msgspec.DecodeError, UnicodeDecodeError, RecursionError):

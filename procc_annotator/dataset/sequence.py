@@ -348,7 +348,6 @@ def _cuts_in_folder(frames: Sequence[Frame], progress: Callable[[int, int], None
 
 
 def _is_cut(frames: Sequence[Frame], number: int) -> bool:
-    """Return whether nothing of the stadium moves on from one picture to the next."""
     try:
         before, now = (decode_bgra(frames[n].image_path) for n in (number - 1, number))
     except ImageError:
@@ -381,7 +380,6 @@ def open_video(video: Path, numbers: Iterable[int], field: Field) -> Workspace:
 
 
 def _frames_with_work(video: Path) -> list[int]:
-    """The frames that have an annotation or were kept, whatever was chosen that time."""
     name = re.compile(re.escape(video.stem) + r"_([0-9]{6,8})\.(?:json|png)", re.IGNORECASE)
     try:
         files = os.listdir(frames_folder(video))

@@ -5,8 +5,8 @@ to export.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Protocol
 
 from procc_annotator.annotation import FrameAnnotation, Polyline
 from procc_annotator.dataset import editing
@@ -431,63 +431,43 @@ def restore_version(workspace: Workspace, index: int, data: bytes) -> None:
     write_atomic(frame.annotation_path, data, inside=workspace.root)
 
 
-class AnnotatedFrames(Protocol):
-    """Frames by number, and what is annotated in them."""
+@dataclass(frozen=True)
+class AnnotatedFrames:
+    """Frames by number, and what is annotated in them.
 
-    @property
-    def field(self) -> Field:
-        """Return what is annotated."""
+    Attributes:
+        field: what is annotated.
+        names: of all frames, in natural order; some may have no annotation.
+        folders: where nothing may be written.
+        read: a frame's annotation by its index, however short; None where no one annotated it.
+            Raises InputError if its file cannot be used.
+    """
 
-    @property
-    def names(self) -> Sequence[str]:
-        """Of all frames, in natural order; some may have no annotation."""
-
-    @property
-    def folders(self) -> Sequence[Path]:
-        """Return where nothing may be written."""
-
-    def read(self, index: int) -> FrameAnnotation | None:
-        """A frame's annotation, however short; None where no one annotated it.
-
-        Raises:
-            InputError: its file cannot be used.
-        """
+    field: Field
+    names: Sequence[str]
+    folders: Sequence[Path]
+    read: Callable[[int], FrameAnnotation | None]
 
 
-class DatasetFrames:
+def dataset_frames(workspace: Workspace) -> AnnotatedFrames:
     """Frames of a dataset with pictures, unsaved edits included."""
 
-    def __init__(self, workspace: Workspace) -> None:
-        self._workspace = workspace
-        self.names = tuple(frame.name for frame in workspace.frames)
+    def read(index: int) -> FrameAnnotation | None:
+        annotation = workspace.read(index)
+        known = annotation.polylines or annotation.extra or workspace.has_file(index)
+        return annotation if known else None
 
-    @property
-    def field(self) -> Field:
-        return self._workspace.field
-
-    @property
-    def folders(self) -> tuple[Path, ...]:
-        return self._workspace.own_folders
-
-    def read(self, index: int) -> FrameAnnotation | None:
-        annotation = self._workspace.read(index)
-        if annotation.polylines or annotation.extra or self._workspace.has_file(index):
-            return annotation
-        return None
+    names = tuple(frame.name for frame in workspace.frames)
+    return AnnotatedFrames(workspace.field, names, workspace.own_folders, read)
 
 
-class FileFrames:
+def file_frames(source: FileSource, field: Field) -> AnnotatedFrames:
     """Frames of annotation files alone; the source stays open as long as they are read."""
+    listed = list_annotations(source)
+    files = tuple(listed.values())
 
-    def __init__(self, source: FileSource, field: Field) -> None:
-        self._source, self.field = source, field
-        files = list_annotations(source)
-        self.names, self._files = tuple(files), tuple(files.values())
+    def read(index: int) -> FrameAnnotation | None:
+        return read_plain(source.read(files[index]), source.display(files[index]), field)
 
-    @property
-    def folders(self) -> tuple[Path, ...]:
-        return (self._source.path,) if self._source.path.is_dir() else ()
-
-    def read(self, index: int) -> FrameAnnotation | None:
-        file = self._files[index]
-        return read_plain(self._source.read(file), self._source.display(file), self.field)
+    folders = (source.path,) if source.path.is_dir() else ()
+    return AnnotatedFrames(field, tuple(listed), folders, read)

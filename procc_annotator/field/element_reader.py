@@ -10,17 +10,6 @@ from typing import Any
 
 import numpy as np
 
-from procc_annotator.field.appearance import (
-    ANY,
-    BAR,
-    COLOURS,
-    EDGE,
-    KINDS,
-    LINE,
-    NOTHING,
-    TONES,
-    Appearance,
-)
 from procc_annotator.field.formulas import MAX_COORDINATE_M, FieldFileValues, short_repr
 from procc_annotator.field.geometry import (
     SAME_PLACE_M,
@@ -34,6 +23,17 @@ from procc_annotator.field.geometry import (
     ends_of,
     is_on_ground,
     vector_of,
+)
+from procc_annotator.field.model import (
+    ANY,
+    BAR,
+    COLOURS,
+    EDGE,
+    KINDS,
+    LINE,
+    NOTHING,
+    TONES,
+    Appearance,
 )
 
 # Keys that a kind of geometry must and may have.

@@ -14,11 +14,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.errors import FieldError
-from procc_annotator.field.appearance import colour_difference
 from procc_annotator.field.dimensions import Dimension, allowed_dimensions, violated_relation
 from procc_annotator.field.geometry import length_of, middle_of, outline_of, same_geometry
 from procc_annotator.field.load import field_names, load_field, with_dimensions
-from procc_annotator.field.model import Element, Field, NoPartnerError, find_symmetry
+from procc_annotator.field.model import (
+    Element,
+    Field,
+    NoPartnerError,
+    colour_difference,
+    find_symmetry,
+)
 from procc_annotator.messages import pluralize
 
 # Of the shipped fields none has colours in a group that differ less.

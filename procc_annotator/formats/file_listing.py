@@ -119,7 +119,6 @@ def _is_set(content: Any) -> bool:
 
 
 def _content(source: FileSource, file: str) -> Any:
-    """Return what JSON holds; None where it is damaged: anyone who reads the set says so."""
     try:
         return msgspec.json.decode(strip_bom(source.read(file)))
     except (InputError, msgspec.DecodeError, UnicodeDecodeError, RecursionError):

@@ -230,7 +230,6 @@ class OpenedSource:
 
 @lru_cache(maxsize=4)
 def _in_order(names: tuple[str, ...]) -> tuple[str, ...]:
-    """In natural order; a command lists the same folders several times."""
     return tuple(natsorted(names))
 
 

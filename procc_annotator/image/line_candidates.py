@@ -12,7 +12,7 @@ import cv2
 import numpy as np
 
 from procc_annotator.arrays import FloatArray
-from procc_annotator.field.appearance import ANY, BAR, EDGE, LIGHTER, WHITE
+from procc_annotator.field.model import ANY, BAR, EDGE, LIGHTER, WHITE
 from procc_annotator.image.line_profiles import (
     STEP_PX,
     ImagePatch,
@@ -57,10 +57,8 @@ _MIN_LEVEL = 0.7
 _MIN_BALANCE = 0.6
 _HALO_WIDTH_PX = 6.0  # from a band's edge: where a stronger one of the opposite tone may lie
 _HALO_STRENGTH_RATIO = 1.2
-_MIN_BALANCE_EDGE, _MIN_RIVAL_RATIO = (
-    0.62,
-    1.0,
-)  # ... on the side to which most of a band's step leads
+# ... on the side to which most of a band's step leads
+_MIN_BALANCE_EDGE, _MIN_RIVAL_RATIO = 0.62, 1.0
 
 
 @dataclass(frozen=True, slots=True)

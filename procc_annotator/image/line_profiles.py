@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.arrays import FloatArray
-from procc_annotator.field.appearance import (
+from procc_annotator.field.model import (
     ANY,
     ANY_LINE,
     BAR,

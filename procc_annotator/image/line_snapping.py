@@ -16,7 +16,7 @@ from dataclasses import replace
 import numpy as np
 
 from procc_annotator.arrays import FloatArray
-from procc_annotator.field.appearance import ANY, BAR, EDGE, LINE, NOTHING, WHITE
+from procc_annotator.field.model import ANY, BAR, EDGE, LINE, NOTHING, WHITE
 from procc_annotator.image.line_candidates import (
     MARGIN_PX,
     MAX_CANDIDATES,
@@ -43,10 +43,8 @@ _SAME_BAND_PX = 1.0  # a band that was refused is not examined from a place as n
 _MIN_LENGTH_PX, _MIN_LENGTH_ANY_PX = 16.0, 30.0
 # Px from the position to the middle of the cuts that show it, and how long it then must be.
 _ONE_SIDED_LENGTHS_PX = {LINE: (1.5, 36.0), BAR: (6.0, 46.0)}
-_CLICK_ERROR_PX, _LENGTH_PER_OFFSET = (
-    4.5,
-    20.0,
-)  # so far off a hand clicks; px of length for each px more
+# So far off a hand clicks; px of length for each px more
+_CLICK_ERROR_PX, _LENGTH_PER_OFFSET = 4.5, 20.0
 # Of the band against a given direction, which of a curve is that of a chord.
 _MAX_TURN_RAD, _MAX_TURN_CURVE_RAD = math.radians(8.0), math.radians(20.0)
 # Of the best one's merit: another band that convinces nearly as much; where paint may be lighter or

@@ -46,15 +46,10 @@ _ROUNDING_S = 0.1  # what durations of containers may be off by
 _SAME_STEP_TOLERANCE = 0.2  # of the usual one: times are rounded, to 1 ms in mkv
 _MAX_REORDER = 16  # packets: no codec reorders more
 _MAX_DECODE_ATTEMPTS = 1000  # packets among which a first frame must be
-_INTRA_PROFILES = (
-    0,
-    1,
-    5,
-)  # AV_PICTURE_TYPE_NONE, _I, _SI: other key frames need what is before them
-_CODECS_WITHOUT_KEY_FLAGS = (
-    "hevc",
-    "mjpeg",
-)  # decoders that do not mark what is corrupt: they have to fail
+# AV_PICTURE_TYPE_NONE, _I, _SI: other key frames need what is before them
+_INTRA_PROFILES = 0, 1, 5
+# Decoders that do not mark what is corrupt: they have to fail
+_CODECS_WITHOUT_KEY_FLAGS = "hevc", "mjpeg"
 _STEPS_BACK_S = (0.0, 1.0, 4.0, 16.0)  # where a seek lands too late
 _CONVERSION_ADVICE = "convert it, for example with ffmpeg -i old.mp4 -c:v libx264 new.mp4"
 _ROTATE_CODES = {

@@ -24,7 +24,7 @@ from procc_annotator.camera.models import HomographyCamera, PinholeCamera
 from procc_annotator.field.model import Element, Field
 from procc_annotator.field.sampling import distinctive_points, sample_evenly
 from procc_annotator.interaction import palette
-from procc_annotator.interaction.hit_test import closest_on_segments
+from procc_annotator.interaction.gestures import closest_on_segments
 from procc_annotator.interaction.overlay_primitives import NO_POINTS
 from procc_annotator.metrics.error_maps import (
     DISAGREEMENT_LEVELS_M,

@@ -138,7 +138,6 @@ def _most_telling(
     field: Field,
     gains: Mapping[str, float],
 ) -> Element:
-    """The next one of the group of what was finished, or what brings much more."""
     best = max(candidates, key=lambda e: gains[e.name])
     own = [e for e in candidates if finished is not None and e.group == finished.group]
     if finished is None or not own:

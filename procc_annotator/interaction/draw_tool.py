@@ -203,7 +203,6 @@ class DrawTool:
             self.points[0] = placed
 
     def _direction(self, name: str, position: Position, context: ToolContext) -> Position | None:
-        """Return where a straight element runs, as far as its clicks show."""
         if name in context.curved or self.unnamed:
             return None
         drawn = context.polyline(name)

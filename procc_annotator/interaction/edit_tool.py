@@ -17,6 +17,7 @@ from procc_annotator.interaction.gestures import (
     MOVE,
     MOVE_ALL,
     Edit,
+    Hit,
     Modifiers,
     Position,
     Reaction,
@@ -25,6 +26,7 @@ from procc_annotator.interaction.gestures import (
     confirmation,
     confirmed,
     deletion,
+    hit_test,
     line_direction,
     nudged,
     point_key,
@@ -32,7 +34,6 @@ from procc_annotator.interaction.gestures import (
     step_name,
     toggled,
 )
-from procc_annotator.interaction.hit_test import Hit, hit_test
 from procc_annotator.translation import tr, translatable_count
 
 _DRAG_BEGINS_SCREEN_PX = 2.0
@@ -335,7 +336,6 @@ class EditTool:
     def _direction(
         self, annotation: FrameAnnotation, at: Position, context: ToolContext
     ) -> Position | None:
-        """Return where the element runs at the held point, as its other points show."""
         assert self.grabbed is not None
         name, index = self.grabbed
         polyline = annotation.get(name)

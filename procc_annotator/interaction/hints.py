@@ -11,8 +11,7 @@ from typing import Literal
 from procc_annotator.field.model import Field
 from procc_annotator.interaction.draw_tool import DrawTool
 from procc_annotator.interaction.edit_tool import FAR_NUDGE_PX, FINE_NUDGE_PX, NUDGE_PX, EditTool
-from procc_annotator.interaction.gestures import ToolContext
-from procc_annotator.interaction.hit_test import Hit
+from procc_annotator.interaction.gestures import Hit, ToolContext
 from procc_annotator.translation import tr, tr_count, word
 
 
@@ -134,7 +133,6 @@ def _blocked_words(ghosts: GhostHint, field: Field) -> list[str]:
 
 
 def _with_ghosts(words: _HintText, ghosts: GhostHint, *, all_too: bool) -> _HintText:
-    """Return what is to be said of ghosts while none is examined."""
     if ghosts.coming:
         waits = tr("GHOST the next one comes in a moment")
         return _HintText(waits, words.click, (tr("Enter does nothing yet"), tr("Esc goes back")))
@@ -185,7 +183,6 @@ def _draw_words(
 def _drawing_words(
     draw: DrawTool, context: ToolContext, field: Field, upcoming: str | None
 ) -> _HintText:
-    """While a line is under way."""
     count, stay = len(draw.points), tuple[str, ...]()
     if draw.unnamed:
         tool = tr_count(count, "DRAW a line, {n} point", "DRAW a line, {n} points")
@@ -208,7 +205,6 @@ def _drawing_words(
 def _chosen_words(
     class_name: str, context: ToolContext, field: Field, upcoming: str | None
 ) -> _HintText:
-    """While an element is chosen that the next click begins, continues or places."""
     title, count = _title(class_name, field), context.point_count(class_name)
     waiting, spot = context.is_unconfirmed(class_name), class_name in context.spots
     tool = (
@@ -237,7 +233,6 @@ def _chosen_words(
 
 
 def _placing_words(following: str | None, *, placed: bool) -> str:
-    """Return what a click does to a single place; ``following``: what comes after it."""
     if following is None:
         return tr("click moves it here") if placed else tr("click marks it")
     if placed:
@@ -268,7 +263,6 @@ def _edit_words(edit: EditTool, context: ToolContext, field: Field, over: Hit | 
 
 
 def _held_words(edit: EditTool, context: ToolContext, field: Field) -> _HintText:
-    """While the mouse holds something."""
     nothing, back = tr("Enter does nothing"), tr("Esc puts it back")
     drops = tr("release drops it here")
     if edit.held == "frame":

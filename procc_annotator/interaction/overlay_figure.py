@@ -33,7 +33,6 @@ def place_apart(box: Box, taken: Sequence[Box], room: Box) -> Box:
 
 
 def _around(box: Box) -> Iterator[Box]:
-    """The box, then ever farther above and below it, then the same next to it."""
     left, top, right, bottom = box
     wide, high = right - left, bottom - top
     for aside in (0.0, wide, -wide):

@@ -14,7 +14,7 @@ from procc_annotator.calibration.prediction.ghosts import Ghost, GhostPiece
 from procc_annotator.dataset.review import StoredFinding
 from procc_annotator.field.model import Field
 from procc_annotator.interaction import palette as tones
-from procc_annotator.interaction.hit_test import closest_on_segments
+from procc_annotator.interaction.gestures import closest_on_segments
 from procc_annotator.interaction.overlay_primitives import (
     NO_POINTS,
     FilledArea,

@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px
-from procc_annotator.arrays import BoolArray, FloatArray
+from procc_annotator.arrays import FloatArray, true_runs
 from procc_annotator.field.geometry import Line
 from procc_annotator.field.model import Element, Field
 from procc_annotator.metrics.agreement import (
@@ -195,7 +195,7 @@ def _median_along_reference(
         middle = middle + moved[:, None] * across
     if own.trace.closed and shared.all():
         return middle, True
-    stretch = middle[_longest_true_run(shared)]
+    stretch = middle[slice(*max(true_runs(shared), key=lambda run: run[1] - run[0]))]
     return (stretch, False) if len(stretch) > 1 else None
 
 
@@ -219,11 +219,3 @@ def _signed_offsets(vote: AnnotatedCurve, places: FloatArray, across: FloatArray
     # As far as it reaches beyond its clicks: no one clicks the same extent as another.
     runs = (at > 0) & (at < lengths[-1]) if not vote.trace.closed else np.ones(len(at), dtype=bool)
     return np.where(runs, (off * across).sum(axis=1), np.nan)
-
-
-def _longest_true_run(there: BoolArray) -> slice:
-    """The longest run of true places."""
-    ends = np.flatnonzero(np.diff(np.concatenate(((False,), there, (False,))).astype(np.int8)))
-    starts, stops = ends[::2], ends[1::2]
-    longest = int((stops - starts).argmax())
-    return slice(int(starts[longest]), int(stops[longest]))

@@ -21,7 +21,7 @@ from procc_annotator.field.load import field_fingerprint
 from procc_annotator.field.model import Field
 from procc_annotator.formats.annotations.exchange import ExchangedFrame, ReadContext, Size
 from procc_annotator.formats.annotations.label_map import LabelMap
-from procc_annotator.formats.annotations.registry import ReadSet, SetReader, format_named, read_set
+from procc_annotator.formats.annotations.registry import ReadSet, SetReader, format_named
 from procc_annotator.formats.cameras.collection import CameraCollection
 from procc_annotator.formats.cameras.fit_record import SIDECAR_SUFFIX, sidecar_content
 from procc_annotator.formats.cameras.loaded_camera import LoadedCamera, fit_to_size
@@ -162,7 +162,7 @@ def read_annotations(
         UsageError, InputError: as for `convert_annotations`.
     """
     with open_files(annotations_or_path(path)) as source:
-        return read_set(
+        reader = SetReader(
             source,
             workspace.field,
             names,
@@ -170,8 +170,8 @@ def read_annotations(
             size_of=lambda name: _size_in(workspace, name),
             pictures=sorted(frame.picture for frame in workspace.frames),
             called=PicturesByName(workspace.index).called,
-            progress=progress,
         )
+        return reader.read_all(progress)
 
 
 # ------------------------------------------------------------------------------------- reading

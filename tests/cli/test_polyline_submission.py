@@ -150,7 +150,7 @@ def test_findings_of_a_poor_submission(cli, data: Path, tmp_path: Path) -> None:
     assert "lowers the score: 1 of 11 annotated frames are missing (00001)" in done.output
     assert "lowers the score: 00002.json" in done.output
     assert "ignored: 00003.json: no element of the field: Half line" in done.output
-    assert "ignored: 1 frame (00077) not annotated" in done.output
+    assert "ignored: 1 file (00077): no such frame is annotated" in done.output
     assert "run.py" in done.output
     scored = cli("evaluate", data, "--submission", poor, "--output", tmp_path / "o.json")
     assert scored.exit_code == 1  # what cannot be read is listed, the rest is scored

@@ -26,7 +26,7 @@ from procc_annotator.field import load
 from procc_annotator.field.load import load_field
 from procc_annotator.field.sampling import sample_evenly, sample_official
 from procc_annotator.formats.annotations.label_map import OrderedClasses, read_label_map
-from procc_annotator.formats.annotations.registry import read_set
+from procc_annotator.formats.annotations.registry import SetReader
 from procc_annotator.formats.annotations.soccernet import read_annotation, write_annotation
 from procc_annotator.formats.cameras.collection import CameraCollection
 from procc_annotator.formats.cameras.homography import CONVENTIONS
@@ -289,7 +289,7 @@ def check_label_map(found: Any, data: bytes) -> None:
 
 def read_coco(path: Path) -> Any:
     with open_source(path) as source:
-        return read_set(source, FIELD, fmt="coco")
+        return SetReader(source, FIELD, fmt="coco").read_all()
 
 
 def check_coco(found: Any, data: bytes) -> None:

@@ -10,7 +10,7 @@ from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPalette
 from PySide6.QtWidgets import QApplication
 
-from procc_annotator.field.appearance import colour_difference
+from procc_annotator.field.model import colour_difference
 from procc_annotator.gui.panels.field_map.ground import ground_colour
 from procc_annotator.gui.panels.states import WORDS, ElementState, paint_symbol, state_colour
 from procc_annotator.gui.theme import alarm_colours, contrast, palette

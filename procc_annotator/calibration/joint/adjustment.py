@@ -17,7 +17,6 @@ from procc_annotator.calibration.optimization.camera_parameters import (
     FISHEYE_FLAG,
     FREE_PARAMETERS,
     KAPPA,
-    LOG_FOCAL,
     MIN_KAPPA,
     ROLL,
     X,
@@ -54,7 +53,7 @@ from procc_annotator.calibration.optimization.solver import (
     RobustLoss,
     solve,
 )
-from procc_annotator.calibration.result import FitResult, fit_result_from
+from procc_annotator.calibration.result import FitResult, fit_result_from, pose_deviations
 from procc_annotator.field.model import Field
 
 _ITERATIONS = 12
@@ -474,24 +473,11 @@ def fit_result_at_position(
     alone = np.linalg.inv(information[np.ix_(own, own)])
     # How the camera's own parameters follow the position.
     follow = -alone @ information[np.ix_(own, POSITION_PARAMETERS)]
-    full = np.zeros((free, free))
-    full[np.ix_(POSITION_PARAMETERS, POSITION_PARAMETERS)] = covariance
-    full[np.ix_(own, POSITION_PARAMETERS)] = follow @ covariance
-    full[np.ix_(POSITION_PARAMETERS, own)] = full[np.ix_(own, POSITION_PARAMETERS)].T
-    full[np.ix_(own, own)] = alone + follow @ covariance @ follow.T
-    of_clicks, at_place = full, np.zeros((free, free))
+    by_position, at_place = np.zeros((free, 3)), np.zeros((free, free))
+    by_position[POSITION_PARAMETERS], by_position[own] = np.eye(3), follow
     at_place[np.ix_(own, own)] = alone
-    full = of_clicks + estimate_element_offsets(found, sighting.frame, error_px).covariance(
-        at_place
-    )
-    sd = np.sqrt(np.diag(full)).tolist()
-    focal = float(np.exp(found.vector[LOG_FOCAL])) / sighting.frame.scale
-    deviations = replace(
-        result.deviations,
-        pan_rad=sd[0],
-        tilt_rad=sd[1],
-        roll_rad=sd[2],
-        position_m=(sd[X], sd[X + 1], sd[Z]),
-        focal_px=focal * sd[LOG_FOCAL],
-    )
+    of_clicks = at_place + by_position @ covariance @ by_position.T
+    offsets = estimate_element_offsets(found, sighting.frame, error_px)
+    full = of_clicks + offsets.covariance(at_place)
+    deviations = pose_deviations(found.vector, full, sighting.frame)
     return replace(result, covariance=full, of_clicks=of_clicks, deviations=deviations)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from enum import IntEnum
 from functools import cached_property
@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.annotation import FrameAnnotation, points_px
-from procc_annotator.arrays import FloatArray, IntArray
+from procc_annotator.arrays import FloatArray, IntArray, true_runs
 from procc_annotator.calibration.optimization.camera_parameters import (
     FREE_PARAMETERS,
     KAPPA,
@@ -92,7 +92,7 @@ class LineEvidence:
         """Length of the longest stretch without paint under it, px."""
         runs = (
             self.lengths_px[begin:end].sum()
-            for begin, end in _true_runs(self.paint != LinePresence.UNDER)
+            for begin, end in true_runs(self.paint != LinePresence.UNDER)
         )
         return float(max(runs, default=0.0))
 
@@ -130,11 +130,6 @@ def consistent_offsets(offsets: FloatArray, scale: float) -> FloatArray:
         )
         enough |= (np.abs(slope) <= _MAX_SLOPE_PX) & (on_line >= np.minimum(_MIN_ON_LINE, there))
     return np.where(enough, offsets, np.nan)
-
-
-def _true_runs(of: NDArray[np.bool_]) -> Iterator[tuple[int, int]]:
-    edges = np.flatnonzero(np.diff(np.concatenate([[0], of.astype(np.int8), [0]])))
-    yield from zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True)
 
 
 # An element with a point farther off than this is not where the camera of the others shows it.

@@ -30,9 +30,8 @@ from procc_annotator.calibration.prediction.visible_elements import (
     image_edge_point,
 )
 from procc_annotator.camera.base import Camera
-from procc_annotator.field.appearance import BAR, LIGHTER
 from procc_annotator.field.geometry import Line
-from procc_annotator.field.model import Element, Field
+from procc_annotator.field.model import BAR, LIGHTER, Element, Field
 from procc_annotator.field.sampling import sample_evenly, touching_elements
 from procc_annotator.translation import translatable
 

@@ -10,7 +10,6 @@ import numpy as np
 from procc_annotator.arrays import FloatArray, IntArray
 from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.calibration.optimization.projection import Lens, project, project_visible
-from procc_annotator.field.appearance import BAR, DARKER, LIGHTER, LINE
 from procc_annotator.field.geometry import (
     Line,
     Part,
@@ -21,7 +20,7 @@ from procc_annotator.field.geometry import (
     points_at_angles,
 )
 from procc_annotator.field.markings import marking_normal
-from procc_annotator.field.model import Element, Field
+from procc_annotator.field.model import BAR, DARKER, LIGHTER, LINE, Element, Field
 
 # Between two places, of half the field's length; curves turn by this much at most.
 _SPACING_SHARE = 0.004

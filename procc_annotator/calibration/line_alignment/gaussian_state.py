@@ -12,18 +12,15 @@ from procc_annotator.calibration.line_alignment.expected_lines import MarkingPoi
 from procc_annotator.calibration.optimization.camera_parameters import (
     FREE_PARAMETERS,
     KAPPA,
-    LOG_FOCAL,
     MIN_KAPPA,
     PARAMETERS,
-    X,
-    Z,
     camera_from_vector,
 )
 from procc_annotator.calibration.optimization.camera_placement import camera_placement_prior
 from procc_annotator.calibration.optimization.initialization import prior_near
 from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.calibration.optimization.projection import Lens, project
-from procc_annotator.calibration.result import ElementResidual, FitResult, PoseStandardDeviations
+from procc_annotator.calibration.result import ElementResidual, FitResult, pose_deviations
 from procc_annotator.field.model import Field
 
 PARAMETERS_FREE = FREE_PARAMETERS["R"]
@@ -281,18 +278,13 @@ def fit_from_covariance(
         error_px: standard deviation of a mark, solver px.
         elements: what remains of theirs.
     """
-    sd = np.sqrt(np.maximum(np.diag(covariance), 0.0)).tolist()
-    focal = float(np.exp(vector[LOG_FOCAL])) / frame.scale
-    deviations = PoseStandardDeviations(
-        sd[0], sd[1], sd[2], (sd[X], sd[X + 1], sd[Z]), focal * sd[LOG_FOCAL]
-    )
     return FitResult(
         "R",
         frame.size,
         camera_from_vector(vector, frame),
         None,
         elements,
-        deviations,
+        pose_deviations(vector, covariance, frame),
         error_px / frame.scale,
         PARAMETERS[:PARAMETERS_FREE],
         covariance,

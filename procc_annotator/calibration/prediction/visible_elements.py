@@ -11,7 +11,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.arrays import FloatArray
+from procc_annotator.arrays import FloatArray, true_runs
 from procc_annotator.camera.base import Camera
 from procc_annotator.field.geometry import Spot, Vector
 from procc_annotator.field.model import Element, Field
@@ -212,7 +212,7 @@ def _rotate_circle_start(rows: NDArray[np.intp], inside: NDArray[np.bool_]) -> N
     out = ~inside[around]
     if not out.any():
         return rows
-    runs = _true_runs(np.concatenate([out, out]))
+    runs = true_runs(np.concatenate([out, out]))
     begin, end = max(runs, key=lambda run: run[1] - run[0])
     middle = ((begin + end) // 2) % len(around)
     turned = np.roll(around, -middle)
@@ -228,7 +228,7 @@ def _clip_stretch(
     limits: FloatArray,
 ) -> list[VisibleStretch]:
     stretches = []
-    for begin, end in _true_runs(inside):
+    for begin, end in true_runs(inside):
         rows = np.arange(begin, end)
         course, places = px[rows], world[rows]
         if begin > 0 and shown[begin - 1]:
@@ -250,9 +250,3 @@ def _clip_stretch(
 def _exit_share(inner: FloatArray, outer: FloatArray, limits: FloatArray) -> float:
     """The share of the way from inside to outside at which the picture's edge is reached."""
     return min(max(steps_to_image_edge(inner, outer - inner, limits), 0.0), 1.0)
-
-
-def _true_runs(of: NDArray[np.bool_]) -> list[tuple[int, int]]:
-    """First and one past the last index of each run of True."""
-    edges = np.flatnonzero(np.diff(np.concatenate([[0], of.astype(np.int8), [0]])))
-    return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))

@@ -31,8 +31,7 @@ from procc_annotator.calibration.single_image.field_points import (
     is_off_ground,
     visible_line_points,
 )
-from procc_annotator.field.appearance import ANY, DARKER, LIGHTER, LINE
-from procc_annotator.field.model import Field
+from procc_annotator.field.model import ANY, DARKER, LIGHTER, LINE, Field
 from procc_annotator.image.line_pixels import detect_line_pixels
 from procc_annotator.image.pixels import PixelArray
 

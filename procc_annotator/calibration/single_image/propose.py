@@ -159,17 +159,13 @@ _MIN_POSITION_SD_M = 0.05
 _MAX_MAHALANOBIS = 3.5  # beyond, the picture contradicts a known position (1 in 400 by chance)
 
 
-def _never_cancel() -> None:
-    """No one wants it stopped."""
-
-
 def propose_camera(
     picture: PixelArray,
     field: Field,
     *,
     known: Sequence[KnownPosition] = (),
     elsewhere: bool = True,
-    go_on: Callable[[], None] = _never_cancel,
+    go_on: Callable[[], None] = lambda: None,
 ) -> Proposal:
     """Find the camera of a picture from the paint on the ground.
 

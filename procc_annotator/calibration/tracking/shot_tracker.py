@@ -99,18 +99,6 @@ _MOVING_DISPLACEMENT_PX, _MOVING_HELD_SHARE, _MOVING_FOUND_SHARE = 0.7, 0.96, 0.
 _SKIPPED_SHARE = 0.5
 
 
-def _never_cancel() -> None:
-    """No one wants it stopped."""
-
-
-def _ignore_frame(_: TrackedFrame) -> None:
-    """No one asks."""
-
-
-def _ignore_progress(_: int, __: FilterStep) -> None:
-    """No one minds."""
-
-
 def _is_recent(number: int, looked: tuple[int, float] | None) -> bool:
     return looked is not None and number - looked[0] < _LOOKED_FRAMES
 
@@ -127,8 +115,8 @@ def track_shot(
     anchors: Mapping[int, Camera] | None = None,
     known: Sequence[KnownPosition] = (),
     propose: CameraProposer | None = None,
-    on_frame: Callable[[TrackedFrame], None] = _ignore_frame,
-    go_on: Callable[[], None] = _never_cancel,
+    on_frame: Callable[[TrackedFrame], None] = lambda _: None,
+    go_on: Callable[[], None] = lambda: None,
 ) -> Track:
     """The camera of every frame that can be followed from a known one, or that is found.
 
@@ -252,7 +240,7 @@ class _ShotTracker:
         numbers: Sequence[int],
         given: Mapping[int, GaussianState],
         stand: ProcessNoise = TRIPOD_NOISE,
-        watch: Callable[[int, FilterStep], None] = _ignore_progress,
+        watch: Callable[[int, FilterStep], None] = lambda _, __: None,
     ) -> TrackedRun:
         """Follow frames from the first of them, whose camera was given.
 

@@ -189,7 +189,6 @@ def loss_message(path: Path) -> str:
 
 
 def _restored(opened: OpenedDatabase, path: Path, asides: list[Path], lost: str) -> OpenedDatabase:
-    """Fill a database begun anew in the place of a lost one, and say what it holds."""
     if not asides and not (lost and opened.fresh):
         return opened
     with ExitStack() as failed:

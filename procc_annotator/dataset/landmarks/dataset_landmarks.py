@@ -175,7 +175,6 @@ def unknown_frames_message(groups: ViewGroups, workspace: Workspace) -> str:
 
 
 def _annotated_in(folder: Path) -> Iterator[str]:
-    """The frames that annotations in a folder or below it belong to, with a picture or without."""
     for below, names in walk(folder, lambda _: None) if folder.is_dir() else ():
         for name in names:
             if suffix_of(name) == ".json":

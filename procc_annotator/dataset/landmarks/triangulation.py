@@ -177,7 +177,6 @@ def locate(
 def _explained(
     found: Triangulation, missing: Sequence[tuple[str, str]], seen: int
 ) -> Triangulation:
-    """Name missing cameras as the reason why nothing was found."""
     if found.position is not None or seen > 1 or not missing:
         return found
     frame, why = missing[0]

@@ -257,7 +257,6 @@ def _formats_covering(known: AnnotationFormat, told: Sequence[AnnotationFormat])
 
 
 def _detect_file(source: FileSource, name: str) -> AnnotationFormat | None:
-    """The format of one file; None if undetermined."""
     try:
         data = source.read(name)
     except InputError:
@@ -279,7 +278,6 @@ def detect_json_format(data: bytes) -> AnnotationFormat | None:
 
 
 def _decoded(data: bytes) -> Any:
-    """Decoded JSON; None for what is damaged."""
     try:
         return json.loads(data.decode("utf-8-sig"))
     except (ValueError, RecursionError):
@@ -430,33 +428,12 @@ class SetReader:
         unmet = names.unmet(reading.labels, reading.unknown) if names is not None else ()
         return [*self._strays, *unmet, *reading.remarks.lines()]
 
-
-def read_set(
-    source: FileSource,
-    field: Field,
-    names: LabelMap | None = None,
-    *,
-    fmt: str = "auto",
-    size_of: Callable[[str], Size | None] = _unknown_size,
-    pictures: Sequence[str] = (),
-    called: Callable[[str], str] = _name_in_file,
-    progress: Progress | None = None,
-) -> ReadSet:
-    """All annotations of a source, of any format.
-
-    Args: as of `SetReader`; progress as of `SetReader.frames`.
-
-    Raises:
-        UsageError: no annotation, annotations of several formats, or of another sport.
-        InputError: the source cannot be listed.
-    """
-    reader = SetReader(
-        source, field, names, fmt=fmt, size_of=size_of, pictures=pictures, called=called
-    )
-    found = ReadSet(reader.format.title, files=tuple(reader.files))
-    for frame in reader.frames(progress):
-        found.frames[frame.name] = frame
-    found.problems = reader.reading.problems
-    found.unread = {called(name): error for name, error in reader.reading.unread.items()}
-    found.losses, found.unknown = reader.losses, dict(reader.reading.unknown.most_common())
-    return found
+    def read_all(self, progress: Progress | None = None) -> ReadSet:
+        """All frames at once; progress as of `frames`."""
+        found = ReadSet(self.format.title, files=tuple(self.files))
+        for frame in self.frames(progress):
+            found.frames[frame.name] = frame
+        found.problems = self.reading.problems
+        found.unread = {self._called(name): e for name, e in self.reading.unread.items()}
+        found.losses, found.unknown = self.losses, dict(self.reading.unknown.most_common())
+        return found

@@ -91,7 +91,6 @@ def _key(image_id: Any) -> str:
 
 
 def _pitches(entries: list[dict[str, Any]]) -> dict[str, list[tuple[int, dict[str, Any]]]]:
-    """Image -> its pitch annotations with their places in the list."""
     found: dict[str, list[tuple[int, dict[str, Any]]]] = {}
     for i, entry in enumerate(entries):
         if "lines" in entry:

@@ -70,8 +70,6 @@ def matlab_content(data: bytes, path: str) -> dict[str, Any]:
 
 
 class _File:
-    """A reader of one file."""
-
     def __init__(self, data: bytes) -> None:
         order = _ORDERS.get(data[126:128])
         if len(data) < _HEADER or order is None:
@@ -348,7 +346,6 @@ def _npz(data: bytes, path: str) -> dict[str, Any]:
 
 
 def _plain(array: NDArray[Any]) -> Any:
-    """Return what JSON would have for an array."""
     if array.dtype.kind == "U":
         return array.tolist()
     if array.dtype.kind == "S":

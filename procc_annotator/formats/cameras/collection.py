@@ -199,7 +199,6 @@ class CameraCollection:
         self._source.__exit__(*failure)
 
     def _look_into(self, files: dict[str, str]) -> None:
-        """Replace files of many cameras by the frames they hold."""
         found: dict[str, CameraRecords] = {}
         left_out: set[str] = set()
         for at, (own, file) in enumerate(self._worth_a_look(files)):
@@ -248,7 +247,6 @@ class CameraCollection:
         return fmt.records(self._read_file(file), path=self._source.display(file))
 
     def _take(self, files: dict[str, str], found: dict[str, CameraRecords]) -> None:
-        """Have the cameras of these files; those of many frames are given with what they hold."""
         frames: dict[str, str] = {}
         for own, file in files.items():
             for frame in found[file].entries if file in found else (own,):

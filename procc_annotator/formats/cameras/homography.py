@@ -267,7 +267,6 @@ def matrix_records(data: bytes, *, path: str) -> CameraRecords | None:
 
 
 def _projection(data: bytes, path: str) -> list[list[float]] | None:
-    """The rows of a projection matrix, where that is what a file holds."""
     if data.startswith(NPY_MAGIC):
         array = npy_array(data, path, "3 x 3 numbers")
         if array.shape != (3, 4) or array.dtype.kind not in "fiu":
@@ -281,7 +280,6 @@ def _projection(data: bytes, path: str) -> list[list[float]] | None:
 
 
 def _check_count(numbers: list[float], path: str) -> None:
-    """Raises CameraError: these are the numbers of no matrix."""
     if len(numbers) not in (9, 12):
         worlds = ", ".join(CONVENTIONS)
         raise CameraError(

@@ -289,7 +289,6 @@ def camera_of_projection(
 
 
 def _are_twelve(content: object) -> bool:
-    """Return whether it is such a matrix row by row in one list."""
     return (
         type(content) is list
         and len(content) == 12
@@ -377,7 +376,6 @@ def _own_from(content: object, path: str, inside: str) -> LoadedCamera:
 
 
 def _nested(content: object) -> Iterator[tuple[str, str, Any]]:
-    """(name, place, entry) of each camera."""
     cameras = content.get("cameras") if type(content) is dict else None
     if type(cameras) is dict:
         for name, entry in cameras.items():

@@ -153,7 +153,6 @@ def _depth(text: str) -> int:
 
 
 def _content(data: bytes, path: str) -> dict[str, Any]:
-    """The numbers of the keys that belong to a camera, matrices as lists of rows."""
     wanted = {*KRT_KEYS.used, *chain(*SIZE_KEYS)}
     others: set[str] = set()
 

@@ -114,7 +114,6 @@ def _is_soccernet(content: object) -> bool:
 def _by_frame(
     is_one: Callable[[object], bool], read: FromContent, content: object, path: str
 ) -> CameraRecords | None:
-    """The cameras of ``{frame: camera}`` of a format of one camera."""
     if type(content) is not dict or is_one(content) or not any(map(is_one, content.values())):
         return None
     found = [(name, CameraRecord(name, v)) for name, v in content.items()]
@@ -272,7 +271,6 @@ def _detected(content: object, path: str) -> JsonFormat:
 
 
 def _unknown(content: object, path: str) -> CameraError:
-    """Return what is wrong with content of no known format, and the keys of every format."""
     if type(content) is dict and any(key in content for key in _HOMOGRAPHY_KEYS):
         return CameraError(
             path,

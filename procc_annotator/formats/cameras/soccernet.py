@@ -111,7 +111,6 @@ def write_camera(camera: PinholeCamera, extra: Mapping[str, Any] | None = None) 
 def _parameters(
     camera: PinholeCamera, angles_rad: Mapping[str, float]
 ) -> dict[str, float | list[float]]:
-    """The camera by the file's keys, angles in degrees."""
     x_focal, y_focal = camera.focal_px
     content: dict[str, float | list[float]] = {
         **{key: _degrees(angle) for key, angle in angles_rad.items()},

@@ -25,10 +25,10 @@ from procc_annotator.formats.cameras.soccernet import camera_from
 from procc_annotator.formats.file_listing import (
     CAMERA_PREFIX,
     MANIFEST_FILE,
-    CameraFiles,
     list_cameras,
 )
 from procc_annotator.formats.file_source import ZipSource
+from procc_annotator.formats.frame_names import ByFrame
 from procc_annotator.formats.strict_json import decode_as, printable
 from procc_annotator.messages import first_names, pluralize
 from procc_annotator.metrics.official import fold_back_warnings, folds_into_image, soccernet_tables
@@ -41,7 +41,6 @@ KEYS = (
 )  # fmt: skip
 REFUSED, LOWERS, IGNORED = "refused", "lowers the score", "ignored"
 _FAR = 0.2
-_NAMED = 5
 
 
 @dataclass(frozen=True)
@@ -95,7 +94,7 @@ def check_submission(
             if _is_camera(name, split)
         }
         findings = list(_names_findings(names, split, bool(cameras)))
-        findings += _frames_findings(cameras, frames, split)
+        findings += _frames_remarks(cameras, frames, "have no camera")
         folded = []
         for frame, name in cameras.items():
             if frames is None or frame in frames:
@@ -138,30 +137,27 @@ def _names_findings(names: list[str], split: str, any_camera: bool) -> Iterator[
         )
 
 
-def _frames_findings(
-    cameras: dict[str, str], frames: Collection[str] | None, split: str
+def _frames_remarks(
+    given: Collection[str], frames: Collection[str] | None, lacking: str
 ) -> Iterator[SubmissionRemark]:
-    if frames is None or not cameras:
+    if frames is None or not given:
         return
-    missing = natsorted(set(frames) - set(cameras))
-    if missing:
+    if missing := [frame for frame in natsorted(frames) if frame not in given]:
         share = 100 * (1 - len(missing) / len(frames))
-        have = "frame has" if len(frames) == 1 else "frames have"
         yield SubmissionRemark(
             LOWERS,
             "",
-            f"{len(missing)} of {len(frames)} annotated {have} no camera"
-            f" ({_names(missing)}): completeness {share:.1f} %",
+            f"{len(missing)} of {len(frames)} annotated frames {lacking} ({_names(missing)}):"
+            f" completeness {share:.1f} %",
         )
-    unknown = natsorted(set(cameras) - set(frames))
-    if unknown:
+    there = ByFrame.fromkeys(frames)
+    if unknown := natsorted(frame for frame in given if frame not in there):
         yield SubmissionRemark(IGNORED, "", f"{_listed(unknown)}: no such frame is annotated")
 
 
 def _check_camera(
     archive: ZipSource, name: str
 ) -> tuple[CameraOrProjections | None, list[SubmissionRemark]]:
-    """A camera, where it can be read, and what is to say of it alone."""
     place = printable(name, 120)
     try:
         content: Any = json.loads(archive.read(name).decode("utf-8"))
@@ -226,8 +222,7 @@ def _listed(names: list[str]) -> str:
 
 
 def _names(names: list[str]) -> str:
-    shown = ", ".join(printable(name) for name in names[:_NAMED])
-    return f"{shown}, ..." if len(names) > _NAMED else shown
+    return first_names([printable(name) for name in names])
 
 
 FORMAT = "procc-annotator polylines 1"
@@ -364,7 +359,10 @@ def check_polylines(
     ]
     with ZipSource(path) as archive:
         files = list_cameras(archive, POLYLINES)
-        found += _frames_remarks(files, frames)
+        if not files:
+            problem = "holds no polylines: expected files named FRAME.json"
+            found.append(SubmissionRemark(REFUSED, "", problem))
+        found += _frames_remarks(files, frames, "are missing")
         known = {*files.values(), MANIFEST_FILE, ""}
         others = [
             n
@@ -372,8 +370,7 @@ def check_polylines(
             if not (n.removeprefix("./") in known or n.endswith(SIDECAR_SUFFIX))
         ]
         if others:
-            what = f"{pluralize(len(others), 'file')} ({first_names(others)}) of no frame"
-            found.append(SubmissionRemark(IGNORED, "", what))
+            found.append(SubmissionRemark(IGNORED, "", f"{_listed(others)} of no frame"))
         for name in files.values():
             found += _file_remarks(archive, name, field)
     return found
@@ -398,36 +395,16 @@ def _made_for_another(
         yield f"was made for other frames ({manifest.frames}; {count} are annotated)"
 
 
-def _frames_remarks(
-    given: CameraFiles, frames: Collection[str] | None
-) -> Iterator[SubmissionRemark]:
-    if not given:
-        yield SubmissionRemark(REFUSED, "", "holds no polylines: expected files named FRAME.json")
-    if frames is None:
-        return
-    if missing := natsorted(frame for frame in frames if frame not in given):
-        what = (
-            f"{len(missing)} of {len(frames)} annotated frames are missing ({first_names(missing)})"
-        )
-        yield SubmissionRemark(LOWERS, "", what)
-    if unknown := natsorted(set(given) - {given.name_there(frame) for frame in frames}):
-        what = f"{pluralize(len(unknown), 'frame')} ({first_names(unknown)}) not annotated"
-        yield SubmissionRemark(IGNORED, "", what)
-
-
 def _file_remarks(archive: ZipSource, name: str, field: Field) -> Iterator[SubmissionRemark]:
     place = printable(name, 120)
     try:
         loaded = read_camera_file(archive.read(name), path=place, fmt=POLYLINES)
-    except CameraError as error:
+    except InputError as error:
         where = f"{error.place}: " if error.place else ""
         yield SubmissionRemark(LOWERS, place, f"{where}{error.problem}: counts as missing")
-        return
-    except InputError as error:
-        yield SubmissionRemark(LOWERS, place, f"{error.problem}: counts as missing")
         return
     pieces: Mapping[str, object] = getattr(loaded.camera, "pieces", {})
     strange = [n for n in pieces if field.canonical_name(n) not in field.index]
     if strange:
-        what = f"no element of the field: {first_names([printable(n) for n in strange])}"
+        what = f"no element of the field: {_names(strange)}"
         yield SubmissionRemark(IGNORED, place, what)

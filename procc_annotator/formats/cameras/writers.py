@@ -255,7 +255,6 @@ def write_cameras(
 
 
 def _place(writer: CameraWriter, frame: str, split: str) -> str:
-    """Return where a frame's file goes in the output; those of a tree keep their folders."""
     head, slash, tail = writer.file_name.rpartition("/")
     prefix, suffix = tail.split("{}")
     return f"{head}{slash}".format(split=split) + file_of_frame(frame, suffix, prefix)

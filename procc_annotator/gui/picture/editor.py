@@ -17,9 +17,15 @@ from procc_annotator.gui.state.document import Document
 from procc_annotator.interaction.class_choice import next_element, unnamed_class
 from procc_annotator.interaction.draw_tool import DrawTool, draft_with_cursor
 from procc_annotator.interaction.edit_tool import EditTool
-from procc_annotator.interaction.gestures import Edit, Modifiers, Position, Reaction, ToolContext
+from procc_annotator.interaction.gestures import (
+    Edit,
+    Hit,
+    Modifiers,
+    Position,
+    Reaction,
+    ToolContext,
+)
 from procc_annotator.interaction.hints import GhostHint, status_hint
-from procc_annotator.interaction.hit_test import Hit
 from procc_annotator.interaction.overlay_primitives import Draft
 from procc_annotator.translation import tr
 

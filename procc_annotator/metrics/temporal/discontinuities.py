@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from procc_annotator.arrays import BoolArray, FloatArray, IntArray
+from procc_annotator.arrays import BoolArray, FloatArray, IntArray, true_runs
 from procc_annotator.camera.base import Camera
 from procc_annotator.metrics.temporal.jitter import (
     SECOND_DIFFERENCE_SCALE,
@@ -94,25 +94,18 @@ def find_discontinuities(
     gone = np.array([camera is None for camera in cameras], dtype=bool)
     shot = _ShotProjections(cameras, numbers, points_world, size, limit)
     return Discontinuities(
-        _find_jumps(shot, _true_runs(unsteady), steady),
+        _find_jumps(shot, [(a, b - 1) for a, b in true_runs(unsteady)], steady),
         _find_outages(gone, unsteady),
         unsteady,
         limit,
     )
 
 
-def _true_runs(marked: BoolArray) -> list[tuple[int, int]]:
-    edges = np.flatnonzero(np.diff(np.concatenate(([False], marked, [False]))))
-    return [(int(a), int(b) - 1) for a, b in zip(edges[::2], edges[1::2], strict=True)]
-
-
 def _find_outages(gone: BoolArray, unsteady: BoolArray) -> tuple[Outage, ...]:
     found = []
-    for first, last in _true_runs(gone):
-        back = next(
-            (i for i in range(last + 1, len(gone)) if not gone[i] and not unsteady[i]), None
-        )
-        found.append(Outage(first, last - first + 1, None if back is None else back - first))
+    for first, past in true_runs(gone):
+        back = next((i for i in range(past, len(gone)) if not gone[i] and not unsteady[i]), None)
+        found.append(Outage(first, past - first, None if back is None else back - first))
     return tuple(found)
 
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from procc_annotator.batch.audit import Points, gather
-from procc_annotator.field.appearance import hex_colour, linear_rgb
+from procc_annotator.field.model import hex_colour, linear_rgb
 from procc_annotator.formats.cameras.fit_record import MARKS
 from procc_annotator.report.page.report_data import AuditReport, ReportedSource
 

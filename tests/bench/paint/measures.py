@@ -17,8 +17,8 @@ from procc_annotator.assist.line_evidence import ExpectedLines
 from procc_annotator.assist.regularise import regularise
 from procc_annotator.calibration.fitting import fit_camera
 from procc_annotator.calibration.prediction.ghosts import find_ghosts
-from procc_annotator.field.appearance import BAR
 from procc_annotator.field.geometry import Arc, Circle, Line
+from procc_annotator.field.model import BAR
 from procc_annotator.image.line_snapping import snap_points_to_lines, snap_to_line
 from procc_annotator.image.pixels import PixelArray
 from tests.bench.paint.truth import Element, TruthFrame

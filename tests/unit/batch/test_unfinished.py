@@ -10,10 +10,9 @@ import pytest
 
 from procc_annotator.batch.checkpoint import Checkpoint, field_settings
 from procc_annotator.errors import UsageError
-from procc_annotator.field.appearance import DARKER
 from procc_annotator.field.landmarks import with_landmarks
 from procc_annotator.field.load import load_field
-from procc_annotator.field.model import CameraPlacement, Field, Landmark
+from procc_annotator.field.model import DARKER, CameraPlacement, Field, Landmark
 
 SEAT = Landmark(
     "Seat",

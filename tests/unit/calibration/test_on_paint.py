@@ -20,9 +20,8 @@ from procc_annotator.calibration.line_alignment.refinement import (
 )
 from procc_annotator.calibration.optimization.camera_parameters import vector_from_camera
 from procc_annotator.calibration.optimization.observations import ImageFrame
-from procc_annotator.field.appearance import Appearance
 from procc_annotator.field.geometry import Line
-from procc_annotator.field.model import Field
+from procc_annotator.field.model import Appearance, Field
 from tests.drawn_shots import draw as draw_scene
 from tests.drawn_shots import looking_at, stage_of
 from tests.unit.calibration.plain_pictures import FIELD, FRAME, SIZE, apart_px, camera, draw

@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from procc_annotator.errors import FieldError
-from procc_annotator.field.appearance import ANY, BAR, EDGE, LINE, NOTHING, Appearance
 from procc_annotator.field.load import builtin_field_file, field_names, load_field
+from procc_annotator.field.model import ANY, BAR, EDGE, LINE, NOTHING, Appearance
 
 MIDDLE = 'measured = "centre"\n'  # of soccer's halfway line
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+from procc_annotator.assist.label_proposal import matching_classes
 from procc_annotator.field.load import load_field
-from procc_annotator.field.name_matching import matching_classes
 
 
 @pytest.mark.parametrize(

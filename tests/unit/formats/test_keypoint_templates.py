@@ -14,7 +14,7 @@ from procc_annotator.errors import InputError
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
 from procc_annotator.formats.annotations.label_map import known_templates, read_label_map
-from procc_annotator.formats.annotations.registry import ReadSet, read_set
+from procc_annotator.formats.annotations.registry import ReadSet, SetReader
 from procc_annotator.formats.file_source import open_source
 from procc_annotator.metrics.measurement import measure
 from procc_annotator.metrics.setup import EvaluationSetup
@@ -79,7 +79,7 @@ def read(folder: Path, field: Field, labels: str = "") -> ReadSet:
         (folder.parent / "labels.toml").write_text(f"[labels]\n{labels}\n")
         names = read_label_map(folder.parent / "labels.toml", field)
     with open_source(folder) as source:
-        return read_set(source, field, names)
+        return SetReader(source, field, names).read_all()
 
 
 @pytest.mark.parametrize(

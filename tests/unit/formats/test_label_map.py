@@ -10,7 +10,7 @@ import pytest
 from procc_annotator.errors import InputError
 from procc_annotator.field.load import load_field
 from procc_annotator.formats.annotations.label_map import read_label_map
-from procc_annotator.formats.annotations.registry import ReadSet, read_set
+from procc_annotator.formats.annotations.registry import ReadSet, SetReader
 from procc_annotator.formats.file_source import open_source
 
 TENNIS = load_field("tennis")
@@ -31,7 +31,7 @@ def read(tmp_path: Path, labels: str, *shapes: dict[str, object]) -> ReadSet:
         (tmp_path / "labels.toml").write_text(f"[labels]\n{labels}")
         names = read_label_map(tmp_path / "labels.toml", TENNIS)
     with open_source(folder) as source:
-        return read_set(source, TENNIS, names)
+        return SetReader(source, TENNIS, names).read_all()
 
 
 def first_points(found: ReadSet) -> dict[str, tuple[float, float]]:

@@ -12,8 +12,8 @@ import pytest
 from procc_annotator.annotation import points_px
 from procc_annotator.assist.line_evidence import ExpectedLines
 from procc_annotator.dataset.camera_set import CameraSet
-from procc_annotator.field.appearance import ANY, BAR, LIGHTER, LINE, WHITE, Appearance
 from procc_annotator.field.load import load_field
+from procc_annotator.field.model import ANY, BAR, LIGHTER, LINE, WHITE, Appearance
 from procc_annotator.field.sampling import sample_evenly
 from procc_annotator.formats.annotations.soccernet import read_annotation
 from procc_annotator.image.decoding import decode_bgra

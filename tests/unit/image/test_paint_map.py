@@ -5,8 +5,7 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
-from procc_annotator.image.field_mask import field_mask
-from procc_annotator.image.line_pixels import LinePixels, detect_line_pixels
+from procc_annotator.image.line_pixels import LinePixels, detect_line_pixels, field_mask
 
 SIZE = (960, 540)
 GRASS, PAINT = (50, 130, 60), (225, 230, 228)

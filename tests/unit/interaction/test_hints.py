@@ -11,9 +11,8 @@ from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.field.load import load_field
 from procc_annotator.interaction.draw_tool import DrawTool
 from procc_annotator.interaction.edit_tool import EditTool
-from procc_annotator.interaction.gestures import Modifiers, ToolContext
+from procc_annotator.interaction.gestures import Hit, Modifiers, ToolContext
 from procc_annotator.interaction.hints import SEPARATOR, GhostHint, status_hint
-from procc_annotator.interaction.hit_test import Hit
 
 FIELD = load_field()
 SIZE = (1280, 720)

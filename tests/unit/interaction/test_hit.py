@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline, point_from_px, points_px
-from procc_annotator.interaction.hit_test import hit_test
+from procc_annotator.interaction.gestures import hit_test
 
 SIZE = (640, 360)
 

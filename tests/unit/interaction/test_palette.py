@@ -7,7 +7,7 @@ import itertools
 import numpy as np
 import pytest
 
-from procc_annotator.field.appearance import colour_difference, hex_colour, linear_rgb
+from procc_annotator.field.model import colour_difference, hex_colour, linear_rgb
 from procc_annotator.interaction import palette
 from procc_annotator.interaction.camera_view import DISAGREEMENT, UNCERTAINTY, MapStyle
 

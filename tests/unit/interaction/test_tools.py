@@ -13,9 +13,14 @@ from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px,
 from procc_annotator.field.load import load_field
 from procc_annotator.interaction.draw_tool import DrawTool
 from procc_annotator.interaction.edit_tool import EditTool
-from procc_annotator.interaction.gestures import Modifiers, Reaction, Selection, ToolContext
+from procc_annotator.interaction.gestures import (
+    Modifiers,
+    Reaction,
+    Selection,
+    ToolContext,
+    hit_test,
+)
 from procc_annotator.interaction.hints import status_hint
-from procc_annotator.interaction.hit_test import hit_test
 
 FIELD = load_field()
 SIZE = (1280, 720)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from procc_annotator.field.appearance import linear_rgb
+from procc_annotator.field.model import linear_rgb
 from procc_annotator.interaction.palette import SOURCE_COLOURS
 from procc_annotator.report.page.chart_style import readable_on_both_themes
 

@@ -14,8 +14,8 @@ from procc_annotator.assist.regularise import Regularised, regularise
 from procc_annotator.dataset import editing
 from procc_annotator.dataset.frames import Frame
 from procc_annotator.dataset.records import OriginKind, PointKey
-from procc_annotator.field.appearance import BAR
 from procc_annotator.field.geometry import Arc, Circle, Line
+from procc_annotator.field.model import BAR
 from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl

@@ -8,7 +8,7 @@ from pathlib import Path
 from PySide6.QtWidgets import QWidget
 
 from procc_annotator.dataset.camera_set import CameraSet
-from procc_annotator.dataset.workspace import DatasetFrames, Workspace
+from procc_annotator.dataset.workspace import Workspace, dataset_frames
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl, run_in_background
 from procc_annotator.gui.writing import ask_where, opened_frame
@@ -61,7 +61,7 @@ class Exporter:
         """Write SoccerNet JSON of all annotated frames to a folder or zip archive."""
         self._run(
             lambda workspace, progress: export_dataset(
-                DatasetFrames(workspace), path, progress=progress
+                dataset_frames(workspace), path, progress=progress
             ),
             "export_annotations",
         )
@@ -77,7 +77,7 @@ class Exporter:
         only = document.revealed_frames
         self._run(
             lambda workspace, progress: export_scores(
-                DatasetFrames(workspace), path, scoring, progress, only=only
+                dataset_frames(workspace), path, scoring, progress, only=only
             ),
             "export_scores",
         )
