@@ -18,6 +18,8 @@ from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.formats.file_source import FileSource
 from procc_annotator.messages import condensed
 from procc_annotator.regular_file import read_head
+from procc_annotator.report.comparison import ComparisonScene
+from procc_annotator.report.overlay_scene import Scene
 from procc_annotator.report.page.charts import draw_charts, jitter_chart
 from procc_annotator.report.page.overlays import (
     OverlayDrawer,
@@ -26,7 +28,6 @@ from procc_annotator.report.page.overlays import (
     choose_frames,
 )
 from procc_annotator.report.page.pairs import (
-    PairPainters,
     Pairs,
     ReportedPair,
     disagreement_section,
@@ -100,8 +101,8 @@ class ReportPainters:
         colours: of the sources in charts.
     """
 
-    overlays: Painters
-    pairs: PairPainters | None
+    overlays: Painters[Scene]
+    pairs: Painters[ComparisonScene] | None
     colours: Sequence[str]
 
 
