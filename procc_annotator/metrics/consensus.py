@@ -176,7 +176,7 @@ def _median_along_reference(
     }
     own = max(reliable, key=lambda one: sum(shared_px[one]))
     others = [other for other in reliable if other is not own]
-    overlapping = [other for other, px in zip(others, shared_px[own], strict=True) if px > 0]
+    beside = [other for other, px in zip(others, shared_px[own], strict=True) if px > 0]
     if not own.extent[1] > own.extent[0]:
         return None
     places = points_at_arc_lengths(own.trace.vertices, np.linspace(*own.extent, _CURVE_SAMPLES + 1))
@@ -185,7 +185,7 @@ def _median_along_reference(
         across = polyline_normals(middle, _SMOOTHING_SAMPLES)
         table = np.array(
             [((places - middle) * across).sum(axis=1)]
-            + [_signed_offsets(vote, middle, across) for vote in overlapping]
+            + [_signed_offsets(vote, middle, across) for vote in beside]
         )
         shared = 2 * (~np.isnan(table)).sum(axis=0) > voters
         if not shared.any():
