@@ -51,8 +51,8 @@ def curve_overlap(
         advance = np.minimum(advance, high - low - advance)
     # A foot that jumps to another branch goes no further along than the walk itself.
     advance = np.minimum(advance, (last - first) / _OVERLAP_SAMPLES)
-    beside = ~np.isnan(other.distances(places))
-    return float(advance[beside[1:] & beside[:-1]].sum() / (last - first))
+    overlapping = ~np.isnan(other.distances(places))
+    return float(advance[overlapping[1:] & overlapping[:-1]].sum() / (last - first))
 
 
 def clicked_extent(trace: ClickedCurve, clicks: FloatArray) -> tuple[float, float]:
@@ -249,11 +249,11 @@ def _compare_frames(
 def _compare_class(name: str, a: AnnotatedCurve, b: AnnotatedCurve) -> ClassAgreement:
     of_a, of_b = b.trace.distances(a.points), a.trace.distances(b.points)
     # Anyone who says less of the course is measured by the other, not the reverse.
-    told = [
+    distances = [
         *((of_a,) if b.trace.rank >= a.trace.rank else ()),
         *((of_b,) if a.trace.rank >= b.trace.rank else ()),
     ]
-    measured = np.concatenate(told)
+    measured = np.concatenate(distances)
     # Where all clicks of one are next to the other, their distances say what there is to say.
     both_go_beyond = bool(np.isnan(of_a).any() and np.isnan(of_b).any())
     if both_go_beyond and curve_overlap(a.trace, a.points, b.trace, b.points) < MIN_OVERLAP:
