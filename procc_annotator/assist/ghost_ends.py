@@ -19,7 +19,6 @@ from procc_annotator.assist.visible_line import (
 )
 from procc_annotator.calibration.prediction.ghosts import ElementJoint, ExpectedEnd, Ghost
 from procc_annotator.calibration.prediction.visible_elements import image_edge_point
-from procc_annotator.image.line_profiles import LineTarget
 from procc_annotator.image.line_snapping import SNAP_RADIUS_PX, snap_points_to_lines
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.metrics.polylines import polyline_normals
@@ -59,6 +58,20 @@ class Corner:
     is_seen: bool
 
 
+@dataclass(frozen=True, eq=False, slots=True)
+class _Scene:
+    """The picture (H, W, 4) BGRA, how its elements look, and the ghost that the line belongs to."""
+
+    picture: PixelArray
+    paint: ExpectedLines
+    ghost: Ghost
+
+    def snapped(self, course: FloatArray, along: FloatArray, name: str, reach: float) -> FloatArray:
+        """(n, 2) px on the paint of an element near a course (n, 2); NaN where there is none."""
+        sought = self.paint.of(name)
+        return snap_points_to_lines(self.picture, course, along, sought, reach_px=reach)
+
+
 @dataclass(frozen=True, slots=True)
 class _Candidate:
     place: FloatArray
@@ -76,24 +89,15 @@ def reach_of(end: ExpectedEnd | None) -> float:
     return float(np.clip(np.nan_to_num(_LEAST_SD * end.sd_px, nan=np.inf), _LEAST_PX, FARTHEST_PX))
 
 
-def seen_corner(
-    line: VisibleLine,
-    end: ExpectedEnd,
-    picture: PixelArray,
-    paint: ExpectedLines,
-    ghost: Ghost,
-    *,
-    may_miss_px: float,
-    shifted_px: float,
+def _seen_corner(
+    line: VisibleLine, end: ExpectedEnd, scene: _Scene, *, may_miss_px: float, shifted_px: float
 ) -> Corner | None:
     """Return where a line's last end meets the paint of an element that it ends at.
 
     Args:
         line: of a straight element, found beyond where its last end is expected.
         end: the last one.
-        picture: (H, W, 4) BGRA.
-        paint: how the elements look.
-        ghost: the one that the line belongs to.
+        scene: of the line.
         may_miss_px: so far before the corner the line need not be seen.
         shifted_px: how much farther on than expected the line's first end was found.
 
@@ -105,7 +109,7 @@ def seen_corner(
     for candidate in (
         candidate
         for joint in end.joints
-        for candidate in _candidates(line, end, joint, picture, paint, ghost, shifted_px)
+        for candidate in _candidates(line, end, joint, scene, shifted_px)
         if candidate.row > line.runs[0][0]
     ):
         missed = abs(candidate.row - line.runs[-1][1]) / may_miss_px
@@ -119,18 +123,12 @@ def seen_corner(
     is_near = abs(best.row - line.runs[-1][1]) <= may_miss_px
     if is_near and best.sine >= _STEEP_SINE:
         return Corner(best.place, False)
-    place, seen = _refined(line, best, picture, paint, ghost.name)
+    place, seen = _refined(line, best, scene)
     return Corner(place, seen) if seen or is_near else None
 
 
 def _candidates(
-    line: VisibleLine,
-    end: ExpectedEnd,
-    joint: ElementJoint,
-    picture: PixelArray,
-    paint: ExpectedLines,
-    ghost: Ghost,
-    shifted_px: float,
+    line: VisibleLine, end: ExpectedEnd, joint: ElementJoint, scene: _Scene, shifted_px: float
 ) -> Iterator[_Candidate]:
     """Return where the other element's paint crosses the line, the nearest to the expected end
     first."""
@@ -141,7 +139,7 @@ def _candidates(
     sine = abs(along[0] * other[1] - along[1] * other[0]) / max(float(np.hypot(*other)), 1e-9)
     if sine < _LEAST_SINE:
         return
-    reach = float(np.clip(3.0 * ghost.sd_px, 3.0, SNAP_RADIUS_PX))
+    reach = float(np.clip(3.0 * scene.ghost.sd_px, 3.0, SNAP_RADIUS_PX))
     farthest, step = reach_of(end), 1.6 * reach / sine
     own = continued(line.course_px, _TRIED_PX)
 
@@ -151,7 +149,7 @@ def _candidates(
     count = int((farthest + abs(shifted_px)) / step)
     shifts = [*(np.arange(-count, count + 1) * step).tolist(), shifted_px]
     for shift in sorted({s for s in shifts if off(s) <= 1.0}, key=off):
-        found = _detected_line(course + shift * along, line, picture, paint.of(joint.name), reach)
+        found = _detected_line(course + shift * along, line, scene, joint.name, reach)
         place = None if found is None else _crossing(own, found[0])
         if found is None or place is None:
             continue
@@ -162,14 +160,14 @@ def _candidates(
 
 
 def _detected_line(
-    course: FloatArray, line: VisibleLine, picture: PixelArray, sought: LineTarget, reach: float
+    course: FloatArray, line: VisibleLine, scene: _Scene, name: str, reach: float
 ) -> tuple[FloatArray, float] | None:
     """(n, 2) px: the other element's line, as long as it was found, and where of its course it was,
     as a share.
 
     Right next to the line that ends there, it could not be distinguished from it.
     """
-    limits = np.array([picture.shape[1], picture.shape[0]]) - 1.0
+    limits = _limits(scene.picture)
     count = min(round(len(course) / _EVERY_PX), _MOST_PLACES) + 1
     rows = np.unique(np.linspace(0, len(course) - 1, count).round())
     rows = rows.astype(np.intp)
@@ -179,14 +177,14 @@ def _detected_line(
         return None
     across = polyline_normals(course, 3)
     along = np.column_stack([across[rows, 1], -across[rows, 0]])
-    found = snap_points_to_lines(picture, course[rows], along, sought, reach_px=reach)
+    found = scene.snapped(course[rows], along, name, reach)
     offsets = ((found - course[rows]) * across[rows]).sum(axis=1)
     known = ~np.isnan(offsets)
     if known.sum() < _LEAST_AGREED:
         return None
     places = 2.0 * rows / (len(course) - 1) - 1.0
     agreed, coefficients = smooth_inliers(
-        places[known], offsets[known], reach, terms=3 if sought.bends else 2
+        places[known], offsets[known], reach, terms=3 if scene.paint.of(name).bends else 2
     )
     share = float(agreed.sum() / len(rows))
     if agreed.sum() < _LEAST_AGREED or share < _LEAST_SHARE:
@@ -224,19 +222,16 @@ def _meeting(a: FloatArray, u: FloatArray, b: FloatArray, v: FloatArray) -> Floa
     return np.asarray(a + share * u)
 
 
-def _refined(
-    line: VisibleLine, found: _Candidate, picture: PixelArray, paint: ExpectedLines, name: str
-) -> tuple[FloatArray, bool]:
+def _refined(line: VisibleLine, found: _Candidate, scene: _Scene) -> tuple[FloatArray, bool]:
     """The same corner, by what both lines are like close to it, and whether the line is seen there.
 
     A smooth course over a whole element is off by some tenths of a pixel here: at a shallow angle
     by pixels along the line.
     """
-    sought = paint.of(found.name)
-    own = _close_by(line.course_px, found.place, found.other, picture, paint.of(name))
-    if sought.bends or own is None:
+    own = _close_by(line.course_px, found.place, found.other, scene, scene.ghost.name)
+    if scene.paint.of(found.name).bends or own is None:
         return found.place, own is not None
-    other = _close_by(found.other, found.place, line.course_px, picture, sought)
+    other = _close_by(found.other, found.place, line.course_px, scene, found.name)
     place = None if other is None else _meeting(*own, *other)
     most = _REFINED_PX * (1.0 + 3.0 * math.sqrt(1.0 - found.sine**2) / found.sine)
     if place is None or np.hypot(*(place - found.place)) > most:
@@ -245,11 +240,7 @@ def _refined(
 
 
 def _close_by(
-    course: FloatArray,
-    corner: FloatArray,
-    beside: FloatArray,
-    picture: PixelArray,
-    sought: LineTarget,
+    course: FloatArray, corner: FloatArray, beside: FloatArray, scene: _Scene, name: str
 ) -> tuple[FloatArray, FloatArray] | None:
     """A straight line through a course's paint close to a corner: a place and a direction."""
     away = np.hypot(*(course - corner).T)
@@ -260,7 +251,7 @@ def _close_by(
         return None
     across = polyline_normals(course, 3)[rows]
     along = np.column_stack([across[:, 1], -across[:, 0]])
-    found = snap_points_to_lines(picture, course[rows], along, sought, reach_px=_LOCAL_REACH_PX)
+    found = scene.snapped(course[rows], along, name, _LOCAL_REACH_PX)
     found = found[~np.isnan(found[:, 0])]
     if len(found) < _LOCAL_AGREED:
         return None
@@ -312,8 +303,8 @@ def locate_line_ends(
         where it has no end in the picture, and then lies exactly there.
     """
     may_miss = _HIDDEN_PX if on_ground else _JOINED_PX
-    corners = _corners(line, ghost, picture, paint, may_miss)
-    sought, unsure = paint.of(ghost.name), 0
+    scene, unsure = _Scene(picture, paint, ghost), 0
+    corners = _corners(line, scene, may_miss)
     for last in (True, False):
         way, end, corner = (
             (line if last else _reversed_line(line)),
@@ -324,7 +315,7 @@ def locate_line_ends(
             break
         ending: VisibleLine | None = None
         if end is None or (corner and not _is_inside(corner.place_px, picture)):
-            ending = _to_edge(way, picture, sought)
+            ending = _to_edge(way, scene)
         elif corner and not (on_ground and is_bare(picture, *_before(way, corner))):
             ending = _ending_at(way, corner)
         if ending is None and end is not None:
@@ -334,23 +325,20 @@ def locate_line_ends(
     return line, unsure
 
 
-def _corners(
-    line: VisibleLine, ghost: Ghost, picture: PixelArray, paint: ExpectedLines, may_miss_px: int
-) -> dict[bool, Corner]:
+def _corners(line: VisibleLine, scene: _Scene, may_miss_px: int) -> dict[bool, Corner]:
     """The corners at which a line ends, by whether it is its last one.
 
     What the one is off from where the camera expects it, the other is by nearly as much.
     """
     found: dict[bool, Corner] = {}
     shifted = 0.0
-    first = reach_of(ghost.ends[0]) > reach_of(ghost.ends[1])
+    ends = scene.ghost.ends
+    first = reach_of(ends[0]) > reach_of(ends[1])
     for last in (first, not first, first):
-        way, end = (line if last else _reversed_line(line)), ghost.ends[last]
+        way, end = (line if last else _reversed_line(line)), ends[last]
         if last in found or end is None or not way.runs:
             continue
-        corner = seen_corner(
-            way, end, picture, paint, ghost, may_miss_px=may_miss_px, shifted_px=shifted
-        )
+        corner = _seen_corner(way, end, scene, may_miss_px=may_miss_px, shifted_px=shifted)
         if corner is None:
             continue
         found[last] = corner
@@ -398,22 +386,24 @@ def _cut_back(line: VisibleLine, end: ExpectedEnd) -> VisibleLine:
 
 
 def _is_inside(place_px: FloatArray, picture: PixelArray) -> bool:
-    limits = np.array([picture.shape[1], picture.shape[0]]) - 1.0
-    return bool(((place_px >= 0) & (place_px <= limits)).all())
+    return bool(((place_px >= 0) & (place_px <= _limits(picture))).all())
 
 
-def _to_edge(line: VisibleLine, picture: PixelArray, sought: LineTarget) -> VisibleLine | None:
+def _limits(picture: PixelArray) -> FloatArray:
+    return np.array([picture.shape[1], picture.shape[0]]) - 1.0
+
+
+def _to_edge(line: VisibleLine, scene: _Scene) -> VisibleLine | None:
     """A line that is seen to end a little inside the picture's edge, or outside it, ends there."""
-    size = picture.shape[1], picture.shape[0]
-    limits = np.array(size, dtype=np.float64) - 1
-    end = np.clip(line.course_px[-1], 0.0, limits)
+    size = scene.picture.shape[1], scene.picture.shape[0]
+    end = np.clip(line.course_px[-1], 0.0, _limits(scene.picture))
     edge = image_edge_point(end, onwards(line.course_px), size)
     if edge is None or np.hypot(*(edge - end)) > _AT_EDGE_PX:
         return None
     begin, past = line.runs[-1]
     runs = (*line.runs[:-1], (begin, line.length))
     if past < line.length - _EDGE_GAP:
-        again = _seen_again(line, picture, sought)
+        again = _seen_again(line, scene)
         if again is None:
             return None
         runs = (*line.runs, (again, line.length))
@@ -421,12 +411,12 @@ def _to_edge(line: VisibleLine, picture: PixelArray, sought: LineTarget) -> Visi
     return replace(line, course_px=course, runs=runs, expected=(line.expected[0], line.length - 1))
 
 
-def _seen_again(line: VisibleLine, picture: PixelArray, sought: LineTarget) -> int | None:
+def _seen_again(line: VisibleLine, scene: _Scene) -> int | None:
     """The place from which a line that was hidden is seen until its last end, which is too near
     for it to show a steady stroke; None: it is not."""
     rows = np.arange(line.length - 1, max(line.runs[-1][1], line.length - _HIDDEN_PX), -_AGAIN_PX)
     course, along = line.course_px[rows], line.directions[rows]
-    found = snap_points_to_lines(picture, course, along, sought, reach_px=_AGAIN_REACH_PX)
+    found = scene.snapped(course, along, scene.ghost.name, _AGAIN_REACH_PX)
     seen = ~np.isnan(found[:, 0])
     if seen.sum() < _AGAIN_FOUND or not seen[:_AGAIN_FOUND].any():
         return None

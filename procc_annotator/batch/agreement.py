@@ -191,7 +191,7 @@ def _frames_of(files: Sequence[AnnotationFiles]) -> list[FrameOfAnnotators]:
 
 
 class AgreementRun(ConsensusRun):
-    """One pass over the frames two annotators have in common; iterate, then ask for the `summary`.
+    """One pass over the frames two annotators have in common; iterate it once.
 
     Args:
         a, b: folder or archive of annotation files of each annotator.
@@ -225,18 +225,9 @@ class AgreementRun(ConsensusRun):
         if own is not None:
             self.frames = [frame for frame in self.frames if frame.name in own]
             self.only_a = tuple(name for name in self.only_a if name in own)
+        self.alone = self.only_a, self.only_b
         if not self.frames:
             raise UsageError("nothing to do: none of the frames asked for has annotations of both")
-        self._sums = AgreementAccumulator(self.thresholds, self.only_a, self.only_b)
-
-    def _take(self, results: Sequence[ConsensusResult], sums: None) -> None:
-        for result in results:
-            if result.agreement is not None:
-                self._sums.add(result.name, result.agreement)
-
-    def summary(self) -> AgreementSummary:
-        """Figures of the frames seen so far."""
-        return self._sums.summary()
 
 
 @dataclass(frozen=True)

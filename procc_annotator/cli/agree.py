@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager, ExitStack, nullcontext
 from dataclasses import dataclass
 from pathlib import Path
@@ -13,7 +12,6 @@ import typer
 
 from procc_annotator.batch.agreement import MAX_ANNOTATORS, AgreementRun, ConsensusRun
 from procc_annotator.batch.execution.executor import make_executor
-from procc_annotator.batch.grouping import Clusters
 from procc_annotator.batch.set_run import WORTH_WORKERS, ambiguous_folders
 from procc_annotator.cli import inference_options, options, outputs
 from procc_annotator.cli.console import stdout_console, with_progress
@@ -32,13 +30,13 @@ from procc_annotator.formats.csv_tables import read_frame_table
 from procc_annotator.formats.file_listing import list_annotations, qualify_by_folder
 from procc_annotator.messages import list_names
 from procc_annotator.report import agreement
-from procc_annotator.report.agreement import AgreementReport, agree_sets, sample_size_table
+from procc_annotator.report.agreement import compare_annotators, sample_size_table
 from procc_annotator.report.consensus import (
-    compare_annotators,
     consensus_line,
     consensus_tables,
     short_names,
-    write_agreed,
+    write_agreement,
+    write_consensus,
 )
 from procc_annotator.report.reference import AgainstReference
 
@@ -164,31 +162,54 @@ def agree(given: AgreeOptions) -> None:
         report_remarks(ambiguous_folders(zip(given.annotators, lists, strict=True)))
         alike = given.alike.of(source.path for source in sources)
         call = shown, options.parse_size(given.size), thresholds
-        if len(sources) > 2:
-            several = ConsensusRun(sources, *call)
-            count = several.total
-            with make_executor(given.workers, frames=count, worth_from=WORTH_WORKERS) as executor:
-                several.executor = executor
-                errors = _agree_all(several, alike, given, files)
-        elif given.consensus is not None:
+        of_two = len(sources) == 2
+        if of_two and given.consensus is not None:
             raise UsageError("a consensus is that of three annotators or more")
-        else:
-            run = AgreementRun(sources[0], sources[1], *call)
-            with make_executor(
-                given.workers, frames=run.total, worth_from=WORTH_WORKERS
-            ) as executor:
-                run.executor = executor
-                agreed = agree_sets(run, outputs=files, progress=with_progress, clusters=alike)
-            _print_agreement(agreed)
-            if given.power:
-                needed = sample_size_table(agreed.floor, agreed.described, agreed.known)
-                stdout_console().print(needed)
-            errors = agreed.errors
-    for path in files:
+        run: ConsensusRun
+        run = (
+            AgreementRun(sources[0], sources[1], *call) if of_two else ConsensusRun(sources, *call)
+        )
+        with (
+            _replacing(given, run),
+            make_executor(given.workers, frames=run.total, worth_from=WORTH_WORKERS) as executor,
+        ):
+            run.executor = executor
+            agreed = compare_annotators(run, alike, with_progress)
+            if given.consensus is not None:
+                write_consensus(agreed, given.consensus)
+    for path in files:  # before the tables: a reader may stop after the first (`| head`)
+        write_agreement(agreed, path)
+    console = stdout_console()
+    for sheet in agreement.agreement_tables(agreed) if of_two else consensus_tables(agreed):
+        console.print(sheet)
+    if of_two:
+        console.print(agreement.inter_annotator_line(agreed))
+    if given.power:
+        console.print(sample_size_table(agreed.floor, agreed.described, agreed.known))
+    if not of_two:
+        console.print(consensus_line(agreed))
+    for path in filter(None, (given.consensus, *files)):
         echo(f"written: {path}")
-    if len(sources) == 2:
-        _report_frames(agreed)
-    raise typer.Exit(report_unreadable(errors))
+    for letter, names_alone in zip(ascii_uppercase, run.alone, strict=False):
+        if names_alone:
+            where = f"only in {letter}, not compared"
+            echo(f"note: {where}: {list_names(names_alone, 'frame')}", err=True)
+    if of_two and agreed.summary.mirrored:
+        echo(
+            "note: left and right seem to be swapped between A and B, counted as they are:"
+            f" {list_names(agreed.summary.mirrored, 'frame')}",
+            err=True,
+        )
+    raise typer.Exit(report_unreadable(agreed.errors))
+
+
+def _replacing(given: AgreeOptions, run: ConsensusRun) -> AbstractContextManager[None]:
+    """Guard of the folder of the consensus, if one is written."""
+    if given.consensus is None:
+        return nullcontext()
+    outputs.check_place(given.consensus, run.sources)
+    names = [f"{name}.json" for name in run.names]
+    return outputs.replacing_nothing(given.consensus, names, "agree", overwrite=given.overwrite)
 
 
 def _against_reference(given: AgreeOptions, reference: Path) -> int:
@@ -249,57 +270,3 @@ def _frames_of(reference: Path, file: Path | None) -> tuple[str, ...]:
     if not rows:
         raise InputError(file, "names no frame", advice=advice)
     return tuple(row["frame"] for _, row in rows)
-
-
-def _agree_all(
-    run: ConsensusRun,
-    clusters: Callable[[Sequence[str]], Clusters],
-    given: AgreeOptions,
-    files: Sequence[Path],
-) -> list[str]:
-    consensus = given.consensus
-    writing: AbstractContextManager[None] = nullcontext()
-    if consensus is not None:
-        outputs.check_place(consensus, run.sources)
-        names = [f"{name}.json" for name in run.names]
-        writing = outputs.replacing_nothing(consensus, names, "agree", overwrite=given.overwrite)
-    with writing:
-        agreed = compare_annotators(run, clusters, consensus=consensus, progress=with_progress)
-    for path in files:  # before the tables: whoever reads them may stop after the first
-        write_agreed(agreed, run, path)
-    console = stdout_console()
-    for sheet in consensus_tables(agreed):
-        console.print(sheet)
-    if given.power:
-        console.print(sample_size_table(agreed.floor, agreed.described, agreed.known))
-    console.print(consensus_line(agreed))
-    if consensus is not None:
-        echo(f"written: {consensus}")
-    for letter, alone in zip(ascii_uppercase, run.alone, strict=False):
-        if alone:
-            echo(f"note: only in {letter}, not compared: {list_names(alone, 'frame')}", err=True)
-    return list(agreed.errors)
-
-
-def _print_agreement(agreed: AgreementReport) -> None:
-    console = stdout_console()
-    console.print(agreement.jac_table(agreed))
-    worst = agreement.worst_agreement_table(agreed)
-    if worst.rows:
-        console.print(worst)
-    console.print(agreement.agreement_classes_table(agreed))
-    console.print(agreement.inter_annotator_line(agreed))
-
-
-def _report_frames(agreed: AgreementReport) -> None:
-    """Notes on stderr: frames of one annotator only, and labels that seem to be mirrored."""
-    summary = agreed.summary
-    for who, names in (("A", summary.frames_only_a), ("B", summary.frames_only_b)):
-        if names:
-            echo(f"note: only in {who}, not compared: {list_names(names, 'frame')}", err=True)
-    if summary.mirrored:
-        echo(
-            "note: left and right seem to be swapped between A and B, counted as they are:"
-            f" {list_names(summary.mirrored, 'frame')}",
-            err=True,
-        )

@@ -263,10 +263,8 @@ def _agreement(
 ) -> tuple[str, bytes]:
     """Agreement with a second annotator, in one line and as JSON."""
     run = AgreementRun(source, other, known, (960, 540), (_AGREEMENT_TAU,), own=own)
-    with tempfile.TemporaryDirectory() as place:
-        path = Path(place) / AGREEMENT_FILE
-        agreed = agreement.agree_sets(run, outputs=(path,))
-        return agreement.inter_annotator_line(agreed), path.read_bytes()
+    agreed = agreement.compare_annotators(run)
+    return agreement.inter_annotator_line(agreed), agreement.agreement_json(agreed)
 
 
 def _provenance(dataset: Path, folder: Path, known: Field, own: FrameTable[None]) -> bytes:

@@ -37,7 +37,6 @@ from procc_annotator.formats.frame_names import FrameTable
 from procc_annotator.interaction.palette import SOURCE_COLOURS
 from procc_annotator.report.overlay_scene import OverlayLook
 from procc_annotator.report.page.overlays import Painters
-from procc_annotator.report.page.pairs import PairPainters
 from procc_annotator.report.page.report import (
     ReportInputs,
     ReportPainters,
@@ -329,5 +328,5 @@ def _painters(
     overlays = Painters(overlay_painter(".jpg", look), overlay_painter(".png", look))
     pairs = None
     if with_pairs and (photograph := pair_painter(".jpg")):
-        pairs = PairPainters(photograph, pair_painter(".png") or photograph)
+        pairs = Painters(photograph, pair_painter(".png") or photograph)
     return ReportPainters(overlays, pairs, SOURCE_COLOURS)

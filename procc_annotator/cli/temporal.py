@@ -32,7 +32,6 @@ from procc_annotator.report.temporal import (
     check_suffix,
     over_time_bytes,
     over_time_entries,
-    shots_over_time_table,
     terminal_tables,
 )
 
@@ -131,7 +130,7 @@ class TemporalRequest:
     def show(self, found: Sequence[TemporalMetrics], unwritten: Collection[Path]) -> None:
         """Print the tables, and the files that were written."""
         console = stdout_console()
-        for sheet in terminal_tables(shots_over_time_table(found)) if found else ():
+        for sheet in terminal_tables(found) if found else ():
             console.print(sheet)
         for path in self.written_to:
             if path not in unwritten:

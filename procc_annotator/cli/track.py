@@ -32,7 +32,6 @@ from procc_annotator.report.tracking import (
     TABLE_FILE,
     TrackTable,
     find_positions,
-    gaps_of,
     gaps_table,
     read_table,
     shots_table,
@@ -281,8 +280,8 @@ def _interrupted_message(stopped: Interrupted, out: Path) -> str:
 def _report(table: TrackTable, problems: list[str], kept: int, out: Path) -> int:
     console = stdout_console()
     console.print(shots_table(table))
-    if gaps := gaps_of(table):
-        console.print(gaps_table(gaps))
+    if (gaps := gaps_table(table)).rows:
+        console.print(gaps)
     if kept:
         echo(f"followed before: {pluralize(kept, 'shot')} (--overwrite follows them again)")
     echo(f"{tracked_words(table)}; written to {out}, with {TABLE_FILE}")

@@ -13,6 +13,19 @@ from procc_annotator.dataset.camera_set import CameraForFrame
 from procc_annotator.formats.cameras.loaded_camera import LoadedCamera, fit_to_size
 from procc_annotator.translation import translatable
 
+
+def _for_size(
+    fit: FitResult | None,
+    size: tuple[int, int],
+    doubt: str | None = None,
+    clicks: str | None = None,
+) -> CameraForFrame | None:
+    if fit is None or fit.camera is None:
+        return None
+    camera, _ = fit_to_size(LoadedCamera(fit.camera, fit.model, fit.size), size)
+    return CameraForFrame(camera, fit.model, doubt, clicks)
+
+
 FIT_NAME = "fit"  # no cameras from files are called so
 
 
@@ -51,12 +64,8 @@ class FittedCameras:
 
     def camera(self, frame_name: str, size: tuple[int, int]) -> CameraForFrame | None:
         """A frame's camera in px of an evaluation size, or None if absent."""
-        fitted = self.frames.get(frame_name)
-        found = fitted.fit.camera if fitted is not None else None
-        if fitted is None or found is None:
-            return None
-        camera, _ = fit_to_size(LoadedCamera(found, fitted.fit.model, fitted.fit.size), size)
-        return CameraForFrame(camera, fitted.fit.model, None)
+        fitted = self.fits.get(frame_name)
+        return None if fitted is None else _for_size(fitted.fit, size)
 
     def why_none(self, frame_name: str) -> str:
         """Why a frame has no camera, for people."""
@@ -140,13 +149,10 @@ class TrackedCameras:
 
     def camera(self, frame_name: str, size: tuple[int, int]) -> CameraForFrame | None:
         """A frame's camera in px of an evaluation size, or None if absent."""
-        frame = self.frames.get(frame_name)
-        if frame is None or frame.fit is None or frame.fit.camera is None:
+        frame = self.tracked.get(frame_name)
+        if frame is None:
             return None
-        fit = frame.fit
-        camera, _ = fit_to_size(LoadedCamera(frame.fit.camera, fit.model, fit.size), size)
-        doubt = review_reason(frame) or None
-        return CameraForFrame(camera, fit.model, doubt, frame.clicks or None)
+        return _for_size(frame.fit, size, review_reason(frame) or None, frame.clicks or None)
 
     def why_none(self, frame_name: str) -> str:
         """Why a frame has no camera, for people."""

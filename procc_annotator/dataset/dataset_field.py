@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 import math
 import os
@@ -27,7 +25,7 @@ from procc_annotator.field.load import (
 )
 from procc_annotator.field.model import Field, Stadiums
 from procc_annotator.formats.atomic import write_atomic
-from procc_annotator.formats.csv_tables import escape_formula, read_frame_table
+from procc_annotator.formats.csv_tables import encode_rows, escape_formula, read_frame_table
 from procc_annotator.formats.frame_names import FrameTable
 
 if TYPE_CHECKING:
@@ -84,9 +82,7 @@ def write_stadiums(path: Path, stadiums: Stadiums) -> None:
         own = stadiums.dimensions[stadium]
         sizes = (repr(own[name]) if name in own else "" for name in names)
         lines.append([escape_formula(frame), escape_formula(stadium), *sizes])
-    text = io.StringIO(newline="")
-    csv.writer(text, lineterminator="\n").writerows(lines)
-    write_atomic(path, text.getvalue().encode("utf-8", "backslashreplace"))
+    write_atomic(path, encode_rows(lines))
 
 
 def _check_header(path: Path, header: list[str], field: Field) -> None:

@@ -19,7 +19,7 @@ from procc_annotator.formats.annotations.soccernet_set import WITHOUT_GEOMETRY
 from procc_annotator.formats.annotations.yolo_pose import is_pose_label
 from procc_annotator.formats.cameras.registry import detected_title, suffixes_of
 from procc_annotator.formats.file_listing import CAMERA_PREFIX, list_annotations
-from procc_annotator.formats.file_source import FileSource, open_source
+from procc_annotator.formats.file_source import FileSource, open_source, suffix_of
 from procc_annotator.image.headers import PICTURE_SUFFIXES, VIDEO_SUFFIXES
 from procc_annotator.messages import pluralize
 
@@ -38,8 +38,8 @@ def found_instead_of_annotations(source: FileSource) -> str:
         names = source.tree()
     except InputError:  # too large or too deep for a set: nothing is to be said of it
         return ""
-    pictures = sum(_suffix(name) in PICTURE_SUFFIXES for name in names)
-    videos = sum(_suffix(name) in VIDEO_SUFFIXES for name in names)
+    pictures = sum(suffix_of(name) in PICTURE_SUFFIXES for name in names)
+    videos = sum(suffix_of(name) in VIDEO_SUFFIXES for name in names)
     cameras = sum(name.rpartition("/")[2].startswith(CAMERA_PREFIX) for name in names)
     if cameras:
         return f"; it holds {pluralize(cameras, 'camera')} ({CAMERA_PREFIX}*): give the annotations"
@@ -49,8 +49,8 @@ def found_instead_of_annotations(source: FileSource) -> str:
             " COCO"
             " keypoints, and procc-annotator propose-map says what its places are"
         )
-    if suffixes := {_suffix(name) for name in names} & camera_suffixes():
-        files = sum(_suffix(name) in suffixes for name in names)
+    if suffixes := {suffix_of(name) for name in names} & camera_suffixes():
+        files = sum(suffix_of(name) in suffixes for name in names)
         kinds = ", ".join(sorted(suffixes))
         return f"; it holds {pluralize(files, 'file')} of cameras ({kinds}): give the annotations"
     if pictures or videos:
@@ -96,7 +96,7 @@ def refuse_other_content(source: FileSource) -> None:
     except InputError:  # told by the reader of the format, for which it may be no problem
         return
     refuse_cameras(source, files)
-    if any(_suffix(name) in _ANNOTATIONS for name in names):
+    if any(suffix_of(name) in _ANNOTATIONS for name in names):
         return  # even if damaged: its reader says how
     if instead := found_instead_of_annotations(source):
         raise UsageError(f"nothing to do: no annotation in {source.path}{instead}")
@@ -120,7 +120,7 @@ def found_instead_of_cameras(place: Path) -> str:
         )
     if labels:
         return f"; it holds annotations ({pluralize(labels, 'file')} of YOLO pose, not read)"
-    if any(_suffix(name) in suffixes_of() for name in files):
+    if any(suffix_of(name) in suffixes_of() for name in files):
         return ""
     return f"; cameras are looked for in files of {', '.join(sorted(suffixes_of()))}"
 
@@ -133,7 +133,7 @@ def _camera_title(source: FileSource, name: str) -> str:
 
 
 def _pose_labels(source: FileSource, names: Sequence[str]) -> int:
-    texts = [name for name in names if _suffix(name) == ".txt"]
+    texts = [name for name in names if suffix_of(name) == ".txt"]
     try:
         told = any(is_pose_label(source.read(name)) for name in texts[:_LOOKED_INTO])
     except InputError:  # what cannot be read tells nothing
@@ -143,7 +143,7 @@ def _pose_labels(source: FileSource, names: Sequence[str]) -> int:
 
 def found_instead_of_pictures(place: Path) -> str:
     """The same of a dataset without pictures."""
-    if _suffix(place.name) in PICTURE_SUFFIXES:
+    if suffix_of(place.name) in PICTURE_SUFFIXES:
         return ""
     try:
         with open_source(place) as source:
@@ -163,10 +163,6 @@ def found_instead_of_pictures(place: Path) -> str:
         f", only annotations ({titles}): evaluate, check, calibrate, report and convert do without"
         " pictures"
     )
-
-
-def _suffix(name: str) -> str:
-    return Path(name).suffix.lower()
 
 
 # So many annotated frames show which field a set has.

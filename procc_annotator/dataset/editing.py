@@ -61,14 +61,7 @@ def delete_point(annotation: FrameAnnotation, class_name: str, index: int) -> Fr
     Raises:
         IndexError: no such point.
     """
-    points = _points(annotation, class_name)
-    _at(points, class_name, index)
-    return set_points(annotation, class_name, (*points[:index], *points[index + 1 :]))
-
-
-def delete_element(annotation: FrameAnnotation, class_name: str) -> FrameAnnotation:
-    """Remove a class; nothing happens when it is not there."""
-    return annotation.without(class_name)
+    return delete_points(annotation, {(class_name, index)})
 
 
 def change_class(annotation: FrameAnnotation, old: str, new: str) -> FrameAnnotation:

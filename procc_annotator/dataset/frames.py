@@ -19,12 +19,11 @@ from procc_annotator.dataset.layout import (
     holds_annotations,
     json_names,
     json_stems,
-    suffix_of,
 )
 from procc_annotator.errors import AnnotationError, InputError, UsageError
 from procc_annotator.formats.annotations.registry import PLAIN, detect_json_format
 from procc_annotator.formats.file_listing import ANNOTATIONS_FOLDER, OWN_FILES, frame_in_tree
-from procc_annotator.formats.file_source import read_optional, walk
+from procc_annotator.formats.file_source import read_optional, suffix_of, walk
 from procc_annotator.formats.frame_names import PICTURE_FOLDERS, ByFrame, FrameTable
 from procc_annotator.image.headers import PICTURE_SUFFIXES, VIDEO_SUFFIXES
 
@@ -267,8 +266,7 @@ def _files_in(folder: Path, names: Iterable[str]) -> tuple[ByFrame[str], dict[st
 
 def _unusual_suffixes(names: Sequence[str]) -> dict[str, str]:
     """Stems of the JSON files that have a suffix in capital letters, with it; not where there is
-    the
-    usual one next to it."""
+    the usual one next to it."""
     found = {name[:-5]: name[-5:] for name in names if not name.endswith(".json")}
     for name in names if found else ():
         if name.endswith(".json"):

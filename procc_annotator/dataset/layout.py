@@ -18,7 +18,7 @@ from procc_annotator.errors import InputError, SaveError, UsageError
 from procc_annotator.formats.annotations.label_map import LABELS_FILE
 from procc_annotator.formats.annotations.registry import PLAIN, detect_formats
 from procc_annotator.formats.file_listing import ANNOTATIONS_FOLDER, CAMERA_PREFIX, list_annotations
-from procc_annotator.formats.file_source import FileSource, open_source, walk
+from procc_annotator.formats.file_source import FileSource, open_source, suffix_of, walk
 from procc_annotator.formats.frame_names import PICTURE_FOLDERS
 from procc_annotator.formats.landmark_file import LANDMARKS_FILE
 from procc_annotator.formats.strict_json import strip_bom
@@ -125,11 +125,6 @@ def video_frames_folder_name(name: str) -> str:
     """Return what the folder is called that keeps annotations and pictures of a video, next to
     it."""
     return f"{os.path.splitext(name)[0]}_frames"
-
-
-def suffix_of(name: str) -> str:
-    """Of a file's name, in small letters."""
-    return os.path.splitext(name)[1].lower()
 
 
 def pictures_in(folder: Path) -> list[str]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
@@ -14,6 +13,7 @@ from procc_annotator.annotation import FrameAnnotation, Polyline
 from procc_annotator.dataset.database.database import WorkspaceDatabase
 from procc_annotator.dataset.editing import History
 from procc_annotator.dataset.frames import Frame
+from procc_annotator.dataset.records import digest_of
 from procc_annotator.errors import AnnotationError, ChangedOnDiskError, InputError, SaveError
 from procc_annotator.field.model import Field
 from procc_annotator.formats.annotations.soccernet import read_annotation, write_annotation
@@ -177,7 +177,7 @@ class PendingSave:
             # unplugged), new folders in its place would only hide that.
             make_folder(folder)
         # Others may write while the disk is waited for.
-        look_again = _skip_check if over_anything else self.check
+        look_again = (lambda: None) if over_anything else self.check  # as a person decided
         write_atomic(self.path, self.data, inside=self.inside, look_again=look_again)
 
     def _remove(self) -> None:
@@ -242,13 +242,9 @@ def _after_failure(save: PendingSave, before: bytes | None, error: SaveError) ->
     return SaveResult(save, error)
 
 
-def _skip_check() -> None:
-    """A person decided that the file is to be replaced."""
-
-
 def digest(data: bytes | None) -> bytes | None:
     """Return what distinguishes the content of a file from another one."""
-    return None if data is None else hashlib.blake2b(data, digest_size=16).digest()
+    return None if data is None else digest_of(data)
 
 
 EMPTY = FrameAnnotation()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from procc_annotator.errors import InputError
@@ -25,6 +25,13 @@ def escape_formula(text: str) -> str:
 def unescape_formula(cell: str) -> str:
     """The text that `escape_formula` made a cell of."""
     return cell[1:] if cell[:1] == "'" and escape_formula(cell) != cell else cell
+
+
+def encode_rows(rows: Iterable[Sequence[object]], line_end: str = "\n") -> bytes:
+    """The content of a CSV file in UTF-8; cells are written as they are."""
+    text = io.StringIO(newline="")
+    csv.writer(text, lineterminator=line_end).writerows(rows)
+    return text.getvalue().encode("utf-8", "backslashreplace")
 
 
 def csv_cells(path: Path) -> list[tuple[int, list[str]]]:

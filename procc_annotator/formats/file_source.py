@@ -111,6 +111,11 @@ def _named_like_file(name: str) -> bool:
     return PurePosixPath(name).suffix.lower() in _FILE_SUFFIXES
 
 
+def suffix_of(name: str) -> str:
+    """Lower-case suffix of a file's name, which may have its path."""
+    return os.path.splitext(name)[1].lower()
+
+
 def is_listed(name: str) -> bool:
     """Return whether a file or folder of this name, in an archive, is one to be listed."""
     parts = PurePosixPath(name).parts

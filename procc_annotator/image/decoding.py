@@ -14,8 +14,7 @@ import numpy as np
 
 from procc_annotator.errors import ImageError
 from procc_annotator.image.headers import header_size, is_truncated_png, require_valid_size
-from procc_annotator.image.pixels import PixelArray as PixelArray
-from procc_annotator.image.pixels import bgra_from_bgr, require_decodable_size
+from procc_annotator.image.pixels import PixelArray, bgra_from_bgr, require_decodable_size
 from procc_annotator.image.video import open_shared_video, video_frame_of_path
 from procc_annotator.regular_file import open_regular
 

@@ -290,7 +290,7 @@ class EditTool:
         name = context.selected_class
         if name is None or context.polyline(name) is None:
             return IGNORED
-        edited = editing.delete_element(context.annotation, name)
+        edited = context.annotation.without(name)
         return Reaction(edit=Edit(step_name(DELETE, context.title(name)), edited))
 
     def finish(self, context: ToolContext) -> Reaction:

@@ -249,11 +249,11 @@ def _compare_frames(
 def _compare_class(name: str, a: AnnotatedCurve, b: AnnotatedCurve) -> ClassAgreement:
     of_a, of_b = b.trace.distances(a.points), a.trace.distances(b.points)
     # Anyone who says less of the course is measured by the other, not the reverse.
-    told = [
+    per_element = [
         *((of_a,) if b.trace.rank >= a.trace.rank else ()),
         *((of_b,) if a.trace.rank >= b.trace.rank else ()),
     ]
-    measured = np.concatenate(told)
+    measured = np.concatenate(per_element)
     # Where all clicks of one are next to the other, their distances say what there is to say.
     both_go_beyond = bool(np.isnan(of_a).any() and np.isnan(of_b).any())
     if both_go_beyond and curve_overlap(a.trace, a.points, b.trace, b.points) < MIN_OVERLAP:

@@ -122,26 +122,26 @@ def _median_curve(
     """(n, 2) px along the middle of courses; None where more than half share no stretch."""
     if len(votes) == 1:
         return votes[0].points
-    told = _reliable_votes(votes)
-    if not told:
+    reliable = _reliable_votes(votes)
+    if not reliable:
         centres = np.array([vote.points.mean(axis=0) for vote in votes])
         return np.asarray(np.median(centres, axis=0, keepdims=True))
-    walked = _median_along_reference(told, len(votes), overlaps)
+    walked = _median_along_reference(reliable, len(votes), overlaps)
     if walked is None:
         return None
     course, closed = walked
     fewest = 2 if isinstance(element.geometry, Line) else _CURVE_CLICKS
-    count = max(fewest, *(len(vote.points) for vote in told))
-    return _resample_like_clicks(ClickedCurve(course, closed), told, count)
+    count = max(fewest, *(len(vote.points) for vote in reliable))
+    return _resample_like_clicks(ClickedCurve(course, closed), reliable, count)
 
 
 def _resample_like_clicks(
-    course: ClickedCurve, told: Sequence[AnnotatedCurve], count: int
+    course: ClickedCurve, reliable: Sequence[AnnotatedCurve], count: int
 ) -> FloatArray:
     """(n, 2) px: at most so many places on a course, as clicks are spread along it. Between clicks
     that are far apart, as where a circle leaves the picture, no one knows where it runs."""
     lengths = arc_lengths(course.vertices)
-    at = np.concatenate([closest_arc_lengths(course, vote.points) for vote in told])
+    at = np.concatenate([closest_arc_lengths(course, vote.points) for vote in reliable])
     at = at[(at > 0) & (at < lengths[-1])]
     if not course.closed:
         at = np.concatenate((at, (0.0, lengths[-1])))
@@ -153,14 +153,14 @@ def _reliable_votes(votes: Sequence[AnnotatedCurve]) -> list[AnnotatedCurve]:
     """Those whose course is known well, or coarsely where they are no more than half; none where
     most know only a place."""
     for rank in (2, 1):
-        told = [vote for vote in votes if vote.trace.rank >= rank]
-        if 2 * len(told) > len(votes):
-            return told
+        reliable = [vote for vote in votes if vote.trace.rank >= rank]
+        if 2 * len(reliable) > len(votes):
+            return reliable
     return []
 
 
 def _median_along_reference(
-    told: Sequence[AnnotatedCurve], voters: int, overlaps: _OverlapCache
+    reliable: Sequence[AnnotatedCurve], voters: int, overlaps: _OverlapCache
 ) -> tuple[FloatArray, bool] | None:
     """The middle of courses along the one that shares most with the others, the longest stretch on
     which more than half of the voters run; and whether that goes all round."""
@@ -169,13 +169,13 @@ def _median_along_reference(
             overlaps.of(own, other) * min(_clicked_length(own), _clicked_length(other))
             if overlaps.of(own, other) >= MIN_OVERLAP
             else 0.0
-            for other in told
+            for other in reliable
             if other is not own
         ]
-        for own in told
+        for own in reliable
     }
-    own = max(told, key=lambda one: sum(shared_px[one]))
-    others = [other for other in told if other is not own]
+    own = max(reliable, key=lambda one: sum(shared_px[one]))
+    others = [other for other in reliable if other is not own]
     beside = [other for other, px in zip(others, shared_px[own], strict=True) if px > 0]
     if not own.extent[1] > own.extent[0]:
         return None

@@ -3,28 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass
-from pathlib import Path
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from procc_annotator.batch.agreement import (
     AgreementInference,
-    AgreementRun,
     ConsensusResult,
+    ConsensusRun,
     agreement_inference,
 )
 from procc_annotator.batch.grouping import Clusters, clusters_of
 from procc_annotator.errors import UsageError
-from procc_annotator.formats.atomic import open_replacing
 from procc_annotator.messages import pluralize
 from procc_annotator.metrics.agreement import AgreementSummary, FrameAgreement, sorted_quantile
 from procc_annotator.metrics.statistics.intervals import BootstrapSettings, Interval
 from procc_annotator.report.scores.inference_tables import interval_columns, interval_ends
-from procc_annotator.report.scores.score_files import field_terms, score_format
+from procc_annotator.report.scores.score_files import field_terms
 from procc_annotator.report.scores.score_tables import pixels, worst_words
-from procc_annotator.report.tables.data_files import csv_bytes, encoded, metric_entry
+from procc_annotator.report.tables.data_files import encoded, metric_entry
 from procc_annotator.report.tables.metrics import (
     APART,
     COMMON,
@@ -218,60 +216,85 @@ Progress = Callable[[Iterable[ConsensusResult], int, str], Iterator[ConsensusRes
 
 @dataclass(frozen=True)
 class AgreementReport:
-    """A set's agreement and what has to be said about it.
+    """The agreement of two or more annotators over a set.
 
     Attributes:
-        floor: the same with intervals; known: what these rest on.
         results: of all frames.
-        errors: of files that could not be read.
+        floor: of every two annotators together.
+        pairs: every two that share frames, by their places.
+        others: of three or more, each against the consensus of the others; a place is missing where
+            no one shares a frame with that annotator.
+        known: what intervals rest on.
     """
 
-    summary: AgreementSummary
-    described: str
-    floor: AgreementInference
-    known: str
+    run: ConsensusRun
     results: tuple[ConsensusResult, ...]
-    errors: list[str]
+    floor: AgreementInference
+    pairs: dict[tuple[int, int], AgreementInference]
+    others: dict[int, AgreementInference]
+    known: str
+
+    @property
+    def described(self) -> str:
+        """Field and size, in words."""
+        return self.run.describe()
+
+    @property
+    def errors(self) -> list[str]:
+        """Files that could not be read, one line each."""
+        return [error for result in self.results for error in result.errors]
+
+    @property
+    def summary(self) -> AgreementSummary:
+        """Metrics of two annotators."""
+        only_a, only_b = self.run.alone
+        return replace(self.floor.summary, frames_only_a=only_a, frames_only_b=only_b)
 
 
-def agree_sets(
-    run: AgreementRun,
-    *,
-    outputs: Sequence[Path] = (),
-    progress: Progress = lambda items, _total, _what: iter(items),
+def compare_annotators(
+    run: ConsensusRun,
     clusters: ClustersOf = lambda frames: clusters_of(frames, None, {}),
+    progress: Progress = lambda items, _total, _what: iter(items),
 ) -> AgreementReport:
-    """Compare two annotators' files and write what is found.
+    """Compare annotators' files.
 
     Args:
         run: not yet iterated.
-        outputs: ``.json`` or ``.csv`` files.
+        clusters: which of some frames, by name, are alike.
         progress: wraps the frames as they come, given their number and a word for the work.
-        clusters: which of some frames are alike, for intervals.
 
     Raises:
-        UsageError: frames that cannot be clustered; no frame of which both files can be
-            read; an output of another kind.
-        SaveError: an output cannot be written.
+        UsageError: no frame of which two files can be read; frames that cannot be clustered.
     """
     results = tuple(progress(run, run.total, "comparing"))
-    errors = [error for result in results for error in result.errors]
-    found = [(r.name, r.agreement) for r in results if r.agreement is not None]
-    if not found:
+    there = [result for result in results if result.pairs]
+    if not there:
+        which = "both" if len(run.sources) == 2 else "two"
+        first = next(error for result in results for error in result.errors)
         raise UsageError(
-            f"of none of the {run.total} frames both annotations can be read;"
-            f" the first: {errors[0]}"
+            f"of none of the {run.total} frames {which} annotations can be read; the first: {first}"
         )
-    names = [name for name, _ in found]
-    alike, draws = clusters(names), BootstrapSettings()
-    floor = agreement_inference(names, found, run.thresholds, alike, draws)
-    known = intervals_described(draws, alike)
-    agreed = AgreementReport(run.summary(), run.describe(), floor, known, results, errors)
-    for output in outputs:
-        is_json = score_format(output) == "json"
-        with open_replacing(output) as stream:
-            stream.write(_json(agreed, run) if is_json else csv_bytes(_frames_sheet(agreed, run)))
-    return agreed
+    frames = [result.name for result in there]
+    alike, draws = clusters(frames), BootstrapSettings()
+
+    def inference(found: list[tuple[str, FrameAgreement]]) -> AgreementInference:
+        return agreement_inference(frames, found, run.thresholds, alike, draws)
+
+    pairs: dict[tuple[int, int], list[tuple[str, FrameAgreement]]] = {}
+    others: dict[int, list[tuple[str, FrameAgreement]]] = {}
+    for result in there:
+        for pair, found in result.pairs.items():
+            pairs.setdefault(pair, []).append((result.name, found))
+        for at, found in result.against_others.items():
+            others.setdefault(at, []).append((result.name, found))
+    return AgreementReport(
+        run,
+        results,
+        inference([(r.name, found) for r in there for found in r.pairs.values()]),
+        {pair: inference(pairs[pair]) for pair in sorted(pairs)},
+        {at: inference(others[at]) for at in sorted(others)},
+        intervals_described(draws, alike),
+    )
 
 
 # ---------------------------------------------------------------------------------------- tables
@@ -287,7 +310,13 @@ def inter_annotator_line(agreed: AgreementReport) -> str:
     )
 
 
-def jac_table(agreed: AgreementReport) -> MetricTable:
+def agreement_tables(agreed: AgreementReport) -> list[MetricTable]:
+    """All tables of two annotators, in the order they are read."""
+    worst = _worst_table(agreed)
+    return [_jac_table(agreed), *([worst] if worst.rows else []), _classes_table(agreed)]
+
+
+def _jac_table(agreed: AgreementReport) -> MetricTable:
     """One row a threshold: the JaC one annotator would score if the other were a camera."""
     summary = agreed.summary
     counts = (COMMON, ONLY_A, ONLY_B)
@@ -302,7 +331,7 @@ def jac_table(agreed: AgreementReport) -> MetricTable:
     return MetricTable("agreement", title, columns, rows, agreed.described)
 
 
-def agreement_classes_table(agreed: AgreementReport) -> MetricTable:
+def _classes_table(agreed: AgreementReport) -> MetricTable:
     """Per class and, last, all classes together."""
     per_class, overall = agreed.summary.per_class, agreed.summary.overall
     shown = (POINTS, LEFT_OUT, COMMON, APART, ONLY_A, ONLY_B)
@@ -318,7 +347,7 @@ def agreement_classes_table(agreed: AgreementReport) -> MetricTable:
     return MetricTable("classes", title, columns, rows, agreed.described, parts=parts)
 
 
-def worst_agreement_table(agreed: AgreementReport) -> MetricTable:
+def _worst_table(agreed: AgreementReport) -> MetricTable:
     """The frames to look at first: lowest JaC, then largest distance."""
     tau = next(iter(agreed.summary.mean_jac))
     found = [
@@ -353,9 +382,10 @@ def worst_agreement_table(agreed: AgreementReport) -> MetricTable:
 # ----------------------------------------------------------------------------------------- files
 
 
-def _json(agreed: AgreementReport, run: AgreementRun) -> bytes:
+def agreement_json(agreed: AgreementReport) -> bytes:
     """A line a frame: the terms of the field, then ``"size", "thresholds", "a", "b", "images",
     "summary"``."""
+    run = agreed.run
     a, b = (str(source.path) for source in run.sources)
     terms = {"size": list(run.size), "thresholds": list(run.thresholds), "a": a, "b": b}
     images = b",\n".join(encoded(_frame_entry(one, run.thresholds)) for one in agreed.results)
@@ -382,7 +412,7 @@ def _summary_entry(summary: AgreementSummary) -> dict[str, Any]:
     }
 
 
-def _frames_sheet(agreed: AgreementReport, run: AgreementRun) -> MetricTable:
+def agreement_frames_table(agreed: AgreementReport) -> MetricTable:
     """One row a frame and class; a frame with nothing to show has a row without class.
 
     The status of a class is ``common``, ``apart``, ``only_a`` or ``only_b``; that of a row without
@@ -395,6 +425,7 @@ def _frames_sheet(agreed: AgreementReport, run: AgreementRun) -> MetricTable:
         count_column("height"),
         *ELEMENT_COLUMNS,
     )
+    run = agreed.run
     terms = (run.field.described, *run.size)
     found: list[tuple[str, Row]] = []
     for one in agreed.results:
@@ -403,7 +434,7 @@ def _frames_sheet(agreed: AgreementReport, run: AgreementRun) -> MetricTable:
             continue
         own = element_rows(one.agreement, _LONE) or [status_row("empty")]
         found += [(one.name, row) for row in own]
-    for status, names in (("frame_only_a", run.only_a), ("frame_only_b", run.only_b)):
+    for status, names in zip(("frame_only_a", "frame_only_b"), run.alone, strict=True):
         found += [(name, status_row(status)) for name in names]
     return MetricTable(
         "frames", "Frames", columns, tuple((name, *terms, *row) for name, row in found)

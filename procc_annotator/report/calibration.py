@@ -45,6 +45,7 @@ from procc_annotator.report.tables.table import (
     Row,
     count_column,
     metric_column,
+    shortened,
 )
 
 DEVIATION_COLUMNS = tuple(map(metric_column, DEVIATIONS))
@@ -309,8 +310,5 @@ def failures_table(report: CalibrationReport) -> MetricTable:
     """Frames without a camera and the reason, the first ones of many."""
     title = f"{pluralize(len(report.failures), 'frame')} without a camera"
     columns = (Column("frame", "frame"), Column("why", "why"))
-    more = len(report.failures) - _FAILURES_SHOWN
-    notes = (f"{more} more in {TABLE_FILE}",) if more > 0 else ()
-    return MetricTable(
-        "failures", title, columns, tuple(report.failures[:_FAILURES_SHOWN]), notes=notes
-    )  # fmt: skip
+    table = MetricTable("failures", title, columns, tuple(report.failures))
+    return shortened(table, _FAILURES_SHOWN, f"in {TABLE_FILE}")

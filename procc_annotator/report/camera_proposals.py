@@ -33,6 +33,7 @@ from procc_annotator.report.tables.table import (
     count_column,
     metric_column,
     metric_values,
+    shortened,
 )
 
 TABLE_FILE = "proposals.csv"
@@ -202,10 +203,9 @@ def doubtful_table(found: ProposedSet) -> MetricTable:
     doubtful = [(one.name, p.state, p.reason) for one in found.frames
                 if (p := one.proposal) is not None and not one.is_sure]  # fmt: skip
     columns = (Column("frame", "frame"), Column("state", "state"), Column("reason", "why"))
-    more = len(doubtful) - _SHOWN
-    notes = (f"{more} more in {TABLE_FILE}",) if more > 0 else ()
     title = f"{pluralize(len(doubtful), 'frame')} not sure"
-    return MetricTable("doubtful", title, columns, tuple(doubtful[:_SHOWN]), notes=notes)
+    table = MetricTable("doubtful", title, columns, tuple(doubtful))
+    return shortened(table, _SHOWN, f"in {TABLE_FILE}")
 
 
 def proposed_words(found: ProposedSet) -> str:

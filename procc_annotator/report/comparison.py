@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import asdict, astuple, dataclass, field, fields
 from pathlib import Path
 from typing import Any
@@ -149,6 +149,25 @@ def compare_sources(
 # -------------------------------------------------------------------------------------- pictures
 
 
+def comparison_scene(
+    comparison: ComparisonRun,
+    frame: ComparedFrame,
+    names: tuple[str, str],
+    pictures: Mapping[str, Path],
+) -> ComparisonScene:
+    """The scene of a compared frame.
+
+    Raises:
+        InputError: a camera cannot be read.
+    """
+    cameras = comparison.cameras(frame.name)
+    return ComparisonScene(
+        frame, pictures.get(frame.name), names, cameras,
+        comparison.map_for_picture(frame.name, cameras),
+        field_for_frame(comparison.field, frame.name),
+    )  # fmt: skip
+
+
 def paint_frames(
     compared: ComparisonReport,
     comparison: ComparisonRun,
@@ -175,15 +194,7 @@ def paint_frames(
     make_folder(out)
     for frame in worst_frames(compared.frames, count):
         try:
-            cameras = comparison.cameras(frame.name)
-            scene = ComparisonScene(
-                frame,
-                pictures.get(frame.name),
-                compared.names,
-                cameras,
-                comparison.map_for_picture(frame.name, cameras),
-                field_for_frame(comparison.field, frame.name),
-            )
+            scene = comparison_scene(comparison, frame, compared.names, pictures)
             data = paint(scene)
         except (ImageError, InputError) as error:
             compared.errors.append(str(error))

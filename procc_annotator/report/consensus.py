@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass
-from itertools import combinations
+from collections.abc import Iterable, Sequence
 from pathlib import Path, PurePath
 from string import ascii_uppercase
 from typing import Any
@@ -13,29 +11,25 @@ import numpy as np
 
 from procc_annotator.arrays import FloatArray
 from procc_annotator.batch.agreement import (
-    AgreementInference,
     ConsensusResult,
-    ConsensusRun,
-    agreement_inference,
 )
-from procc_annotator.batch.grouping import Clusters
-from procc_annotator.errors import UsageError
 from procc_annotator.formats.annotations.soccernet import write_annotation
 from procc_annotator.formats.atomic import open_replacing
 from procc_annotator.messages import pluralize
-from procc_annotator.metrics.agreement import ClassAgreement, FrameAgreement
-from procc_annotator.metrics.statistics.intervals import BootstrapSettings
+from procc_annotator.metrics.agreement import ClassAgreement
 from procc_annotator.report.agreement import (
     ELEMENT_COLUMNS,
     WORST,
+    AgreementReport,
     agreement_columns,
+    agreement_frames_table,
+    agreement_json,
     agreement_values,
     element_rows,
     farthest,
     frame_entry,
     inter_annotator_entry,
     inter_annotator_words,
-    intervals_described,
     status_row,
 )
 from procc_annotator.report.outputs import open_target
@@ -69,97 +63,6 @@ from procc_annotator.report.tables.table import (
 _COUNTS = (COMMON, APART, ADDED, MISSED, LEFT_OUT)
 _LONE = ("added", "missed")
 
-Progress = Callable[[Iterable[ConsensusResult], int, str], Iterator[ConsensusResult]]
-ClustersOf = Callable[[Sequence[str]], Clusters]
-
-
-@dataclass(frozen=True)
-class ConsensusReport:
-    """The agreement of several annotators over a set.
-
-    Attributes:
-        names: of each annotator, what distinguishes their paths.
-        pairs: every two of them that share frames, by their places.
-        others: each against the consensus of the others; a place is missing where no one shares a
-            frame with that annotator.
-        floor: of every two together.
-        results: of all frames. described: field and size; known: what intervals rest on.
-        errors: of files that could not be read.
-    """
-
-    names: tuple[str, ...]
-    pairs: dict[tuple[int, int], AgreementInference]
-    others: dict[int, AgreementInference]
-    floor: AgreementInference
-    results: tuple[ConsensusResult, ...]
-    thresholds: tuple[float, ...]
-    described: str
-    known: str
-    errors: tuple[str, ...]
-
-    @property
-    def of_one_other(self) -> int:
-        """Return how many frames only two annotated: each is compared with the other one alone."""
-        return sum(len(result.pairs) == 1 for result in self.results)
-
-
-def compare_annotators(
-    run: ConsensusRun,
-    clusters_of: ClustersOf,
-    *,
-    draws: BootstrapSettings | None = None,
-    consensus: Path | None = None,
-    progress: Progress = lambda items, _total, _what: iter(items),
-) -> ConsensusReport:
-    """Compare several annotators' files.
-
-    Args:
-        run: not yet iterated.
-        clusters_of: which of the frames, by name, are alike.
-        draws: says the level of intervals.
-        consensus: folder or archive that the consensus of each frame is written to.
-
-    Raises:
-        UsageError: no frame of which two files can be read; frames that cannot be clustered.
-        SaveError: the consensus cannot be written.
-    """
-    results = list(progress(run, run.total, "comparing"))
-    errors = tuple(error for result in results for error in result.errors)
-    there = tuple(result for result in results if result.consensus is not None)
-    if not there:
-        raise UsageError(
-            f"of none of the {run.total} frames two annotations can be read; the first: {errors[0]}"
-        )
-    frames = [result.name for result in there]
-    clusters = clusters_of(frames)
-    level = draws or BootstrapSettings()
-
-    def sure(found: list[tuple[str, FrameAgreement]]) -> AgreementInference:
-        return agreement_inference(frames, found, run.thresholds, clusters, level)
-
-    count = len(run.sources)
-    pairs = {
-        pair: [(r.name, r.pairs[pair]) for r in there if pair in r.pairs]
-        for pair in combinations(range(count), 2)
-    }
-    others = {
-        at: [(r.name, r.against_others[at]) for r in there if at in r.against_others]
-        for at in range(count)
-    }
-    if consensus is not None:
-        _write_consensus(there, consensus)
-    return ConsensusReport(
-        short_names([source.path for source in run.sources]),
-        {pair: sure(found) for pair, found in pairs.items() if found},
-        {at: sure(found) for at, found in others.items() if found},
-        sure([(r.name, agreement) for r in there for agreement in r.pairs.values()]),
-        tuple(results),
-        run.thresholds,
-        run.describe(),
-        intervals_described(level, clusters),
-        errors,
-    )
-
 
 def short_names(paths: Sequence[PurePath]) -> tuple[str, ...]:
     """Return what distinguishes paths: the last part in which all differ, or else the whole of
@@ -171,9 +74,14 @@ def short_names(paths: Sequence[PurePath]) -> tuple[str, ...]:
     return tuple(map(str, paths))
 
 
-def _write_consensus(results: Iterable[ConsensusResult], out: Path) -> None:
+def write_consensus(agreed: AgreementReport, out: Path) -> None:
+    """Write the consensus of each frame to a folder or archive.
+
+    Raises:
+        SaveError: it cannot be written.
+    """
     with open_target(out) as target:
-        for result in results:
+        for result in agreed.results:
             if result.consensus is not None:
                 target.write(f"{result.name}.json", write_annotation(result.consensus.annotation))
 
@@ -181,7 +89,7 @@ def _write_consensus(results: Iterable[ConsensusResult], out: Path) -> None:
 # ---------------------------------------------------------------------------------------- tables
 
 
-def consensus_line(agreed: ConsensusReport) -> str:
+def consensus_line(agreed: AgreementReport) -> str:
     """The one line a paper would quote."""
     points = pluralize(agreed.floor.summary.overall.points, "distance")
     return (
@@ -190,7 +98,7 @@ def consensus_line(agreed: ConsensusReport) -> str:
     )
 
 
-def consensus_tables(agreed: ConsensusReport) -> tuple[MetricTable, ...]:
+def consensus_tables(agreed: AgreementReport) -> tuple[MetricTable, ...]:
     """All tables, in the order they are read."""
     return (
         others_table(agreed),
@@ -200,22 +108,23 @@ def consensus_tables(agreed: ConsensusReport) -> tuple[MetricTable, ...]:
     )
 
 
-def others_table(agreed: ConsensusReport) -> MetricTable:
+def others_table(agreed: AgreementReport) -> MetricTable:
     """Each annotator against the consensus of the others, with intervals."""
     columns = (
         Column("annotator", "annotator"), Column("name", "name"), TAU, count_column("frames"),
         *agreement_columns(), metric_column(LARGEST_PX), *_counts(_COUNTS),
     )  # fmt: skip
+    names = short_names([source.path for source in agreed.run.sources])
     rows = [
-        (ascii_uppercase[at], agreed.names[at], tau, found.summary.frames,
+        (ascii_uppercase[at], names[at], tau, found.summary.frames,
          *agreement_values(found, tau), found.summary.overall.largest,
          *metric_values(_COUNTS, found.summary.overall))
         for at, found in agreed.others.items()
-        for tau in agreed.thresholds
+        for tau in agreed.run.thresholds
     ]  # fmt: skip
     notes = [f"In brackets {agreed.known}."]
-    if agreed.of_one_other:
-        alone = pluralize(agreed.of_one_other, "frame")
+    if of_one_other := sum(len(result.pairs) == 1 for result in agreed.results):
+        alone = pluralize(of_one_other, "frame")
         notes.append(f"Of {alone} with two annotators each is compared with the other one.")
     return MetricTable(
         "annotators", "Each annotator against the consensus of the others", columns, tuple(rows),
@@ -223,7 +132,7 @@ def others_table(agreed: ConsensusReport) -> MetricTable:
     )  # fmt: skip
 
 
-def pairs_table(agreed: ConsensusReport) -> MetricTable:
+def pairs_table(agreed: AgreementReport) -> MetricTable:
     """Every two annotators."""
     counts = (COMMON, APART, ONLY_A, ONLY_B)
     columns = (
@@ -235,12 +144,12 @@ def pairs_table(agreed: ConsensusReport) -> MetricTable:
          *agreement_values(found, tau), found.summary.overall.largest,
          *metric_values(counts, found.summary.overall))
         for (a, b), found in agreed.pairs.items()
-        for tau in agreed.thresholds
+        for tau in agreed.run.thresholds
     ]  # fmt: skip
     return MetricTable("pairs", "Every two annotators", columns, tuple(rows), agreed.described)
 
 
-def consensus_classes_table(agreed: ConsensusReport) -> MetricTable:
+def consensus_classes_table(agreed: AgreementReport) -> MetricTable:
     """Per class, all annotators against the consensus of the others."""
     found: dict[str, list[tuple[int, ClassAgreement]]] = {}
     lone: dict[tuple[str, str], int] = {}
@@ -272,9 +181,9 @@ def consensus_classes_table(agreed: ConsensusReport) -> MetricTable:
     return MetricTable("classes", title, columns, tuple(rows), agreed.described)
 
 
-def worst_consensus_table(agreed: ConsensusReport) -> MetricTable:
+def worst_consensus_table(agreed: AgreementReport) -> MetricTable:
     """The frames and annotators to look at first: lowest JaC against the others, then farthest."""
-    tau = agreed.thresholds[0]
+    tau = agreed.run.thresholds[0]
     rows = []
     for result in agreed.results:
         for at, frame in result.against_others.items():
@@ -310,22 +219,25 @@ def _counts(figures: Iterable[Metric]) -> list[Column]:
 # ----------------------------------------------------------------------------------------- files
 
 
-def write_agreed(agreed: ConsensusReport, run: ConsensusRun, output: Path) -> None:
-    """Write every figure to a ``.json``, or one row a frame, annotator and class to a ``.csv``.
+def write_agreement(agreed: AgreementReport, output: Path) -> None:
+    """Write every metric to a ``.json``; to a ``.csv`` one row a frame and class, of three
+    annotators or more one a frame, annotator and class.
 
     Raises:
         UsageError: an output of another kind.
         SaveError: it cannot be written.
     """
-    if score_format(output) == "json":
-        content = json_bytes(_content(agreed, run), indent=0)
+    is_json, of_two = score_format(output) == "json", len(agreed.run.sources) == 2
+    if is_json:
+        data = agreement_json(agreed) if of_two else json_bytes(_content(agreed), indent=0)
     else:
-        content = csv_bytes(consensus_frames_table(agreed, run))
+        table = agreement_frames_table(agreed) if of_two else consensus_frames_table(agreed)
+        data = csv_bytes(table)
     with open_replacing(output) as stream:
-        stream.write(content)
+        stream.write(data)
 
 
-def consensus_frames_table(agreed: ConsensusReport, run: ConsensusRun) -> MetricTable:
+def consensus_frames_table(agreed: AgreementReport) -> MetricTable:
     """One row a frame, annotator and class, against the consensus of the others.
 
     The status of a class is ``common``, ``apart``, ``added`` or ``missed``; that of a row without
@@ -339,6 +251,7 @@ def consensus_frames_table(agreed: ConsensusReport, run: ConsensusRun) -> Metric
         Column("annotator"),
         *ELEMENT_COLUMNS,
     )
+    run = agreed.run
     terms = (run.field.described, *run.size)
     rows: list[Row] = []
     for result in agreed.results:
@@ -354,7 +267,8 @@ def consensus_frames_table(agreed: ConsensusReport, run: ConsensusRun) -> Metric
     return MetricTable("frames", "Frames", columns, tuple(rows))
 
 
-def _content(agreed: ConsensusReport, run: ConsensusRun) -> dict[str, Any]:
+def _content(agreed: AgreementReport) -> dict[str, Any]:
+    run = agreed.run
     return {
         **field_terms(run.field),
         "size": list(run.size),

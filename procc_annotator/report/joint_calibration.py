@@ -16,6 +16,7 @@ from procc_annotator.report.tables.table import (
     Row,
     count_column,
     metric_column,
+    shortened,
 )
 
 POSITIONS_FILE = "positions.csv"
@@ -90,10 +91,8 @@ def before_after_table(
 def not_shared_table(apart: Mapping[str, str]) -> MetricTable:
     """Frames that share no position and the reason, the first ones of many."""
     columns = (Column("frame", "frame"), Column("why", "why"))
-    more = len(apart) - _FRAMES_SHOWN
-    notes = (f"{more} more",) if more > 0 else ()
-    rows = tuple(list(apart.items())[:_FRAMES_SHOWN])
-    return MetricTable("apart", f"Own positions: {len(apart)}", columns, rows, notes=notes)
+    title = f"Own positions: {len(apart)}"
+    return shortened(MetricTable("apart", title, columns, tuple(apart.items())), _FRAMES_SHOWN)
 
 
 def field_sizes_table(sizes: Sequence[FieldSize], described: str) -> MetricTable:

@@ -16,7 +16,7 @@ from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.messages import pluralize
 from procc_annotator.report.scores.score_files import field_terms
 from procc_annotator.report.tables.data_files import csv_bytes, json_bytes
-from procc_annotator.report.tables.table import Column, MetricTable, Row, count_column
+from procc_annotator.report.tables.table import Column, MetricTable, Row, count_column, shortened
 
 _COLUMNS = (
     Column("frame"), Column("severity"), Column("rule"), Column("elements"), Column("reason"),
@@ -284,9 +284,7 @@ def findings_table(report: CheckReport, *, in_file: bool) -> MetricTable:
     )
     rows = tuple(
         (name, finding.severity.value, finding.reason, _suggestion(finding))
-        for name, finding, _, _ in worst[:_SHOWN]
+        for name, finding, _, _ in worst
     )
-    more = len(worst) - _SHOWN
-    where = "in the file" if in_file else "with --output"
-    notes = (f"{more} more {where}",) if more > 0 else ()
-    return MetricTable("worst_findings", "Worst findings", columns, rows, notes=notes)
+    table = MetricTable("worst_findings", "Worst findings", columns, rows)
+    return shortened(table, _SHOWN, "in the file" if in_file else "with --output")

@@ -16,7 +16,6 @@ from procc_annotator.errors import UsageError
 from procc_annotator.formats.cameras.fit_record import (
     FITTED_KEYS,
     NOT_FITTED,
-    FitCounts,
     name_with_mark,
 )
 from procc_annotator.messages import pluralize
@@ -164,17 +163,13 @@ def shots_over_time_table(found: Sequence[TemporalMetrics]) -> MetricTable:
     return MetricTable("over_time", "Over time", _OF_SHOT, tuple(rows), described, notes)
 
 
-def terminal_tables(whole_sheet: MetricTable) -> list[MetricTable]:
-    """The same in sheets that fit a terminal; columns that say nothing are left out, and a source
+def terminal_tables(found: Sequence[TemporalMetrics]) -> list[MetricTable]:
+    """The same in tables that fit a terminal; columns that say nothing are left out, and a source
     that was fitted to the clicks is marked."""
+    whole_sheet = shots_over_time_table(found)
     keys = [column.key for column in whole_sheet.columns]
-    fits: dict[tuple[Value, ...], FitCounts] = {}
-    for row in whole_sheet.rows:
-        own = FitCounts(*(int(row[keys.index(key)] or 0) for key in FITTED_KEYS))
-        fits[row[:2]] = fits.get(row[:2], NOT_FITTED) + own
-    named = [
-        (row[0], name_with_mark(str(row[1]), fits[row[:2]]), *row[2:]) for row in whole_sheet.rows
-    ]
+    marked = {(one.set_name, one.source): one.marked_name for one in found}
+    named = [(row[0], marked[str(row[0]), str(row[1])], *row[2:]) for row in whole_sheet.rows]
     parts = []
     for number, (title, chosen) in enumerate(zip(_TITLES, _SHOWN, strict=True)):
         places = [keys.index(key) for key in chosen]

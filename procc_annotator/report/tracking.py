@@ -30,7 +30,13 @@ from procc_annotator.report.calibration import DEVIATION_COLUMNS, deviation_valu
 from procc_annotator.report.outputs import Interrupted
 from procc_annotator.report.tables.data_files import csv_bytes, value_of
 from procc_annotator.report.tables.metrics import COVERAGE, RESIDUAL
-from procc_annotator.report.tables.table import Column, MetricTable, count_column, metric_column
+from procc_annotator.report.tables.table import (
+    Column,
+    MetricTable,
+    count_column,
+    metric_column,
+    shortened,
+)
 
 TABLE_FILE = "track.csv"
 COLUMNS = (
@@ -267,58 +273,31 @@ def shots_table(table: TrackTable) -> MetricTable:
         metric_column(RESIDUAL),
     )
     rows = []
-    for own in shots[:_SHOWN]:
+    for own in shots:
         states = Counter(line["state"] for line in own)
         coverage = [line["coverage"] for line in own if line["state"] != "lost"]
         residuals = [line["residual_px"] for line in own if line["residual_px"] is not None]
         counts = (len(own), *(states[state] for state in STATES))
         medians = (float(np.median(v)) if v else None for v in (coverage, residuals))
         rows.append((own[0]["frame"], own[-1]["frame"], *counts, *medians))
-    more = len(shots) - _SHOWN
     title = f"{pluralize(len(lines), 'frame')} in {pluralize(len(shots), 'shot')}"
-    notes = (f"{more} more",) if more > 0 else ()
-    return MetricTable("shots", title, columns, tuple(rows), notes=notes)
+    return shortened(MetricTable("shots", title, columns, tuple(rows)), _SHOWN)
 
 
-@dataclass(frozen=True)
-class Gap:
-    """Frames one after the other that have no camera, or one propagated from others.
-
-    Attributes:
-        first, last: names.
-        frames: how many.
-        state: of the first.
-        reason: of the first.
-    """
-
-    first: str
-    last: str
-    frames: int
-    state: str
-    reason: str
-
-
-def gaps_of(table: TrackTable) -> list[Gap]:
-    """The stretches that were not followed on paint."""
-    found = []
-    for (state, _), own in groupby(table.in_order(), key=lambda row: (row["state"], row["shot"])):
-        rows: Sequence[Line] = list(own)
-        if state in ("bridged", "lost"):
-            ends = rows[0]["frame"], rows[-1]["frame"]
-            found.append(Gap(*ends, len(rows), state, rows[0]["reason"] or ""))
-    return found
-
-
-def gaps_table(gaps: Sequence[Gap]) -> MetricTable:
-    """Gaps, the first ones of many."""
+def gaps_table(table: TrackTable) -> MetricTable:
+    """Stretches of frames that have no camera, or one propagated from others."""
     columns = (
         Column("from", "from"), Column("to", "to"), count_column("frames"), Column("state"),
         Column("why", "why"),
     )  # fmt: skip
-    rows = tuple((g.first, g.last, g.frames, g.state, g.reason) for g in gaps[:_SHOWN])
-    more = len(gaps) - _SHOWN
-    notes = (f"{more} more in {TABLE_FILE}",) if more > 0 else ()
-    return MetricTable("gaps", pluralize(len(gaps), "gap"), columns, rows, notes=notes)
+    found = []
+    for (state, _), own in groupby(table.in_order(), key=lambda row: (row["state"], row["shot"])):
+        if state in ("bridged", "lost"):
+            rows: Sequence[Line] = list(own)
+            ends = rows[0]["frame"], rows[-1]["frame"]
+            found.append((*ends, len(rows), state, rows[0]["reason"] or ""))
+    gaps = MetricTable("gaps", pluralize(len(found), "gap"), columns, tuple(found))
+    return shortened(gaps, _SHOWN, f"in {TABLE_FILE}")
 
 
 def tracked_words(table: TrackTable) -> str:

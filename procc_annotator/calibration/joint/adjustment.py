@@ -359,7 +359,6 @@ def fit_at_position(
     field: Field,
     *,
     usual: LensAndRollPrior | None = None,
-    tolerance: float = 1e-5,
 ) -> CameraSolution:
     """The camera of a frame at a known position, from one that is nearly right.
 
@@ -368,12 +367,11 @@ def fit_at_position(
         position: (3,) metres.
         field: the elements.
         usual: what is known of the camera besides.
-        tolerance: see `solve`.
     """
     start = sighting.vector.copy()
     start[POSITION_PARAMETERS] = position
     prior = prior_at_position(start, field, FREE_PARAMETERS[sighting.model], usual)
-    return _fit_at_position(sighting, start[None], position, prior, FINAL_LOSS, tolerance)
+    return _fit_at_position(sighting, start[None], position, prior, FINAL_LOSS, 1e-5)
 
 
 def search_at_position(

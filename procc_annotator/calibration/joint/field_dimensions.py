@@ -202,7 +202,6 @@ class StadiumFit:
 
     Attributes:
         dimensions: those that were fitted.
-        correlation: (D, D) between them.
         frames: number of frames that took part.
         elements, left_out: number of their elements, and of those that fit even the best field so
             badly that they had no say.
@@ -211,7 +210,6 @@ class StadiumFit:
     """
 
     dimensions: tuple[FittedDimension, ...]
-    correlation: FloatArray
     frames: int
     elements: int = 0
     left_out: int = 0
@@ -435,7 +433,6 @@ def _build_stadium_fit(
         fitted.append(FittedDimension(own, float(sd[row]), telling[row], most_m))
     found = StadiumFit(
         tuple(fitted),
-        shared.covariance / np.outer(sd, sd),
         len(shared.profiles),
         sum(len(fit.elements) for fit in fits),
         sum(len(fit.left_out) for fit in fits),

@@ -73,19 +73,19 @@ def suspect_elements(fit: FitResult, frame: ImageFrame) -> tuple[str, ...]:
     return tuple(e.name for e in fit.elements if element_error(e, frame) > limit)
 
 
-def camera_findings(looked_at: FrameEvidence, known: Sequence[Finding]) -> tuple[Finding, ...]:
+def camera_findings(evidence: FrameEvidence, known: Sequence[Finding]) -> tuple[Finding, ...]:
     """Return what does not fit the camera of the other elements, explained; costs several fits.
     Nothing where all of it fits."""
-    fit, frame = looked_at.fit, looked_at.frame
-    if len(looked_at.clicked) < MIN_ELEMENTS:
+    fit, frame = evidence.fit, evidence.frame
+    if len(evidence.clicked) < MIN_ELEMENTS:
         return ()
     if fit.camera is not None and not suspect_elements(fit, frame):
         return ()
     # A model without distortion leaves lines off that are right; so does one of the ground alone.
     model = fit.model if fit.model in ("R+", *WIDE_ANGLE_MODELS) else "R"
-    polylines = looked_at.annotation.polylines
+    polylines = evidence.annotation.polylines
     doubted = SuspectFrame(
-        FrameAnnotation(polylines), looked_at.field, frame, model, go_on=looked_at.go_on
+        FrameAnnotation(polylines), evidence.field, frame, model, go_on=evidence.go_on
     )
     if len(doubted.names) < MIN_ELEMENTS or (fit.camera is None and _has_too_few_clicks(doubted)):
         return ()

@@ -104,10 +104,10 @@ def check_labels(
         other = fit_camera(annotation, field, model=AUTO, size=size)
         if other.model in WIDE_ANGLE_MODELS and len(suspect_elements(other, frame)) < MANY_OUTLIERS:
             fit = other  # the lens is to blame, not the labels
-    looked_at = FrameEvidence(annotation, field, frame, fit, go_on)
+    evidence = FrameEvidence(annotation, field, frame, fit, go_on)
     return tuple(
         sorted(
-            _drop_redundant(_apply_rules(looked_at, _CAMERA_RULES, _CAMERA_FREE_RULES)),
+            _drop_redundant(_apply_rules(evidence, _CAMERA_RULES, _CAMERA_FREE_RULES)),
             key=_finding_order,
         )
     )
@@ -134,10 +134,10 @@ def add_line_evidence(
     """
     if any(f.rule is Rule.PIXELS for f in findings):
         return tuple(findings)
-    looked_at = FrameEvidence(annotation, field, ImageFrame(size), fit, paint=paint)
+    evidence = FrameEvidence(annotation, field, ImageFrame(size), fit, paint=paint)
     found = [f for f in findings if f.rule is not Rule.SHORT]
     for rules in (short_end_findings, line_evidence_findings):
-        found.extend(rules(looked_at, tuple(found)))
+        found.extend(rules(evidence, tuple(found)))
     return tuple(sorted(found, key=_finding_order))
 
 
@@ -150,24 +150,24 @@ def check_without_camera(
         annotation, field, size: as of `check_labels`.
     """
     no_fit = FitResult("", size, None, failure="not asked for")
-    looked_at = FrameEvidence(annotation, field, ImageFrame(size), no_fit)
+    evidence = FrameEvidence(annotation, field, ImageFrame(size), no_fit)
     return tuple(
         sorted(
-            _apply_rules(looked_at, (unknown_class_findings, *_CAMERA_FREE_RULES)),
+            _apply_rules(evidence, (unknown_class_findings, *_CAMERA_FREE_RULES)),
             key=lambda f: f.severity.rank,
         )
     )
 
 
-def _apply_rules(looked_at: FrameEvidence, *stages: tuple[LabelRule, ...]) -> list[Finding]:
+def _apply_rules(evidence: FrameEvidence, *stages: tuple[LabelRule, ...]) -> list[Finding]:
     """Return what rules find; those of one stage know what the stages before found."""
-    found = list(pixel_coordinate_findings(looked_at, ()))
+    found = list(pixel_coordinate_findings(evidence, ()))
     if found:
         return found  # no other rule has anything to say then
     for stage in stages:
         known = tuple(found)
         for rules in stage:
-            found.extend(rules(looked_at, known))
+            found.extend(rules(evidence, known))
     return found
 
 

@@ -254,15 +254,15 @@ def _minimum_spanning_length(points: FloatArray) -> float:
     return max(total, _SAME_PLACE_PX)
 
 
-def shape_findings(looked_at: FrameEvidence, known: Sequence[Finding]) -> Iterator[Finding]:
+def shape_findings(evidence: FrameEvidence, known: Sequence[Finding]) -> Iterator[Finding]:
     """All there is to say about each element alone; a camera that explains it knows what a lens
     does to it."""
-    explained = looked_at.explained | error_classes(known)
-    for clicked in looked_at.clicked:
+    explained = evidence.explained | error_classes(known)
+    for clicked in evidence.clicked:
         for found in (
-            None if clicked.name in explained else bent_line_finding(clicked, looked_at.frame),
+            None if clicked.name in explained else bent_line_finding(clicked, evidence.frame),
             few_points_finding(clicked),
-            many_points_finding(clicked, looked_at.frame),
+            many_points_finding(clicked, evidence.frame),
             retraced_finding(clicked),
         ):
             if found is not None:
@@ -274,7 +274,7 @@ _MIN_NAME_SIMILARITY = 0.75
 
 
 def unknown_class_findings(
-    looked_at: FrameEvidence, known: Sequence[Finding]
+    evidence: FrameEvidence, known: Sequence[Finding]
 ) -> tuple[Finding, ...]:
     """Annotated classes that the field does not know; those without geometry are known.
 
@@ -282,7 +282,7 @@ def unknown_class_findings(
         An error where a class is nearly called so, with the right name if it is free; else a
         warning, for no fit uses the element and no camera can show it.
     """
-    annotation, field = looked_at.annotation, looked_at.field
+    annotation, field = evidence.annotation, evidence.field
     return tuple(
         _unknown_class_finding(name, annotation, field)
         for name in annotation.annotated
@@ -291,10 +291,10 @@ def unknown_class_findings(
 
 
 def pixel_coordinate_findings(
-    looked_at: FrameEvidence, known: Sequence[Finding]
+    evidence: FrameEvidence, known: Sequence[Finding]
 ) -> tuple[Finding, ...]:
     """One error if the coordinates look like pixels; then no other rule has anything to say."""
-    annotation = looked_at.annotation
+    annotation = evidence.annotation
     strange = pixel_like(annotation)
     if strange is None:
         return ()
@@ -354,7 +354,7 @@ _OVERLAP_SPACING_M = 0.5
 _COINCIDENT_M = 0.5
 
 
-def overlap_findings(looked_at: FrameEvidence, known: Sequence[Finding]) -> Iterator[Finding]:
+def overlap_findings(evidence: FrameEvidence, known: Sequence[Finding]) -> Iterator[Finding]:
     """Pairs of elements whose clicks run along the same stretch; nothing in a reflected frame.
 
     Only of elements on the ground, which lie apart in every picture taken from well above it: a
@@ -363,10 +363,10 @@ def overlap_findings(looked_at: FrameEvidence, known: Sequence[Finding]) -> Iter
     """
     if any(f.rule is Rule.REFLECTED for f in known):
         return
-    explained, sure = looked_at.explained, error_classes(known)
+    explained, sure = evidence.explained, error_classes(known)
     ground = [
         c
-        for c in looked_at.clicked
+        for c in evidence.clicked
         if c.element.on_ground and _bounding_box(c.points) >= _MIN_OVERLAP_LENGTH_PX
     ]
     for one, other in combinations(ground, 2):
@@ -377,9 +377,9 @@ def overlap_findings(looked_at: FrameEvidence, known: Sequence[Finding]) -> Iter
         if _boxes_disjoint(one.points, other.points):
             continue
         if _polylines_overlap(one.points, other.points) and not _coincide_on_field(
-            looked_at.field, one.name, other.name
+            evidence.field, one.name, other.name
         ):
-            yield _overlap_finding(one, other, looked_at.frame)
+            yield _overlap_finding(one, other, evidence.frame)
 
 
 def _overlap_finding(one: AnnotatedElement, other: AnnotatedElement, frame: ImageFrame) -> Finding:

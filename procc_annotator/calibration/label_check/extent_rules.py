@@ -44,13 +44,13 @@ _CORNER_TEXT = translatable("its corner", "where a line ends")
 _EDGE_TEXT = translatable("the picture's edge", "where a line ends")
 
 
-def short_end_findings(looked_at: FrameEvidence, known: Sequence[Finding]) -> Iterator[Finding]:
+def short_end_findings(evidence: FrameEvidence, known: Sequence[Finding]) -> Iterator[Finding]:
     """Ends that were clicked too early; worth a look, no more. A camera that fits everything knows
     where the elements end; without one the other elements do."""
-    clicked, field, frame = looked_at.clicked, looked_at.field, looked_at.frame
+    clicked, field, frame = evidence.clicked, evidence.field, evidence.frame
     by_name, wrong = {one.name: one for one in clicked}, error_classes(known)
-    camera = looked_at.fit.camera if looked_at.is_whole else None
-    model = looked_at.fit.model if camera is not None else None
+    camera = evidence.fit.camera if evidence.is_whole else None
+    model = evidence.fit.model if camera is not None else None
     for one in clicked:
         if one.name in wrong or not one.element.is_straight or len(one.points) < 2:
             continue
@@ -64,7 +64,7 @@ def short_end_findings(looked_at: FrameEvidence, known: Sequence[Finding]) -> It
             else:
                 place = _end_by_camera(end, inner, points, shown, frame)
             gap = 0.0 if place is None else float(np.hypot(*(place[0] - end)))
-            seen = looked_at.paint.get(one.name)
+            seen = evidence.paint.get(one.name)
             if seen is not None and seen.ends_at(index, gap * frame.scale / seen.scale):
                 continue  # it is hidden there, or ends
             if place is not None and _is_relevant_gap(gap * frame.scale):
@@ -189,7 +189,7 @@ _MIN_PLACES, _SEEN_SPACING_PX = 3, 1.2
 _FOLLOW_LINE_REMEDY = Remedy(RemedyKind.FOLLOW, translatable("put its points along the paint"))
 
 
-def line_evidence_findings(looked_at: FrameEvidence, known: Sequence[Finding]) -> Iterator[Finding]:
+def line_evidence_findings(evidence: FrameEvidence, known: Sequence[Finding]) -> Iterator[Finding]:
     """Return what the picture says of elements; nothing where no one examined it.
 
     Only of paint that is lighter than what is around it, which is found nearly always; and none
@@ -199,18 +199,18 @@ def line_evidence_findings(looked_at: FrameEvidence, known: Sequence[Finding]) -
     wrong = error_classes(known)
     judged = [
         (one, seen)
-        for one in looked_at.clicked
-        if (seen := looked_at.paint.get(one.name)) is not None and _is_checked(one)
+        for one in evidence.clicked
+        if (seen := evidence.paint.get(one.name)) is not None and _is_checked(one)
     ]
     missed = [_has_no_line(one, seen) for one, seen in judged]
     can_see = 2 * sum(missed) <= len(missed)
     for (one, seen), is_missed in zip(judged, missed, strict=True):
         if one.name not in wrong:
-            told = _displaced_finding(one, seen) or _no_line_finding(
+            found = _displaced_finding(one, seen) or _no_line_finding(
                 one, seen, is_missed=is_missed and can_see
             )
-            if told is not None:
-                yield told
+            if found is not None:
+                yield found
 
 
 def _displaced_finding(one: AnnotatedElement, seen: LineEvidence) -> Finding | None:

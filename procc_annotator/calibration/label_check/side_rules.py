@@ -328,16 +328,16 @@ def _line_corner(one: FloatArray, other: FloatArray) -> FloatArray | None:
     return np.asarray(one[0] + along * r)
 
 
-def side_findings(looked_at: FrameEvidence, known: Sequence[Finding]) -> tuple[Finding, ...]:
+def side_findings(evidence: FrameEvidence, known: Sequence[Finding]) -> tuple[Finding, ...]:
     """Return what is on the wrong side of others, where no camera explains everything and nothing
     is surely wrong already; nothing of what another finding would fix."""
-    if looked_at.is_whole or error_classes(known):
+    if evidence.is_whole or error_classes(known):
         return ()
     mended = {name for f in known for r in f.remedies for name, _ in r.renamed}
     # Which side something lies on is known of what is known exactly.
-    uncertain = landmark_covariances(looked_at.field)
-    exact = [one for one in looked_at.clicked if one.name not in uncertain]
-    found = wrong_side_findings(exact, looked_at.field, looked_at.frame)
+    uncertain = landmark_covariances(evidence.field)
+    exact = [one for one in evidence.clicked if one.name not in uncertain]
+    found = wrong_side_findings(exact, evidence.field, evidence.frame)
     return tuple(f for f in found if mended.isdisjoint(f.elements))
 
 

@@ -221,11 +221,11 @@ def _constrained_step(
 ) -> FloatArray:
     """The step that takes the pegs to their places, and the rest back to where it began."""
     free, soft = len(inverse_sd), len(off) - exact
-    told, pull = by[:soft] / _CONTROL_POINT_SD_PX, off[:soft] / _CONTROL_POINT_SD_PX
+    weighted, pull = by[:soft] / _CONTROL_POINT_SD_PX, off[:soft] / _CONTROL_POINT_SD_PX
     system = np.zeros((free + exact, free + exact))
-    system[:free, :free] = told.T @ told + np.diag(inverse_sd**2)
+    system[:free, :free] = weighted.T @ weighted + np.diag(inverse_sd**2)
     system[:free, free:], system[free:, :free] = by[soft:].T, by[soft:]
-    right = np.concatenate([told.T @ pull - inverse_sd**2 * change, off[soft:]])
+    right = np.concatenate([weighted.T @ pull - inverse_sd**2 * change, off[soft:]])
     try:
         return np.asarray(np.linalg.solve(system, right)[:free])
     except np.linalg.LinAlgError:  # straight down pan and roll are the same
@@ -310,11 +310,11 @@ def _control_point_information(
     along = np.array([peg.along or (0.0, 0.0, 0.0) for peg in pegs]).T[None]
     lens = Lens.of(vector[None], frame.half_diagonal)
     _, moved, by = project(lens, world, along, PARAMETERS_FREE)
-    told = np.zeros((PARAMETERS_FREE, PARAMETERS_FREE))
+    found = np.zeros((PARAMETERS_FREE, PARAMETERS_FREE))
     for row, peg in enumerate(pegs):
         own = by[0, :, :, row] / (peg.sd_px * frame.scale)
         if peg.along is not None:
             x, y = moved[0, :, row]
             own = own @ (np.array([[-y], [x]]) / max(float(np.hypot(x, y)), 1e-12))
-        told += own @ own.T
-    return told
+        found += own @ own.T
+    return found

@@ -66,12 +66,10 @@ def measure_lines(
     painted: MarkingPoints,
     frame: ImageFrame,
     reach_px: float,
-    spacing_px: float = POINT_SPACING_PX,
 ) -> LineMeasurement:
     """Look for paint next to where a camera (11,) shows it, so many solver px to either side."""
-    return measure_at(
-        picture, expected_line_points(vector, painted, frame, spacing_px), painted, frame, reach_px
-    )
+    expected = expected_line_points(vector, painted, frame, POINT_SPACING_PX)
+    return measure_at(picture, expected, painted, frame, reach_px)
 
 
 def measure_at(

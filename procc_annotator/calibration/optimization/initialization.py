@@ -167,10 +167,6 @@ class InitialCameras:
     vectors: FloatArray
     sides: IntArray
 
-    def chosen(self, which: IntArray) -> InitialCameras:
-        """Some of them, in the order asked for."""
-        return InitialCameras(self.vectors[which], self.sides[which])
-
 
 def initial_cameras(seen: Observations, field: Field) -> InitialCameras:
     """Places on all sides, with several focal lengths, looking at what was annotated; above too,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TypeVar
@@ -307,7 +307,6 @@ def build_observations(
     frame: ImageFrame,
     *,
     ground_only: bool = False,
-    without: Collection[str] = (),
 ) -> Observations | None:
     """The points of an annotation on elements whose place on the field is known.
 
@@ -320,7 +319,6 @@ def build_observations(
         field: the elements.
         frame: the picture.
         ground_only: leave out what is not on the ground.
-        without: names of further classes to leave out.
 
     Returns:
         None when there is nothing.
@@ -329,7 +327,7 @@ def build_observations(
     centre = np.array(frame.centre_px)
     for polyline in annotation:
         row = field.index.get(polyline.class_name)
-        if row is None or not polyline.points or polyline.class_name in without:
+        if row is None or not polyline.points:
             continue
         if ground_only and not field.elements[row].on_ground:
             continue

@@ -253,10 +253,10 @@ def fit_models(
         np.concatenate([one.mean for one in rows]), np.concatenate([one.inverse_sd for one in rows])
     )
     seen = whitened(scene.seen, linear_map(vector))
-    asked = final_request(
+    request = final_request(
         seen, vectors, left_out, scene.residuals(most), prior, held=fixed[:, :most], tolerance=1e-4
     )
-    found = solve_request(asked)
+    found = solve_request(request)
     return {
         model: CameraSolution(
             found.vectors[row],

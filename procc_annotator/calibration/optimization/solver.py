@@ -228,15 +228,15 @@ def solve(
     return solve_request(SolveRequest(problem, starts, iterations, tolerance, hopeless))
 
 
-def solve_request(asked: SolveRequest) -> Solution:
+def solve_request(request: SolveRequest) -> Solution:
     """Minimise from every start."""
-    under_way = SolverState.begun(asked.problem, asked.starts)
+    state = SolverState.begun(request.problem, request.starts)
     made = 0
-    for made in range(1, asked.iterations + 1):  # noqa: B007
-        under_way.step(asked.problem, asked.tolerance, asked.hopeless)
-        if not under_way.running.any():
+    for made in range(1, request.iterations + 1):  # noqa: B007
+        state.step(request.problem, request.tolerance, request.hopeless)
+        if not state.running.any():
             break
-    return replace(under_way.at, steps=made)
+    return replace(state.at, steps=made)
 
 
 @dataclass(eq=False)
@@ -347,11 +347,11 @@ def solve_all(requests: Sequence[SolveRequest]) -> list[Solution]:
     return [found[row] for row in range(len(requests))]
 
 
-def _batch_key(asked: SolveRequest) -> tuple[object, ...] | None:
+def _batch_key(request: SolveRequest) -> tuple[object, ...] | None:
     """Equal for descents that can be made at once; None for what is to be made alone."""
-    problem = asked.problem
+    problem = request.problem
     look = problem.residuals
-    alone = problem.held is not None or len(asked.starts) > _MAX_BATCH_STARTS
+    alone = problem.held is not None or len(request.starts) > _MAX_BATCH_STARTS
     if alone or not isinstance(look, partial) or look.func is not pinhole_residuals:
         return None
     options = {name: value for name, value in look.keywords.items() if name != "seen"}
@@ -360,7 +360,7 @@ def _batch_key(asked: SolveRequest) -> tuple[object, ...] | None:
     return (
         tuple(sorted(options.items())),
         (problem.loss, problem.bounded, problem.least, problem.free),
-        (asked.iterations, asked.tolerance, asked.hopeless),
+        (request.iterations, request.tolerance, request.hopeless),
     )
 
 

@@ -55,7 +55,6 @@ def project_error_ellipses(
     covariances: Sequence[Covariance | None],
     *,
     camera_covariances: FloatArray | None = None,
-    level: float = ELLIPSE_SCALE_95,
 ) -> list[ErrorEllipse | None]:
     """Return where a view shows places, to first order.
 
@@ -65,10 +64,9 @@ def project_error_ellipses(
         covariances: (3, 3) m^2 of each; None for one that is taken as exact.
         camera_covariances: (N, 2, 2) px^2 of the camera's own uncertainty there, where it is known;
             NaN counts as none.
-        level: how many standard deviations an ellipse reaches out.
 
     Returns:
-        N ellipses; None for places that the camera does not show.
+        N ellipses that hold 95 %; None for places that the camera does not show.
     """
     if not positions:
         return []
@@ -81,7 +79,7 @@ def project_error_ellipses(
     if camera_covariances is not None:
         spread = spread + np.where(np.isfinite(camera_covariances), camera_covariances, 0.0)
     values, vectors = np.linalg.eigh(spread)
-    axes = level * np.sqrt(np.maximum(values, 0.0))
+    axes = ELLIPSE_SCALE_95 * np.sqrt(np.maximum(values, 0.0))
     angles = np.arctan2(vectors[:, 1, 1], vectors[:, 0, 1])
     return [
         ErrorEllipse(centre, (float(pair[1]), float(pair[0])), float(angle)) if seen else None

@@ -212,11 +212,11 @@ def _with_sport_hint(found: Proposal, field: Field) -> Proposal:
     stands_out = found.explained >= SURE_MIN_EXPLAINED or found.margin >= CLEAR_MARGIN
     if found.state == SURE or (found.coverage >= SURE_MIN_COVERAGE and stands_out):
         return found
-    asked = translatable(
+    hint = translatable(
         "is this {field}, and no other sport? {why}", field=field.title, why=found.reason
     )
-    fit = found.fit if found.fit.camera is not None else replace(found.fit, failure=asked)
-    return replace(found, fit=fit, reason=asked)
+    fit = found.fit if found.fit.camera is not None else replace(found.fit, failure=hint)
+    return replace(found, fit=fit, reason=hint)
 
 
 def better_proposal(free: Proposal, at_known: Proposal, field: Field) -> Proposal:

@@ -352,5 +352,5 @@ def state_from_camera(
     _, by = edge_point_errors(vector[None], marks, frame.half_diagonal, len(before.information))
     # The lines of a given camera are off together: they are worth as much as their number.
     lines = len(np.unique(expected.run))
-    told = by[0].T @ by[0] * (lines / max(len(rows), 1)) / _GIVEN_CAMERA_SD_PX**2
-    return replace(before, vector=vector, information=before.information + told)
+    from_lines = by[0].T @ by[0] * (lines / max(len(rows), 1)) / _GIVEN_CAMERA_SD_PX**2
+    return replace(before, vector=vector, information=before.information + from_lines)

@@ -318,11 +318,11 @@ def motion_constraints(
     turns: Sequence[InterFrameMotion | None], stand: ProcessNoise
 ) -> MotionConstraints:
     """The ties of frames between which the picture turned so; None where nothing decides."""
-    told = [turn or _UNKNOWN_MOTION for turn in turns]
+    motions = [turn or _UNKNOWN_MOTION for turn in turns]
     apparent = np.diag(stand.apparent**2)
     return MotionConstraints(
-        np.array([turn.step for turn in told]).reshape(-1, len(MOTION_PARAMETERS)),
-        np.array([np.linalg.inv(turn.covariance + apparent) for turn in told]).reshape(
+        np.array([turn.step for turn in motions]).reshape(-1, len(MOTION_PARAMETERS)),
+        np.array([np.linalg.inv(turn.covariance + apparent) for turn in motions]).reshape(
             -1, len(MOTION_PARAMETERS), len(MOTION_PARAMETERS)
         ),
         stand,

@@ -249,7 +249,7 @@ class _ShotTracker:
         """
         begin, places = numbers[0], np.array(list(given))
 
-        def told(number: int, step: FilterStep) -> None:
+        def on_step(number: int, step: FilterStep) -> None:
             watch(number, step)
             if number not in given:
                 distance = int(np.abs(places - number).min())
@@ -261,7 +261,7 @@ class _ShotTracker:
             given[begin],
             self.painted,
             self.picture,
-            told,
+            on_step,
             self.go_on,
             stand,
         )

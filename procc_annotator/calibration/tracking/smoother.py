@@ -255,13 +255,13 @@ class _StatePriors:
         self, information: FloatArray, pull: FloatArray, rows: slice, vectors: FloatArray
     ) -> None:
         """Add it to the normal equations (b, 8, 8) and (b, 8) of some frames."""
-        own = [(k, told) for k, told in self.given.items() if rows.start <= k < rows.stop]
+        own = [(k, prior) for k, prior in self.given.items() if rows.start <= k < rows.stop]
         if rows.start == 0:
             own.append((0, self.usual))
-        for k, told in own:
-            information[k - rows.start] += told.information
-            off = (told.vector - vectors[k])[:PARAMETERS_FREE]
-            pull[k - rows.start] += told.information @ off
+        for k, prior in own:
+            information[k - rows.start] += prior.information
+            off = (prior.vector - vectors[k])[:PARAMETERS_FREE]
+            pull[k - rows.start] += prior.information @ off
 
 
 def _build_normal_equations(

@@ -30,29 +30,12 @@ from procc_annotator.dataset.database.metadata_cache import MetadataCache
 from procc_annotator.dataset.database.schema import DamagedError, Row, Snapshot, Write, stored
 from procc_annotator.dataset.database.writer import UnavailableError
 from procc_annotator.dataset.records import (
-    Comment,
-    FrameRecord,
     Origin,
-    OriginKind,
     PointKey,
-    Status,
     Version,
-    default_author,
     digest_of,
 )
 from procc_annotator.errors import InputError
-
-__all__ = [
-    "Comment",
-    "FrameRecord",
-    "Origin",
-    "OriginKind",
-    "PointKey",
-    "Status",
-    "Version",
-    "WorkspaceDatabase",
-    "default_author",
-]
 
 T = TypeVar("T")
 

@@ -36,7 +36,7 @@ from procc_annotator.dataset.database.connection import (
 from procc_annotator.dataset.database.schema import SETTING_KEY, DamagedError, Write, read
 from procc_annotator.errors import InputError, SaveError
 from procc_annotator.formats.atomic import write_atomic
-from procc_annotator.formats.file_source import read_file, walk
+from procc_annotator.formats.file_source import read_file, suffix_of, walk
 from procc_annotator.image.headers import PICTURE_SUFFIXES, VIDEO_SUFFIXES
 from procc_annotator.regular_file import open_regular
 from procc_annotator.resources import data_folder
@@ -70,16 +70,12 @@ def _pictures(folder: Path) -> list[str]:
     holding = 0
     with suppress(InputError):  # what is out of reach has no mark
         for below, names in islice(walk(folder, lambda _: None), _FOLDERS_LOOKED_INTO):
-            here = [below + name for name in names if _suffix(name) in _SUFFIXES]
+            here = [below + name for name in names if suffix_of(name) in _SUFFIXES]
             found += here
             holding += bool(here)
             if (here and not below) or holding == _FOLDERS:
                 break
     return found
-
-
-def _suffix(name: str) -> str:
-    return os.path.splitext(name)[1].lower()
 
 
 def matches_folder(mark: Fingerprint, folder: Path) -> bool:

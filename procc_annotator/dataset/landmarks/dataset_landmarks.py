@@ -8,13 +8,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from procc_annotator.dataset.landmarks.view_groups import ViewGroups, load_views
-from procc_annotator.dataset.layout import VIEWS_FILE, folder_of_dataset, suffix_of
+from procc_annotator.dataset.layout import VIEWS_FILE, folder_of_dataset
 from procc_annotator.errors import FieldError, InputError, UsageError
 from procc_annotator.field.geometry import Vector
 from procc_annotator.field.landmarks import is_moving, with_landmarks, without_landmarks
 from procc_annotator.field.model import Field, Landmark
 from procc_annotator.formats.file_listing import ANNOTATIONS_FOLDER, frame_in_tree
-from procc_annotator.formats.file_source import walk
+from procc_annotator.formats.file_source import suffix_of, walk
 from procc_annotator.formats.frame_names import FrameTable
 from procc_annotator.formats.landmark_file import (
     LANDMARKS_FILE,

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
 from dataclasses import field as dataclass_field
+from functools import cache
 from pathlib import Path
-from typing import Protocol
 
 import numpy as np
 
@@ -52,71 +52,58 @@ class FrameView:
     covariance: CameraCovariance | None = None
 
 
-class ViewCameras(Protocol):
-    """Sources of the cameras of clicked frames."""
-
-    def of(self, frame: str) -> FrameView | str:
-        """A frame's camera, or why it is missing."""
+# The camera of a clicked frame, or why it is missing.
+ViewCameras = Callable[[str], FrameView | str]
 
 
-@dataclass(frozen=True)
-class ViewsOfSet:
+def views_of_set(cameras: FrameCameras, size_of: Callable[[str], Size]) -> ViewCameras:
     """Cameras of a set, which are taken as they are.
 
-    Attributes:
+    Args:
         cameras: of the set.
         size_of: frame -> (width, height) px to work in.
     """
 
-    cameras: FrameCameras
-    size_of: Callable[[str], Size]
-
-    def of(self, frame: str) -> FrameView | str:
-        size = self.size_of(frame)
+    def view(frame: str) -> FrameView | str:
+        size = size_of(frame)
         try:
-            found = self.cameras.camera(frame, size)
+            found = cameras.camera(frame, size)
         except CameraError as error:
             return str(error)
         if found is None:
-            return self.cameras.why_none(frame)
+            return cameras.why_none(frame)
         if isinstance(found.camera, ElementProjections):
-            return f"{self.cameras.name} shares projections alone, no camera"
+            return f"{cameras.name} shares projections alone, no camera"
         return FrameView(found.camera, size)
 
+    return view
 
-@dataclass
-class FittedViews:
-    """Cameras fitted to the annotations, with their uncertainty.
+
+def fitted_views(
+    field: Field,
+    annotation_of: Callable[[str], FrameAnnotation],
+    size_of: Callable[[str], Size],
+    model: str = "R",
+) -> ViewCameras:
+    """Cameras fitted to the annotations, with their uncertainty; each once.
 
     Triangulated landmarks take no part in the fits: a place must not be what gives the camera that
     gives the place.
 
-    Attributes:
+    Args:
         field: with the dataset's landmarks.
         annotation_of: frame -> what was clicked.
         size_of: frame -> (width, height) px to fit at.
         model: see `fit_camera`.
     """
+    own = surveyed_only(field)
 
-    field: Field
-    annotation_of: Callable[[str], FrameAnnotation]
-    size_of: Callable[[str], Size]
-    model: str = "R"
-    _fits: dict[str, FitResult] = dataclass_field(default_factory=dict)
+    @cache
+    def view(frame: str) -> FrameView | str:
+        shown, size = field_for_frame(own, frame), size_of(frame)
+        return view_of_fit(fit_camera(annotation_of(frame), shown, model=model, size=size))
 
-    def __post_init__(self) -> None:
-        self.field = surveyed_only(self.field)
-
-    def of(self, frame: str) -> FrameView | str:
-        fit = self._fits.get(frame)
-        if fit is None:
-            fit = self._fits[frame] = fit_camera(
-                self.annotation_of(frame),
-                field_for_frame(self.field, frame),
-                model=self.model,
-                size=self.size_of(frame),
-            )
-        return view_of_fit(fit)
+    return view
 
 
 def surveyed_only(field: Field) -> Field:
@@ -157,7 +144,7 @@ def locate(
     seen: list[ClickedView] = []
     missing: list[tuple[str, str]] = []
     for click in clicked.clicks:
-        found = views.of(click.frame)
+        found = views(click.frame)
         if isinstance(found, str):
             missing.append((click.frame, found))
         else:
@@ -347,5 +334,5 @@ def _views(
         return sizes.of_frame(frame, annotations[frame]).fitted
 
     if search.cameras is not None:
-        return ViewsOfSet(search.cameras, size_of)
-    return FittedViews(field, annotations.__getitem__, size_of, search.model)
+        return views_of_set(search.cameras, size_of)
+    return fitted_views(field, annotations.__getitem__, size_of, search.model)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -17,7 +15,7 @@ from natsort import natsorted
 from procc_annotator.errors import InputError, SaveError, UsageError
 from procc_annotator.field.formulas import did_you_mean, short_repr
 from procc_annotator.formats.atomic import write_atomic
-from procc_annotator.formats.csv_tables import escape_formula, read_frame_table
+from procc_annotator.formats.csv_tables import encode_rows, escape_formula, read_frame_table
 from procc_annotator.formats.file_source import read_optional
 from procc_annotator.formats.frame_names import FrameTable
 
@@ -129,13 +127,10 @@ def save_views(path: Path, groups: ViewGroups) -> None:
     Raises:
         SaveError: it could not be written.
     """
-    text = io.StringIO(newline="")
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow((_FRAME, _INSTANT, _VIEW))
-    for frame in natsorted(groups.frames):
-        of = groups.frames[frame]
-        writer.writerow([escape_formula(cell) for cell in (frame, of.instant, of.view)])
-    write_atomic(path, text.getvalue().encode("utf-8", "backslashreplace"), inside=path.parent)
+    rows = [(f, groups.frames[f].instant, groups.frames[f].view) for f in natsorted(groups.frames)]
+    cells = ([escape_formula(cell) for cell in row] for row in rows)
+    data = encode_rows([(_FRAME, _INSTANT, _VIEW), *cells])
+    write_atomic(path, data, inside=path.parent)
 
 
 def replace_views(path: Path, groups: ViewGroups, known: bytes | None = None) -> bytes | None:

@@ -11,6 +11,7 @@ import json
 import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 from procc_annotator.annotation import FrameAnnotation
@@ -115,16 +116,15 @@ def folders_of(file: str) -> Iterator[str]:
 
 
 class FitDigests:
-    """Annotations that the cameras of a source were fitted to; files next to them are read once."""
+    """Annotations that the cameras of a source were fitted to; files next to them are read once.
+
+    Args:
+        read: the content of a file of the source; None if absent.
+    """
 
     def __init__(self, read: Callable[[str], bytes | None]) -> None:
-        """As above.
-
-        Args:
-            read: the content of a file of the source; None if absent.
-        """
         self._read = read
-        self._tables: dict[str, Mapping[str, str]] = {}
+        self._table = cache(lambda folder: _table(read(folder + TABLE_FILE)))
 
     def of(self, frame: str, file: str, extra: Mapping[str, Any]) -> str | None:
         """The digest of the annotation that a camera was fitted to; None if nothing says so.
@@ -136,12 +136,9 @@ class FitDigests:
         own = _digest_in(extra.get(FIT_KEY))
         if own is not None:
             return own
-        name = frame.rpartition("/")[2]
-        beside = file[: file.rfind("/") + 1] + name
+        beside = file[: file.rfind("/") + 1] + frame.rpartition("/")[2]
         for folder in folders_of(file):  # of a tree it lies at the top
-            if folder not in self._tables:
-                self._tables[folder] = _table(self._read(folder + TABLE_FILE))
-            table = self._tables[folder]
+            table = self._table(folder)
             if table and (found := table.get(frame) or table.get(beside[len(folder) :])):
                 return found
         note = self._read(beside + SIDECAR_SUFFIX)
@@ -229,16 +226,14 @@ def camera_hash(data: bytes) -> str:
 
 
 class LeftOutTables:
-    """Content of such tables for the cameras next to them; each is read once."""
+    """Content of such tables for the cameras next to them; each is read once.
+
+    Args:
+        read: the content of a file of the source; None if absent.
+    """
 
     def __init__(self, read: Callable[[str], bytes | None]) -> None:
-        """As above.
-
-        Args:
-            read: the content of a file of the source; None if absent.
-        """
-        self._read = read
-        self._tables: dict[str, tuple[Mapping[str, LeftOutResult], str]] = {}
+        self._table = cache(lambda folder: _read_table(read(folder + LEFT_OUT_FILE)))
 
     def of(self, file: str, data: bytes) -> tuple[LeftOutResult | None, str]:
         """Return what is known of a camera, and a remark on a table that cannot be read.
@@ -248,9 +243,7 @@ class LeftOutTables:
         """
         remarks = []
         for folder in folders_of(file):  # of a tree it lies at the top
-            if folder not in self._tables:
-                self._tables[folder] = _read_table(self._read(folder + LEFT_OUT_FILE))
-            table, remark = self._tables[folder]
+            table, remark = self._table(folder)
             remarks.append(remark)
             if table and (found := table.get(camera_hash(data))) is not None:
                 return found, remark

@@ -232,9 +232,9 @@ class FrameOffset:
         return f"cameras are {frames} {'late' if self.shift > 0 else 'early'}"
 
 
-def shift_range(largest: int = MAX_SHIFT) -> IntArray:
-    """(2 K + 1,) from -K to K."""
-    return np.arange(-largest, largest + 1)
+def shift_range() -> IntArray:
+    """(2 K + 1,) from -K to K, K being `MAX_SHIFT`."""
+    return np.arange(-MAX_SHIFT, MAX_SHIFT + 1)
 
 
 def frame_offset(costs_px: FloatArray) -> FrameOffset | None:

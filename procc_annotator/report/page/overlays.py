@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Generic, TypeVar
 
 from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.errors import ImageError, InputError
@@ -14,19 +15,33 @@ from procc_annotator.formats.file_listing import list_annotations
 from procc_annotator.formats.file_source import FileSource
 from procc_annotator.metrics.measurement import measure
 from procc_annotator.metrics.score import display_score, explain_score, score, worst_elements_first
-from procc_annotator.report.overlay_scene import Paint, Scene
+from procc_annotator.report.comparison import ComparisonScene
+from procc_annotator.report.overlay_scene import Scene
 from procc_annotator.report.page.report_data import AuditReport, ReportedSource
 from procc_annotator.report.scores.score_tables import percent_text, pixels
 
 _MOST_SENTENCES = 8
 
 
-@dataclass(frozen=True, slots=True)
-class Painters:
+S = TypeVar("S", Scene, ComparisonScene)
+
+
+@dataclass(frozen=True)
+class Painters(Generic[S]):
     """Painters of pictures: photographs become JPEG, which suits photographs, plain ground PNG."""
 
-    photograph: Paint
-    plain: Paint
+    photograph: Callable[[S], bytes]
+    plain: Callable[[S], bytes]
+
+    def encode(self, scene: S) -> tuple[bytes, str, ImageError | None]:
+        """The picture, its MIME type, and why it is on plain ground in spite of a photograph."""
+        failure = None
+        if scene.image_path is not None:
+            try:
+                return self.photograph(scene), "image/jpeg", None
+            except ImageError as error:
+                failure = error
+        return self.plain(replace(scene, image_path=None)), "image/png", failure
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,7 +133,7 @@ class OverlayDrawer:
         annotations: FileSource,
         sources: Sequence[CameraSet],
         pictures: Mapping[str, Path],
-        painters: Painters,
+        painters: Painters[Scene],
     ) -> None:
         self._report = report
         self._annotations = annotations
@@ -153,7 +168,13 @@ class OverlayDrawer:
         return Scene(self._pictures.get(frame), annotation, setup, measurement, judged, frame)
 
     def _painted(self, source: str, frame: str, scene: Scene) -> OverlayPicture:
-        picture, kind, remark = self._encoded(scene)
+        picture, kind, failure = self._painters.encode(scene)
+        remark = ""
+        if failure is not None:
+            self.problems.append(str(failure))
+            remark = "The picture cannot be read: drawn on plain ground."
+        elif scene.image_path is None:
+            remark = "No picture of this frame: drawn on plain ground."
         judged, measurement = scene.score, scene.measurement
         if judged is None or measurement is None:
             raise ValueError("a scene of a report has a score")
@@ -175,15 +196,3 @@ class OverlayDrawer:
         return OverlayPicture(
             source, frame, picture, kind, figures, tuple(sentences), judged.tp, remark
         )
-
-    def _encoded(self, scene: Scene) -> tuple[bytes, str, str]:
-        if scene.image_path is None:
-            remark = "No picture of this frame: drawn on plain ground."
-            return self._painters.plain(scene), "image/png", remark
-        try:
-            return self._painters.photograph(scene), "image/jpeg", ""
-        except ImageError as error:
-            self.problems.append(str(error))
-            plain = replace(scene, image_path=None)
-            remark = "The picture cannot be read: drawn on plain ground."
-            return self._painters.plain(plain), "image/png", remark

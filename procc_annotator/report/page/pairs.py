@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
 from procc_annotator.batch.comparison import (
@@ -14,12 +14,12 @@ from procc_annotator.batch.comparison import (
 )
 from procc_annotator.batch.execution.executor import Executor
 from procc_annotator.dataset.camera_set import CameraSet
-from procc_annotator.errors import ImageError, InputError, UsageError
-from procc_annotator.field.load import field_for_frame
+from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.metrics.error_maps import OFFSIDE_ACCURACY_M
 from procc_annotator.metrics.legacy import MetricAverage
-from procc_annotator.report.comparison import ComparisonScene
+from procc_annotator.report.comparison import ComparisonScene, comparison_scene
+from procc_annotator.report.page.overlays import Painters
 from procc_annotator.report.tables.metrics import FRAMES, HAVING, LEGACY, METRES, PIXELS, WITHIN
 from procc_annotator.report.tables.table import (
     Column,
@@ -31,18 +31,7 @@ from procc_annotator.report.tables.table import (
     metric_values,
 )
 
-PaintPair = Callable[[ComparisonScene], bytes]
-"""Turns a scene into an encoded picture."""
-
 Progress = Callable[[Iterable[ComparedFrame], int, str], Iterator[ComparedFrame]]
-
-
-@dataclass(frozen=True, slots=True)
-class PairPainters:
-    """Painters of pictures: with a photograph as JPEG, on plain ground as PNG."""
-
-    photograph: PaintPair
-    plain: PaintPair
 
 
 @dataclass(frozen=True, slots=True)
@@ -112,7 +101,12 @@ class Pairs:
         return ReportedPair(a, b, comparison.summary(), comparison.describe(), problems=problems)
 
     def pictures(
-        self, a: str, b: str, count: int, paint: PairPainters, pictures: Mapping[str, Path]
+        self,
+        a: str,
+        b: str,
+        count: int,
+        paint: Painters[ComparisonScene],
+        pictures: Mapping[str, Path],
     ) -> tuple[PairPicture, ...]:
         """Pictures of the frames that disagree most, largest median first."""
         found = self._run(a, b)
@@ -130,21 +124,12 @@ class Pairs:
         comparison: ComparisonRun,
         frame: ComparedFrame,
         names: tuple[str, str],
-        paint: PairPainters,
+        paint: Painters[ComparisonScene],
         pictures: Mapping[str, Path],
     ) -> PairPicture | None:
         try:
-            cameras = comparison.cameras(frame.name)
-            found = comparison.map_for_picture(frame.name, cameras)
-            scene = ComparisonScene(
-                frame,
-                pictures.get(frame.name),
-                names,
-                cameras,
-                found,
-                field_for_frame(self._field, frame.name),
-            )
-            picture, kind = _encoded(scene, paint)
+            scene = comparison_scene(comparison, frame, names, pictures)
+            picture, kind, _ = paint.encode(scene)  # a failure is listed with the overlays
         except InputError:  # listed when the set was compared
             return None
         return PairPicture(frame.name, picture, kind, _words(frame))
@@ -166,15 +151,6 @@ class Pairs:
             except UsageError as error:
                 self._done[a, b] = str(error)
         return self._done[a, b]
-
-
-def _encoded(scene: ComparisonScene, paint: PairPainters) -> tuple[bytes, str]:
-    if scene.image_path is not None:
-        try:
-            return paint.photograph(scene), "image/jpeg"
-        except ImageError:  # listed with the overlay pictures
-            scene = replace(scene, image_path=None)
-    return paint.plain(scene), "image/png"
 
 
 def _words(frame: ComparedFrame) -> str:

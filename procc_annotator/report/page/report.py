@@ -18,6 +18,8 @@ from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.formats.file_source import FileSource
 from procc_annotator.messages import condensed
 from procc_annotator.regular_file import read_head
+from procc_annotator.report.comparison import ComparisonScene
+from procc_annotator.report.overlay_scene import Scene
 from procc_annotator.report.page.charts import draw_charts, jitter_chart
 from procc_annotator.report.page.overlays import (
     OverlayDrawer,
@@ -26,7 +28,6 @@ from procc_annotator.report.page.overlays import (
     choose_frames,
 )
 from procc_annotator.report.page.pairs import (
-    PairPainters,
     Pairs,
     ReportedPair,
     disagreement_section,
@@ -50,7 +51,6 @@ from procc_annotator.report.tables.table import MetricTable, definitions, displa
 from procc_annotator.report.temporal import (
     TemporalMetrics,
     breaks_table,
-    shots_over_time_table,
     terminal_tables,
 )
 from procc_annotator.resources import resources_dir
@@ -101,8 +101,8 @@ class ReportPainters:
         colours: of the sources in charts.
     """
 
-    overlays: Painters
-    pairs: PairPainters | None
+    overlays: Painters[Scene]
+    pairs: Painters[ComparisonScene] | None
     colours: Sequence[str]
 
 
@@ -186,9 +186,7 @@ def write_report(
     if legacy:
         marked = _marked(legacy, report)
         tables.append(legacy_section(marked[0].a, marked))
-    steady = (
-        terminal_tables(shots_over_time_table(material.over_time)) if material.over_time else []
-    )
+    steady = terminal_tables(material.over_time) if material.over_time else []
     every_pair = tuple({(p.a, p.b): p for p in (*disagreeing, *legacy)}.values())
     problems = [problem for pair in every_pair for problem in pair.problems]
     problems += [f"{pair.a}, {pair.b}: {pair.failure}" for pair in every_pair if pair.failure]

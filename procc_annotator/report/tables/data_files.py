@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import math
 import re
 from collections.abc import Iterable, Sequence
@@ -11,7 +9,7 @@ from typing import Any
 
 import msgspec
 
-from procc_annotator.formats.csv_tables import escape_formula, unescape_formula
+from procc_annotator.formats.csv_tables import encode_rows, escape_formula, unescape_formula
 from procc_annotator.report.tables.table import (
     Cell,
     Column,
@@ -36,19 +34,13 @@ def csv_bytes(sheet: MetricTable, *, line_end: str = "\n") -> bytes:
 
 def csv_header(columns: Sequence[Column], *, line_end: str = "\n") -> bytes:
     """The first line, of a file that is written row by row."""
-    return _lines([[escape_formula(column.key) for column in columns]], line_end)
+    return encode_rows([[escape_formula(column.key) for column in columns]], line_end)
 
 
 def csv_rows(columns: Sequence[Column], rows: Iterable[Row], *, line_end: str = "\n") -> bytes:
     """More lines of such a file."""
     forms = [column.written for column in columns]
-    return _lines(([*map(_written, row, forms)] for row in rows), line_end)
-
-
-def _lines(rows: Iterable[Sequence[str | int | float]], line_end: str) -> bytes:
-    text = io.StringIO(newline="")
-    csv.writer(text, lineterminator=line_end).writerows(rows)
-    return text.getvalue().encode("utf-8", "backslashreplace")
+    return encode_rows(([*map(_written, row, forms)] for row in rows), line_end)
 
 
 def _written(value: Value, form: str) -> str | int | float:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 from procc_annotator.errors import printable
@@ -195,6 +195,15 @@ class MetricTable:
     def caption(self) -> str:
         """The title, and in brackets what the figures rest on."""
         return f"{self.title} ({self.described})" if self.described else self.title
+
+
+def shortened(sheet: MetricTable, most: int, where: str = "") -> MetricTable:
+    """The first rows of a table; a note says how many more there are, and where."""
+    more = len(sheet.rows) - most
+    if more <= 0:
+        return sheet
+    notes = (*sheet.notes, f"{more} more {where}".rstrip())
+    return replace(sheet, rows=sheet.rows[:most], notes=notes)
 
 
 def records(sheet: MetricTable) -> Iterator[dict[str, Value]]:

@@ -122,5 +122,4 @@ class TestUnconfirmed:
         assert not drawn.unconfirmed
 
     def test_deleting_the_class_removes_it(self) -> None:
-        assert editing.delete_element(self.WAITING, ARC) == BOTH
         assert editing.drop_unconfirmed(self.WAITING) == BOTH

@@ -15,9 +15,9 @@ from procc_annotator.camera.base import Camera
 from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.dataset.landmarks.triangulation import (
     DatasetPaths,
-    FittedViews,
     FrameView,
     TriangulationSettings,
+    fitted_views,
     locate_in_dataset,
 )
 from procc_annotator.field.load import field_for_frame, load_field, with_stadiums
@@ -96,7 +96,7 @@ def test_the_cameras_are_fitted_to_the_dimensions_of_each_frame_s_stadium() -> N
         piece = max(pieces, key=len)
         few = piece[np.linspace(0, len(piece) - 1, 6).astype(int)]
         lines.append(Polyline(name, tuple(point_from_px(*p, SIZE) for p in few)))
-    views = FittedViews(field, lambda _: FrameAnnotation(tuple(lines)), lambda _: SIZE, "P")
-    found = views.of("a")
+    views = fitted_views(field, lambda _: FrameAnnotation(tuple(lines)), lambda _: SIZE, "P")
+    found = views("a")
     assert isinstance(found, FrameView)
     np.testing.assert_allclose(found.camera.position_world, true.position_world, atol=0.2)

@@ -334,7 +334,7 @@ def test_undoing_every_edit_gives_the_beginning_back(data: st.DataObject) -> Non
             at = data.draw(st.integers(0, size))
             edited = editing.insert_point(current, name, at, data.draw(points))
         elif kind == "clear":
-            edited = editing.delete_element(current, name)
+            edited = current.without(name)
         elif size == 0:
             continue
         elif kind == "move":

@@ -595,7 +595,8 @@ def test_looking_takes_back_nothing_that_was_changed_meanwhile(opened: Open) -> 
 WRITE_MANY = """
 import sys
 from pathlib import Path
-from procc_annotator.dataset.database.database import Status, WorkspaceDatabase
+from procc_annotator.dataset.database.database import WorkspaceDatabase
+from procc_annotator.dataset.records import Status
 database = WorkspaceDatabase.open(Path(sys.argv[1]), sys.argv[2])
 assert database.notices == (), database.notices
 for i in range(int(sys.argv[3])):
