@@ -56,7 +56,7 @@ LONG = (
     "tests/test_sample_data.py",
     "tests/fuzz/test_damaged",
     "tests/gui/test_random_use.py",
-    "tests/unit/calibration/joint/test_stadium.py",
+    "tests/unit/calibration/joint/test_field_dimensions.py",
     "tests/data/",
     "tests/cli/test_track.py",
 )
