@@ -66,7 +66,7 @@ def _drawing_importable() -> Iterator[None]:
 
 
 with _drawing_importable():
-    from drawing import grounds, people, rays, scenery, solids, sports
+    from drawing import grounds, people, rays, scenery, soccer, solids, sports  # noqa: F401
     from drawing import paint as painter
 
 

@@ -154,9 +154,9 @@ def track(
         if number not in range(count):
             raise UsageError(f"anchors: no frame {number!r} among {count}, of which 0 is the first")
         as_camera(camera, f"anchors[{number}]")
-    told = on_frame or (lambda _: None)
+    report = on_frame or (lambda _: None)
     return shot_tracker.track_shot(
-        frame, range(count), as_field(field), anchors=known, on_frame=told
+        frame, range(count), as_field(field), anchors=known, on_frame=report
     )
 
 

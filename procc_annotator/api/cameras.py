@@ -259,11 +259,11 @@ def save_camera(
         data, losses = encode_camera(loaded, format, size=as_optional_size(size))
     except ValueError as error:
         raise UsageError(f"{file}: not written: {error}") from None
-    beside = file.with_suffix(SIDECAR_SUFFIX)
+    sidecar = file.with_suffix(SIDECAR_SUFFIX)
     if loaded.fitted_on is not None and not writer.evaluated:  # the others say it themselves
-        write_atomic(beside, sidecar_content(loaded.fitted_on))
+        write_atomic(sidecar, sidecar_content(loaded.fitted_on))
     else:
-        beside.unlink(missing_ok=True)  # of the camera that was there before
+        sidecar.unlink(missing_ok=True)  # of the camera that was there before
     write_atomic(file, data)
     return losses
 

@@ -130,9 +130,8 @@ def regularise(
         clicks that it does not confirm. With support for fewer than two samples, or for less than a
         third of them, the polyline comes back as it is; so does one that is regular already, and
         one with clicks that go back the way they came. Curves and bars are done until that is
-        reached,
-        lest their points creep along with every repetition; the last step is left out where it
-        would take a click by more than it may be moved.
+        reached, lest their points creep along with every repetition; the last step is left out
+        where it would take a click by more than it may be moved.
     """
     if len(polyline.points) < 2:
         return Regularised(polyline)

@@ -15,7 +15,6 @@ from procc_annotator.batch.grouping import Grouping
 from procc_annotator.batch.scoring import (
     Evaluated,
     FrameFiles,
-    FrameResult,
     LeftOutMetrics,
     ScoreChunk,
     Tally,
@@ -34,17 +33,6 @@ from procc_annotator.formats.cameras.fit_record import NOT_FITTED
 from procc_annotator.formats.file_source import FileSource
 from procc_annotator.metrics.sets import SetSummary
 from procc_annotator.metrics.setup import EvaluationSetup, check_thresholds
-
-__all__ = [
-    "CHUNK",
-    "Evaluated",
-    "EvaluationRun",
-    "FrameResult",
-    "GroupSummary",
-    "check_thresholds",
-    "run_digested",
-    "run_evaluation",
-]
 
 # Frames a worker takes at once. The sums are made chunk by chunk in one process too, so that the
 # figures are the same to the last bit for any number of workers.
@@ -81,6 +69,7 @@ class EvaluationRun(SetRun[FrameFiles, T, Tally]):
         fitted: how many of the cameras so far were fitted to the annotations they are judged by.
     """
 
+    chunk = CHUNK
     task: ScoreChunk[T]
 
     def __init__(
@@ -90,7 +79,6 @@ class EvaluationRun(SetRun[FrameFiles, T, Tally]):
         task: ScoreChunk[T],
         executor: Executor | None = None,
         grouping: Grouping | None = None,
-        chunk: int = 0,
     ) -> None:
         annotated, with_camera = annotations_for(cameras.frames, annotations), cameras.frames
         tags = grouping or Grouping()
@@ -99,7 +87,6 @@ class EvaluationRun(SetRun[FrameFiles, T, Tally]):
             for name, file in annotated.items()
         ]
         super().__init__(frames, task, executor)
-        self.chunk = chunk or CHUNK
         self.matched = sum(frame.has_camera for frame in frames)
         self.tagged = sum(frame.name in tags.values for frame in frames)
         used = {with_camera.name_there(frame.name) for frame in frames if frame.has_camera}
@@ -182,18 +169,21 @@ def run_evaluation(
     cameras: CameraCollection,
     setup: EvaluationSetup,
     thresholds: Sequence[float],
+    digest: Callable[[Evaluated], T],
     *,
     camera_size: tuple[int, int] | None = None,
     executor: Executor | None = None,
     grouping: Grouping | None = None,
-) -> EvaluationRun[FrameResult]:
-    """Score every annotated frame that has a camera.
+) -> EvaluationRun[T]:
+    """Score every annotated frame that has a camera; yields ``digest(evaluated)`` of each.
 
     Args:
         annotations: folder or archive of annotation files.
         cameras: the cameras, by frame name.
         setup: field, size, protocol.
         thresholds: px, at least one.
+        digest: computed where the frame is scored; survives the trip into a worker process (a
+            module's function, a partial of one).
         camera_size: picture size the cameras refer to, where their files do not say.
         executor: who does the work; this process unless given.
         grouping: what else to make figures by.
@@ -201,38 +191,6 @@ def run_evaluation(
     Raises:
         UsageError: nothing to evaluate, or an invalid threshold.
         InputError: a folder or archive that cannot be listed.
-    """
-    return run_digested(
-        annotations,
-        cameras,
-        setup,
-        thresholds,
-        _itself,
-        camera_size=camera_size,
-        executor=executor,
-        grouping=grouping,
-    )
-
-
-def run_digested(
-    annotations: FileSource,
-    cameras: CameraCollection,
-    setup: EvaluationSetup,
-    thresholds: Sequence[float],
-    digest: Callable[[Evaluated], T],
-    *,
-    camera_size: tuple[int, int] | None = None,
-    executor: Executor | None = None,
-    grouping: Grouping | None = None,
-    chunk: int = 0,
-) -> EvaluationRun[T]:
-    """As `run_evaluation`, but yields ``digest(evaluated)``, computed where the frame was scored.
-
-    Args:
-        digest: survives the trip into a worker process (a module's function, a partial of one).
-        chunk: frames a worker takes at once, where they take much longer than scoring does. It
-            belongs to the task, not to the machine: sums of other chunks may differ in their last
-            digit.
     """
     task = ScoreChunk(
         reopenable_source(annotations),
@@ -243,8 +201,4 @@ def run_digested(
         grouping.by if grouping else (),
         digest,
     )
-    return EvaluationRun(annotations, cameras, task, executor, grouping, chunk)
-
-
-def _itself(evaluated: Evaluated) -> FrameResult:
-    return evaluated.result
+    return EvaluationRun(annotations, cameras, task, executor, grouping)

@@ -202,7 +202,7 @@ def _plan(given: EvaluateOptions) -> Plan:
 def _inference(
     given: EvaluateOptions, plan: Plan, tags: Tags | None
 ) -> tuple[tuple[str, ...], InferenceSettings | None]:
-    """What to group frames by, and the settings of intervals, if anything needs them."""
+    """The keys to group frames by, and the settings of intervals, if anything needs them."""
     chance = given.chance
     by, derived = inference_options.groups_asked(given.by, tags, chance.cluster)
     needed = derived or chance.click_noise is not None or chance.cluster is not None

@@ -367,13 +367,13 @@ def run_window() -> None:
     if sys.stderr is not None:
         run()
         return
-    told = io.StringIO()
-    sys.stdout = sys.stderr = told
+    output = io.StringIO()
+    sys.stdout = sys.stderr = output
     try:
         run()
     except SystemExit as ended:
-        if ended.code and told.getvalue():
-            _show(told.getvalue())
+        if ended.code and output.getvalue():
+            _show(output.getvalue())
         raise
 
 

@@ -266,8 +266,7 @@ def _files_in(folder: Path, names: Iterable[str]) -> tuple[ByFrame[str], dict[st
 
 def _unusual_suffixes(names: Sequence[str]) -> dict[str, str]:
     """Stems of the JSON files that have a suffix in capital letters, with it; not where there is
-    the
-    usual one next to it."""
+    the usual one next to it."""
     found = {name[:-5]: name[-5:] for name in names if not name.endswith(".json")}
     for name in names if found else ():
         if name.endswith(".json"):

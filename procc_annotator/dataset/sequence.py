@@ -96,7 +96,7 @@ def open_pictures(path: Path, annotations: Path | None = None) -> PictureSource:
         video = open_shared_video(path)
         frames = tuple(video_frame(whole, number) for number in range(video.frame_count))
         if annotations is not None:
-            frames = tuple(_annotated_in(frame, annotations) for frame in frames)
+            frames = tuple(replace(frame, annotation_folder=annotations) for frame in frames)
         words = (video.squeezed, video.cut_off)
         known, missing = (tuple(f"{path}: {word}" for word in [one] if word) for one in words)
         return PictureSource(path, frames_folder(path), frames, True, known, missing)
@@ -109,17 +109,13 @@ def open_pictures(path: Path, annotations: Path | None = None) -> PictureSource:
     return PictureSource(path, root, found, notices=notices)
 
 
-def _annotated_in(frame: Frame, folder: Path) -> Frame:
-    return Frame(frame.name, frame.image_file, frame.image_folder, folder)
-
-
 FEWEST = 10  # pictures of a folder that are called consecutive: a few are compared by eye
 _MOST_GAPS = 0.1  # share of the pictures before which some are missing
 _MOST_STEP = 12  # of names that count by more than one: half a second
 _LOOKED_AT = 8  # pairs of neighbours
 _AT_LEAST_ALIKE = 0.5  # of them; the others may be cuts
 _FOLDER_FPS = 25.0
-_SIDE = 320
+_LOOKED_AT_PX = 320
 _NUMBERED = re.compile(r"(.*?)([0-9]+)")
 
 
@@ -129,8 +125,7 @@ class FrameSequence:
 
     Attributes:
         numbers: (n,) of the dataset's frames in their source, ascending; of pictures with names
-            that
-            count by more than one, how often that was.
+            that count by more than one, how often that was.
         first, last: numbers of the source; in a video there are frames between the dataset's.
         fps: frames of the source a second.
         video: the file; None for a folder.
@@ -285,16 +280,13 @@ def _neighbours_similar(
         go_on()
         try:
             looks = [
-                frame_signature(decode_thumbnail(frames[i].image_path, _SIDE)[..., :3])
+                frame_signature(decode_thumbnail(frames[i].image_path, _LOOKED_AT_PX)[..., :3])
                 for i in (index, index + 1)
             ]
         except ImageError:
             continue
         alike.append(is_same_scene(*looks))
     return bool(alike) and float(np.mean(alike)) >= _AT_LEAST_ALIKE
-
-
-_LOOKED_AT_PX = 320
 
 
 def find_shots(source: PictureSource, progress: Callable[[int, int], None]) -> list[range]:

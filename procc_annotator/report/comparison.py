@@ -155,7 +155,7 @@ def comparison_scene(
     names: tuple[str, str],
     pictures: Mapping[str, Path],
 ) -> ComparisonScene:
-    """What the picture of a compared frame shows.
+    """The scene of a compared frame.
 
     Raises:
         InputError: a camera cannot be read.

@@ -104,7 +104,7 @@ def test_a_path_that_does_not_exist_is_one_line(cli) -> None:
 
 @pytest.mark.parametrize(
     ("module", "function"),
-    [("procc_annotator.report.scores.scoring", "run_digested"), ("typer.main", "get_command")],
+    [("procc_annotator.report.scores.scoring", "run_evaluation"), ("typer.main", "get_command")],
     ids=["at work", "before it"],
 )
 def test_an_interrupt_leaves_no_traceback(dataset, tmp_path, module, function) -> None:

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from procc_annotator.batch.evaluation import run_digested
+from procc_annotator.batch.evaluation import run_evaluation
 from procc_annotator.batch.frame_sums import ClickNoise, SourceSums, frame_sums
 from procc_annotator.batch.grouping import clusters_of
 from procc_annotator.batch.inference import Inference
@@ -30,7 +30,7 @@ def sources(shared_data: Path) -> tuple[SourceSums, ...]:
             open_source(shared_data / "wc14" / "annotations") as annotations,
             CameraCollection.open(shared_data / "wc14" / f"cameras_{name}") as cameras,
         ):
-            run = run_digested(
+            run = run_evaluation(
                 annotations, cameras, SETUP, TAUS, partial(frame_sums, thresholds=TAUS)
             )
             found.append(SourceSums.of(name, TAUS, list(run)))
@@ -75,7 +75,7 @@ def test_every_point_is_moved_alike_for_every_source(shared_data: Path) -> None:
         ):
             noise = ClickNoise(1e-6, repeats=2)
             digest = partial(frame_sums, thresholds=TAUS, noise=noise)
-            run = run_digested(annotations, cameras, SETUP, TAUS, digest)
+            run = run_evaluation(annotations, cameras, SETUP, TAUS, digest)
             frames = [f for f in run if f.moved is not None]
             still = np.array([f.figures[:, 0] for f in frames])
             moved.append(np.array([f.moved[:, : len(TAUS)] for f in frames]))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
+from operator import attrgetter
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -33,7 +34,9 @@ def evaluated(dataset: Path, cameras: str = "true") -> dict[str, float]:
     """Frame name -> JaC as `evaluate` has it; "" is the set's mean."""
     source = open_source(dataset)
     collection = CameraCollection.open(dataset / "cameras" / cameras)
-    run = run_evaluation(source, collection, EvaluationSetup(load_field()), [TAU])
+    run = run_evaluation(
+        source, collection, EvaluationSetup(load_field()), [TAU], attrgetter("result")
+    )
     found = {result.name: result.scores[TAU].jac for result in run if result.scores}
     mean = run.summary()[TAU].mean_jac
     return {**found, "": mean if mean is not None else -1.0}

@@ -13,7 +13,7 @@ import numpy as np
 
 from procc_annotator.arrays import FloatArray
 from procc_annotator.batch.audit import FrameAudit, audit_frame
-from procc_annotator.batch.evaluation import EvaluationRun, run_digested
+from procc_annotator.batch.evaluation import EvaluationRun, run_evaluation
 from procc_annotator.batch.execution.executor import Executor
 from procc_annotator.batch.frame_sums import ClickNoise, FrameSums, SourceSums, frame_sums
 from procc_annotator.batch.inference import Inference
@@ -323,7 +323,7 @@ def _evaluate(
     thresholds: tuple[float, ...],
     work: ReportWork,
 ) -> EvaluationRun[ReportedFrame]:
-    return run_digested(
+    return run_evaluation(
         annotations,
         source.cameras,
         setup,

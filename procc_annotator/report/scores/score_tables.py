@@ -316,7 +316,7 @@ def left_out_entry(source: MethodWithLeftOut, thresholds: Sequence[float]) -> di
 
 
 def _why_none(source: MethodWithLeftOut) -> str:
-    """Why some cameras have no such figures; empty where all have."""
+    """Reason for which some cameras have no such figures; empty where all have."""
     figures = source.held_out
     if figures.frames >= source.fitted.count:
         return ""

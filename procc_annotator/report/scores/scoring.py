@@ -10,7 +10,7 @@ from functools import partial
 from pathlib import Path
 from typing import IO, Any
 
-from procc_annotator.batch.evaluation import EvaluationRun, GroupSummary, run_digested
+from procc_annotator.batch.evaluation import EvaluationRun, GroupSummary, run_evaluation
 from procc_annotator.batch.execution.executor import Executor
 from procc_annotator.batch.frame_sums import FrameSums, SourceSums, frame_sums
 from procc_annotator.batch.grouping import MODEL, Grouping
@@ -232,7 +232,7 @@ class _Scoring:
             encode_frame, setup=request.setup, thresholds=thresholds, formats=formats,
             names=tuple(self._names.values()), by=request.grouping.by, chance=settings,
         )  # fmt: skip
-        self.run: EvaluationRun[EncodedFrame] = run_digested(
+        self.run: EvaluationRun[EncodedFrame] = run_evaluation(
             request.annotations, request.cameras, request.setup, thresholds, digest,
             camera_size=request.camera_size, grouping=request.grouping,
         )  # fmt: skip

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import shutil
 import sys
+from operator import attrgetter
 from pathlib import Path
 
 import numpy as np
@@ -36,7 +37,7 @@ def test_the_figures_are_those_of_the_command(sample_data: Path, method, protoco
     cameras = sample_data / "cameras" / method
     setup = EvaluationSetup(load_field(), (960, 540), protocol)
     with open_source(sample_data) as source, CameraCollection.open(cameras) as collection:
-        run = run_evaluation(source, collection, setup, taus)
+        run = run_evaluation(source, collection, setup, taus, attrgetter("result"))
         results = {result.name: result for result in run}
     found = evaluate_set(sample_data, cameras, thresholds=taus, protocol=protocol)
     assert found.summaries == run.summary()
@@ -55,7 +56,7 @@ def test_cameras_that_know_the_ground_alone_are_known_as_such(sample_data: Path,
     cameras = sample_data / "cameras" / "homography"
     setup = EvaluationSetup(load_field(), (960, 540), off_plane=off_plane)
     with open_source(sample_data) as source, CameraCollection.open(cameras) as collection:
-        run = run_evaluation(source, collection, setup, (5.0,))
+        run = run_evaluation(source, collection, setup, (5.0,), attrgetter("result"))
         assert all(result.ground_only for result in run if result.scores)
     found = evaluate_set(sample_data, cameras, off_plane=off_plane)
     assert found.described == run.describe()

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -28,6 +27,7 @@ from procc_annotator.field.load import load_field
 from procc_annotator.formats.annotations.soccernet import read_annotation
 from procc_annotator.image.decoding import decode_bgra
 from procc_annotator.image.pixels import PixelArray
+from tests.drawn_shots import scenery, soccer, solids
 
 FIELD = load_field()
 SIZE = (1280, 720)
@@ -312,13 +312,6 @@ SMALL = (960, 540)
 @pytest.fixture(scope="module")
 def drawn_twice() -> DrawnTwice:
     """A view of the sample drawn with and without its paint and posts: where they can be seen."""
-    folder = Path(__file__).resolve().parents[4] / "sample_data"
-    before = list(sys.path)
-    sys.path.insert(0, str(folder))
-    try:
-        from drawing import scenery, soccer, solids
-    finally:
-        sys.path[:] = before
     bare = replace(soccer.ARENA, strokes=())
 
     def draw(arena: object, camera: Camera, number: int) -> np.ndarray:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable
+from operator import attrgetter
 from pathlib import Path
 from typing import Any
 
@@ -59,7 +60,9 @@ def run(
     annotations: Path, cameras: Path, executor: Executor | None = None, **more: Any
 ) -> EvaluationRun[FrameResult]:
     sources = open_source(annotations), CameraCollection.open(cameras)
-    return run_evaluation(*sources, SETUP, (5.0, 2.0), executor=executor, **more)
+    return run_evaluation(
+        *sources, SETUP, (5.0, 2.0), attrgetter("result"), executor=executor, **more
+    )
 
 
 def test_frames_come_in_natural_order_each_with_its_own_camera(annotations, cameras) -> None:

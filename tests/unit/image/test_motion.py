@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import math
-import sys
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
-from types import SimpleNamespace
 
 import cv2
 import numpy as np
@@ -19,41 +17,27 @@ from procc_annotator.field.load import load_field
 from procc_annotator.field.sampling import sample_evenly
 from procc_annotator.image.decoding import decode_bgra
 from procc_annotator.image.motion import CameraMotion, estimate_motion, transfer_points
+from tests.drawn_shots import people, scenery, soccer
 
 SIZE = (960, 540)
 Pixels = NDArray[np.uint8]
 Floats = NDArray[np.float64]
 
 
-@pytest.fixture(scope="module")
-def drawing() -> SimpleNamespace:
-    """The sample's own drawing code."""
-    folder = Path(__file__).resolve().parents[3] / "sample_data"
-    before = list(sys.path)
-    sys.path.insert(0, str(folder))
-    try:
-        from drawing import people, scenery, soccer
-    finally:
-        sys.path[:] = before
-    return SimpleNamespace(people=people, scenery=scenery, soccer=soccer)
-
-
 @dataclass(frozen=True)
 class Stadium:
     """One view of the sample, drawn again and again while the players run."""
 
-    drawing: SimpleNamespace
     number: int
 
     @property
     def camera(self) -> PinholeCamera:
-        camera = self.drawing.soccer.views()[self.number - 1].camera
+        camera = soccer.views()[self.number - 1].camera
         assert isinstance(camera, PinholeCamera)
         return camera
 
     def draw(self, camera: PinholeCamera, moment: int) -> Pixels:
-        people, soccer = self.drawing.people, self.drawing.soccer
-        scene = self.drawing.scenery.draw_scenery(soccer.ARENA, camera, SIZE, self.number)
+        scene = scenery.draw_scenery(soccer.ARENA, camera, SIZE, self.number)
         picture = np.clip(scene, 0, 255).astype(np.uint8)
         random = np.random.default_rng(moment)
         for sign in (-1, 1):
@@ -129,9 +113,9 @@ MOVES: list[Callable[[PinholeCamera], PinholeCamera]] = [
 
 
 @pytest.fixture(scope="module")
-def first_pictures(drawing: SimpleNamespace) -> dict[int, Pixels]:
+def first_pictures() -> dict[int, Pixels]:
     """Two views before anything moved: one with boards and crowd, one of lines on grass alone."""
-    views = (Stadium(drawing, 2), Stadium(drawing, 13))
+    views = (Stadium(2), Stadium(13))
     return {view.number: _bgra(view.draw(view.camera, 1)) for view in views}
 
 
@@ -145,12 +129,11 @@ def first_pictures(drawing: SimpleNamespace) -> dict[int, Pixels]:
     ],
 )
 def test_lines_are_found_again_after_the_camera_moved(
-    drawing: SimpleNamespace,
     first_pictures: dict[int, Pixels],
     number: int,
     move: Callable[[PinholeCamera], PinholeCamera],
 ) -> None:
-    stadium = Stadium(drawing, number)
+    stadium = Stadium(number)
     before, now = stadium.camera, move(stadium.camera)
     motion = estimate_motion(first_pictures[number], _bgra(stadium.draw(now, 2)))
     error = _line_error(motion, before, now)
@@ -159,10 +142,8 @@ def test_lines_are_found_again_after_the_camera_moved(
 
 
 @pytest.mark.parametrize("shift", [0.012, pytest.param(0.1, marks=pytest.mark.soak)])
-def test_noise_compression_and_graphics_do_not_decide(
-    drawing: SimpleNamespace, shift: float
-) -> None:
-    stadium = Stadium(drawing, 2)
+def test_noise_compression_and_graphics_do_not_decide(shift: float) -> None:
+    stadium = Stadium(2)
     before, now = stadium.camera, _turned(stadium.camera, right=shift)
     pictures = [
         _bgra(_broadcast(_with_graphics(stadium.draw(camera, seed)), 60, seed))
@@ -173,7 +154,7 @@ def test_noise_compression_and_graphics_do_not_decide(
     assert np.percentile(error, 95) < 4
 
 
-def test_another_camera_is_no_motion(drawing: SimpleNamespace, sample_data: Path) -> None:
+def test_another_camera_is_no_motion(sample_data: Path) -> None:
     names = ("00001", "00007", "00009", "00013")
     pictures = [decode_bgra(sample_data / f"{name}.jpg") for name in names]
     for i, j in ((0, 1), (1, 2), (2, 3), (3, 0)):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from operator import attrgetter
 from pathlib import Path
 
 import pytest
@@ -85,6 +86,7 @@ def summaries(shared_data: Path, **choices) -> dict[float, SetSummary]:
             cameras,
             EvaluationSetup(load_field("soccer"), **choices),
             (2, 5, 10),
+            attrgetter("result"),
         )
         assert sum(1 for _ in run) == 186
         return run.summary()

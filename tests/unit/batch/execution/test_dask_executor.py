@@ -11,6 +11,7 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack
 from dataclasses import dataclass, field
+from operator import attrgetter
 from pathlib import Path
 from typing import Any
 
@@ -143,6 +144,7 @@ def evaluate(set_: Path, executor: Executor) -> tuple[list[FrameResult], Any]:
         CameraCollection.open(set_ / "cameras"),
         EvaluationSetup(load_field("soccer")),
         (5.0, 2.0),
+        attrgetter("result"),
         executor=executor,
     )
     run.chunk = 4
@@ -273,6 +275,7 @@ def test_a_set_that_workers_do_not_find_is_said_so(workers, set_, tmp_path) -> N
         CameraCollection.open(set_ / "cameras"),
         EvaluationSetup(load_field("soccer")),
         (5.0,),
+        attrgetter("result"),
         executor=workers,
     )
     (tmp_path / "set/annotations").rename(tmp_path / "set/elsewhere")
