@@ -27,6 +27,7 @@ from procc_annotator.calibration.tracking.filter_step import (
     nearest_pinhole_vector,
     projection_difference_px,
     state_from_camera,
+    unexplained_beside,
 )
 from procc_annotator.calibration.tracking.forward_pass import (
     FrameChain,
@@ -35,7 +36,6 @@ from procc_annotator.calibration.tracking.forward_pass import (
     track_run,
 )
 from procc_annotator.calibration.tracking.frame_reader import ReadFrame, decoded_frames
-from procc_annotator.calibration.tracking.missed_lines import unexplained_beside
 from procc_annotator.calibration.tracking.motion_model import (
     MOVING_NOISE,
     TRIPOD_NOISE,
