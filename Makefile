@@ -1,6 +1,6 @@
 # Two commands do everything on a machine that has Python 3.11+ and make:
 #   make run    opens the window on sample_data/ (without a display: evaluates, exports and draws it)
-#   make test   runs all tests
+#   make test   runs the tests that take less than half a second each
 SHELL := /bin/sh
 UV_VERSION := 0.13.8
 STAMP := .venv/.ready
@@ -10,8 +10,8 @@ BIN := .venv/bin
 
 help:
 	@echo "make run          open the window on sample_data/"
-	@echo "make test         run all tests"
-	@echo "make soak         whole real sets, random use and damaged files, for ten minutes"
+	@echo "make test         run the tests, without those of tests/slow.txt"
+	@echo "make soak         slow tests, whole real sets, random use and damaged files, for ten minutes"
 	@echo "make installed    build, install in an empty environment elsewhere, and try it there"
 	@echo "make clients      try exports with the programs of others that read them"
 	@echo "make bundle       make dist/procc-annotator, which needs no Python, and try it"
@@ -77,8 +77,8 @@ check: lint
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 
-# What `make test` holds a taste of: statistics over whole real sets, storms of kills; and random use
-# and damaged files, SOAK times over. After BUDGET seconds no further test begins.
+# The tests of tests/slow.txt; statistics over whole real sets, storms of kills; and random use and
+# damaged files, SOAK times over. After BUDGET seconds no further test begins.
 SOAK := 40
 BUDGET := 600
 soak: setup
