@@ -291,10 +291,8 @@ def _misplaced_finding(
         fact = translatable_joined(
             ", ", (fact, translatable("more than its own place is uncertain"))
         )
-    facts = [fact]
-    becomes = found.names.get(name)
-    remedies: list[Remedy] = []
-    if becomes is not None:
+    facts, remedies = [fact], list[Remedy]()
+    if (becomes := found.names.get(name)) is not None:
         meant = translatable(field.title_of(becomes))
         facts.append(translatable("it lies where {title} should be", title=meant))
         free = [becomes, *(p.class_name for p in found.places.get(name, ()))]

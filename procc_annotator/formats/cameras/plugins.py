@@ -91,16 +91,16 @@ def _guarded(fmt: CameraFormat, plugin: str) -> CameraFormat:
     own_read, own_records = fmt.read, fmt.records
 
     def refused(path: str, why: str) -> CameraError:
-        who = f"the plug-in {plugin!r} (camera format {fmt.name})"
-        return CameraError(path, f"cannot be read by {who}: {why}")
+        return CameraError(
+            path, f"cannot be read by the plug-in {plugin!r} (camera format {fmt.name}): {why}"
+        )
 
     def run(path: str, work: Callable[[], Any]) -> Any:
         try:
             return work()
         except ProccError:
             raise
-        # Any mistake in it is one more way a file cannot be read.
-        except Exception as error:
+        except Exception as error:  # any mistake in it is one more way a file cannot be read
             raise refused(path, f"{type(error).__name__}: {error}") from error
 
     def checked(loaded: object, path: str) -> LoadedCamera:
@@ -121,23 +121,21 @@ def _guarded(fmt: CameraFormat, plugin: str) -> CameraFormat:
     def records(data: bytes, *, path: str) -> CameraRecords | None:
         assert own_records is not None
         found = run(path, lambda: own_records(data, path=path))
-        if found is not None and not isinstance(found, CameraRecords):
-            raise refused(path, f"it gives {type(found).__name__}, not CameraRecords")
         if found is None:
             return None
+        if not isinstance(found, CameraRecords):
+            raise refused(path, f"it gives {type(found).__name__}, not CameraRecords")
         one = found.read_record
         return replace(
             found,
             read_record=lambda c, where, at: checked(run(where, lambda: one(c, where, at)), where),
         )
 
-    return replace(
-        fmt,
-        suffixes=tuple(s.lower() for s in fmt.suffixes),
-        default_for=tuple(s.lower() for s in fmt.default_for),
-        read=read,
-        records=None if own_records is None else records,
+    suffixes, default_for = (
+        tuple(s.lower() for s in found) for found in (fmt.suffixes, fmt.default_for)
     )
+    many = None if own_records is None else records
+    return replace(fmt, suffixes=suffixes, default_for=default_for, read=read, records=many)
 
 
 def _is_projection(given: object) -> bool:
