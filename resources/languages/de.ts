@@ -4,9 +4,39 @@
  <context>
   <name>procc</name>
   <message>
+   <source>the principal point is far from the centre of the picture, which seems cut out of a larger one</source>
+   <extracomment>[procc_annotator/calibration/fitting.py]</extracomment>
+   <translation>der Bildhauptpunkt liegt weit von der Bildmitte, das Bild scheint aus einem größeren ausgeschnitten</translation>
+  </message>
+  <message>
+   <source>with aspect ratio and principal point {px} px: not clearly better</source>
+   <extracomment>[procc_annotator/calibration/fitting.py]</extracomment>
+   <translation>mit Seitenverhältnis und Bildhauptpunkt {px} px: nicht deutlich besser</translation>
+  </message>
+  <message>
    <source>coordinates look like pixels, expected 0 to 1 (x = {x:g}, y = {y:g})</source>
    <extracomment>[procc_annotator/calibration/fitting.py]</extracomment>
    <translation>Koordinaten sehen nach Pixeln aus, erwartet ist 0 bis 1 (x = {x:g}, y = {y:g})</translation>
+  </message>
+  <message>
+   <source>without lens distortion the points are {without} px off, with it {with_it} px: not clearly better</source>
+   <extracomment>[procc_annotator/calibration/fitting.py]</extracomment>
+   <translation>ohne Linsenverzeichnung liegen die Punkte {without} px daneben, mit ihr {with_it} px: nicht deutlich besser</translation>
+  </message>
+  <message>
+   <source>aspect ratio and principal point bring the points from {before} to {after} px, more than three parameters would by chance</source>
+   <extracomment>[procc_annotator/calibration/fitting.py]</extracomment>
+   <translation>Seitenverhältnis und Bildhauptpunkt bringen die Punkte von {before} auf {after} px, mehr als drei Parameter zufällig brächten</translation>
+  </message>
+  <message>
+   <source>lens distortion brings the points from {before} to {after} px</source>
+   <extracomment>[procc_annotator/calibration/fitting.py]</extracomment>
+   <translation>die Linsenverzeichnung bringt die Punkte von {before} auf {after} px</translation>
+  </message>
+  <message>
+   <source>the points show lens distortion clearly and are {px} px off</source>
+   <extracomment>[procc_annotator/calibration/fitting.py]</extracomment>
+   <translation>die Punkte zeigen deutliche Linsenverzeichnung und liegen {px} px daneben</translation>
   </message>
   <message>
    <source>even with the position known: {why}</source>
@@ -133,6 +163,16 @@
    <source>no camera fits these labels together</source>
    <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
    <translation>keine Kamera passt zu diesen Klassen zusammen</translation>
+  </message>
+  <message>
+   <source>exchange far and near in the whole frame</source>
+   <extracomment>[procc_annotator/calibration/label_check/candidate_classes.py]</extracomment>
+   <translation>fern und nah im ganzen Bild tauschen</translation>
+  </message>
+  <message>
+   <source>exchange left and right in the whole frame</source>
+   <extracomment>[procc_annotator/calibration/label_check/candidate_classes.py]</extracomment>
+   <translation>links und rechts im ganzen Bild tauschen</translation>
   </message>
   <message>
    <source>turn the labels by half a turn</source>
@@ -272,16 +312,6 @@
    <translation>ansehen</translation>
   </message>
   <message>
-   <source>exchange far and near in the whole frame</source>
-   <extracomment>[procc_annotator/calibration/label_check/orientation.py]</extracomment>
-   <translation>fern und nah im ganzen Bild tauschen</translation>
-  </message>
-  <message>
-   <source>exchange left and right in the whole frame</source>
-   <extracomment>[procc_annotator/calibration/label_check/orientation.py]</extracomment>
-   <translation>links und rechts im ganzen Bild tauschen</translation>
-  </message>
-  <message>
    <source>everything lies the wrong way round: far and near, are exchanged</source>
    <extracomment>[procc_annotator/calibration/label_check/side_rules.py]</extracomment>
    <translation>alles liegt verkehrt herum: fern und nah sind vertauscht</translation>
@@ -335,41 +365,6 @@
    <source>{name} lies {px:.0f} px beside its paint</source>
    <extracomment>[procc_annotator/calibration/line_alignment/refinement.py]</extracomment>
    <translation>{name} liegt {px:.0f} px neben seiner Farbe</translation>
-  </message>
-  <message>
-   <source>the principal point is far from the centre of the picture, which seems cut out of a larger one</source>
-   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
-   <translation>der Bildhauptpunkt liegt weit von der Bildmitte, das Bild scheint aus einem größeren ausgeschnitten</translation>
-  </message>
-  <message>
-   <source>with aspect ratio and principal point {px} px: not clearly better</source>
-   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
-   <translation>mit Seitenverhältnis und Bildhauptpunkt {px} px: nicht deutlich besser</translation>
-  </message>
-  <message>
-   <source>no camera explains these elements together: the best one misses half of them by more than {px:.0f} px (are the labels right?)</source>
-   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
-   <translation>keine Kamera erklärt diese Elemente zusammen: die beste verfehlt die Hälfte davon um mehr als {px:.0f} px (sind die Klassen richtig?)</translation>
-  </message>
-  <message>
-   <source>without lens distortion the points are {without} px off, with it {with_it} px: not clearly better</source>
-   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
-   <translation>ohne Linsenverzeichnung liegen die Punkte {without} px daneben, mit ihr {with_it} px: nicht deutlich besser</translation>
-  </message>
-  <message>
-   <source>aspect ratio and principal point bring the points from {before} to {after} px, more than three parameters would by chance</source>
-   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
-   <translation>Seitenverhältnis und Bildhauptpunkt bringen die Punkte von {before} auf {after} px, mehr als drei Parameter zufällig brächten</translation>
-  </message>
-  <message>
-   <source>lens distortion brings the points from {before} to {after} px</source>
-   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
-   <translation>die Linsenverzeichnung bringt die Punkte von {before} auf {after} px</translation>
-  </message>
-  <message>
-   <source>the points show lens distortion clearly and are {px} px off</source>
-   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
-   <translation>die Punkte zeigen deutliche Linsenverzeichnung und liegen {px} px daneben</translation>
   </message>
   <message numerus="yes">
    <source>{n} elements, {needed} needed</source>
@@ -444,6 +439,11 @@
    <source>pan, tilt or roll ± more than {degrees:g}°, position ± more than {way:g} % of the way to the field's centre, or focal length ± more than {focal:g} %, or clicks that are the same from the other end</source>
    <extracomment>[procc_annotator/calibration/result.py]</extracomment>
    <translation>Schwenk, Neigung oder Rollen ± mehr als {degrees:g}°, Position ± mehr als {way:g} % des Wegs zur Feldmitte, oder Brennweite ± mehr als {focal:g} %, oder Klicks, die vom anderen Ende gleich sind</translation>
+  </message>
+  <message>
+   <source>no camera explains these elements together: the best one misses half of them by more than {px:.0f} px (are the labels right?)</source>
+   <extracomment>[procc_annotator/calibration/result.py]</extracomment>
+   <translation>keine Kamera erklärt diese Elemente zusammen: die beste verfehlt die Hälfte davon um mehr als {px:.0f} px (sind die Klassen richtig?)</translation>
   </message>
   <message>
    <source>pan ± {degrees:.1f}°</source>
@@ -7418,10 +7418,31 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <extracomment>[procc_annotator/interaction/edit_tool.py]</extracomment>
    <translation>{title} ist festgehalten, damit kein Ausrutscher es bewegt: ziehen Sie seine Punkte, oder lösen Sie die Elemente (Strg+P, Menü Element), um es im Ganzen zu ziehen</translation>
   </message>
+  <message numerus="yes">
+   <source>move {n} points</source>
+   <extracomment>move {n} point / move {n} points [procc_annotator/interaction/edit_tool.py]</extracomment>
+   <translation>
+    <numerusform>{n} Punkt verschieben</numerusform>
+    <numerusform>{n} Punkte verschieben</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>delete {n} points</source>
+   <extracomment>delete {n} point / delete {n} points [procc_annotator/interaction/edit_tool.py]</extracomment>
+   <translation>
+    <numerusform>{n} Punkt löschen</numerusform>
+    <numerusform>{n} Punkte löschen</numerusform>
+   </translation>
+  </message>
   <message>
    <source>draw {title}</source>
    <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
    <translation>{title} zeichnen</translation>
+  </message>
+  <message>
+   <source>continue {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>{title} fortsetzen</translation>
   </message>
   <message>
    <source>confirm {title}</source>
@@ -7438,26 +7459,10 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
    <translation>{title} ganz verschieben</translation>
   </message>
-  <message numerus="yes">
-   <source>move {n} points</source>
-   <extracomment>move {n} point / move {n} points [procc_annotator/interaction/gestures.py]</extracomment>
-   <translation>
-    <numerusform>{n} Punkt verschieben</numerusform>
-    <numerusform>{n} Punkte verschieben</numerusform>
-   </translation>
-  </message>
   <message>
    <source>nudge {title}</source>
    <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
    <translation>{title} rücken</translation>
-  </message>
-  <message numerus="yes">
-   <source>nudge {n} points</source>
-   <extracomment>nudge {n} point / nudge {n} points [procc_annotator/interaction/gestures.py]</extracomment>
-   <translation>
-    <numerusform>{n} Punkt rücken</numerusform>
-    <numerusform>{n} Punkte rücken</numerusform>
-   </translation>
   </message>
   <message>
    <source>insert a point in {title}</source>
@@ -7475,17 +7480,12 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <translation>Punkt {number} von {title} löschen</translation>
   </message>
   <message numerus="yes">
-   <source>delete {n} points</source>
-   <extracomment>delete {n} point / delete {n} points [procc_annotator/interaction/gestures.py]</extracomment>
+   <source>nudge {n} points</source>
+   <extracomment>nudge {n} point / nudge {n} points [procc_annotator/interaction/gestures.py]</extracomment>
    <translation>
-    <numerusform>{n} Punkt löschen</numerusform>
-    <numerusform>{n} Punkte löschen</numerusform>
+    <numerusform>{n} Punkt rücken</numerusform>
+    <numerusform>{n} Punkte rücken</numerusform>
    </translation>
-  </message>
-  <message>
-   <source>continue {title}</source>
-   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
-   <translation>{title} fortsetzen</translation>
   </message>
   <message>
    <source>click, Enter and Esc do nothing yet</source>
@@ -7936,47 +7936,47 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
   </message>
   <message>
    <source>{element} agrees: its farthest point, {number}, is {px} px off; it passes at tau &gt; {px}.</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>{element} stimmt: sein fernster Punkt, {number}, liegt {px} px daneben; es besteht bei tau &gt; {px}.</translation>
   </message>
   <message>
    <source>{element} is too far: point {number} is {px} px off; it passes at tau &gt; {px}.</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>{element} ist zu weit: Punkt {number} liegt {px} px daneben; es besteht bei tau &gt; {px}.</translation>
   </message>
   <message>
    <source>{title} (judged as {other}, labels mirrored)</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>{title} (beurteilt als {other}, Klassen gespiegelt)</translation>
   </message>
   <message>
    <source>{element} is missed: it is annotated, but the camera does not show it in the picture.</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>{element} ist verfehlt: es ist annotiert, aber die Kamera zeigt es nicht im Bild.</translation>
   </message>
   <message>
    <source>{element} is not annotated, but the camera shows it: a false positive.</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>{element} ist nicht annotiert, aber die Kamera zeigt es: falsch positiv.</translation>
   </message>
   <message>
    <source>{element} is too far: point {number} has no distance, because the projection has coinciding samples there; it passes at no tau.</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>{element} ist zu weit: Punkt {number} hat keinen Abstand, weil die Projektion dort zusammenfallende Stützpunkte hat; es besteht bei keinem tau.</translation>
   </message>
   <message>
    <source>As it goes on beyond the picture it is at most {px} px off, but soccernet measures to what is in the picture alone.</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>So, wie es jenseits des Bildes weitergeht, liegt es höchstens {px} px daneben, aber soccernet misst nur bis zu dem, was im Bild ist.</translation>
   </message>
   <message>
    <source>{element} is missed: it is annotated, but the field has no such element to project.</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>{element} ist verfehlt: es ist annotiert, aber das Feld hat kein solches Element zu projizieren.</translation>
   </message>
   <message>
    <source>{element} is missed: it is annotated, but it leaves the ground, and the camera knows only the ground.</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>{element} ist verfehlt: es ist annotiert, aber es verlässt den Boden, und die Kamera kennt nur den Boden.</translation>
   </message>
   <message>

@@ -4,9 +4,39 @@
  <context>
   <name>procc</name>
   <message>
+   <source>the principal point is far from the centre of the picture, which seems cut out of a larger one</source>
+   <extracomment>[procc_annotator/calibration/fitting.py]</extracomment>
+   <translation>el punto principal está lejos del centro de la imagen, que parece recortada de otra mayor</translation>
+  </message>
+  <message>
+   <source>with aspect ratio and principal point {px} px: not clearly better</source>
+   <extracomment>[procc_annotator/calibration/fitting.py]</extracomment>
+   <translation>con relación de aspecto y punto principal {px} px: no claramente mejor</translation>
+  </message>
+  <message>
    <source>coordinates look like pixels, expected 0 to 1 (x = {x:g}, y = {y:g})</source>
    <extracomment>[procc_annotator/calibration/fitting.py]</extracomment>
    <translation>las coordenadas parecen píxeles, se esperaba de 0 a 1 (x = {x:g}, y = {y:g})</translation>
+  </message>
+  <message>
+   <source>without lens distortion the points are {without} px off, with it {with_it} px: not clearly better</source>
+   <extracomment>[procc_annotator/calibration/fitting.py]</extracomment>
+   <translation>sin distorsión de lente los puntos están a {without} px, con ella a {with_it} px: no claramente mejor</translation>
+  </message>
+  <message>
+   <source>aspect ratio and principal point bring the points from {before} to {after} px, more than three parameters would by chance</source>
+   <extracomment>[procc_annotator/calibration/fitting.py]</extracomment>
+   <translation>la relación de aspecto y el punto principal llevan los puntos de {before} a {after} px, más de lo que harían tres parámetros por azar</translation>
+  </message>
+  <message>
+   <source>lens distortion brings the points from {before} to {after} px</source>
+   <extracomment>[procc_annotator/calibration/fitting.py]</extracomment>
+   <translation>la distorsión de lente lleva los puntos de {before} a {after} px</translation>
+  </message>
+  <message>
+   <source>the points show lens distortion clearly and are {px} px off</source>
+   <extracomment>[procc_annotator/calibration/fitting.py]</extracomment>
+   <translation>los puntos muestran claramente distorsión de lente y están a {px} px</translation>
   </message>
   <message>
    <source>even with the position known: {why}</source>
@@ -133,6 +163,16 @@
    <source>no camera fits these labels together</source>
    <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
    <translation>ninguna cámara encaja con todas estas clases</translation>
+  </message>
+  <message>
+   <source>exchange far and near in the whole frame</source>
+   <extracomment>[procc_annotator/calibration/label_check/candidate_classes.py]</extracomment>
+   <translation>intercambiar lejos y cerca en toda la imagen</translation>
+  </message>
+  <message>
+   <source>exchange left and right in the whole frame</source>
+   <extracomment>[procc_annotator/calibration/label_check/candidate_classes.py]</extracomment>
+   <translation>intercambiar izquierda y derecha en toda la imagen</translation>
   </message>
   <message>
    <source>turn the labels by half a turn</source>
@@ -272,16 +312,6 @@
    <translation>mirarlo</translation>
   </message>
   <message>
-   <source>exchange far and near in the whole frame</source>
-   <extracomment>[procc_annotator/calibration/label_check/orientation.py]</extracomment>
-   <translation>intercambiar lejos y cerca en toda la imagen</translation>
-  </message>
-  <message>
-   <source>exchange left and right in the whole frame</source>
-   <extracomment>[procc_annotator/calibration/label_check/orientation.py]</extracomment>
-   <translation>intercambiar izquierda y derecha en toda la imagen</translation>
-  </message>
-  <message>
    <source>everything lies the wrong way round: far and near, are exchanged</source>
    <extracomment>[procc_annotator/calibration/label_check/side_rules.py]</extracomment>
    <translation>todo está al revés: lejos y cerca están intercambiados</translation>
@@ -335,41 +365,6 @@
    <source>{name} lies {px:.0f} px beside its paint</source>
    <extracomment>[procc_annotator/calibration/line_alignment/refinement.py]</extracomment>
    <translation>{name} está a {px:.0f} px de su pintura</translation>
-  </message>
-  <message>
-   <source>the principal point is far from the centre of the picture, which seems cut out of a larger one</source>
-   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
-   <translation>el punto principal está lejos del centro de la imagen, que parece recortada de otra mayor</translation>
-  </message>
-  <message>
-   <source>with aspect ratio and principal point {px} px: not clearly better</source>
-   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
-   <translation>con relación de aspecto y punto principal {px} px: no claramente mejor</translation>
-  </message>
-  <message>
-   <source>no camera explains these elements together: the best one misses half of them by more than {px:.0f} px (are the labels right?)</source>
-   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
-   <translation>ninguna cámara explica estos elementos juntos: la mejor falla la mitad por más de {px:.0f} px (¿son correctas las clases?)</translation>
-  </message>
-  <message>
-   <source>without lens distortion the points are {without} px off, with it {with_it} px: not clearly better</source>
-   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
-   <translation>sin distorsión de lente los puntos están a {without} px, con ella a {with_it} px: no claramente mejor</translation>
-  </message>
-  <message>
-   <source>aspect ratio and principal point bring the points from {before} to {after} px, more than three parameters would by chance</source>
-   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
-   <translation>la relación de aspecto y el punto principal llevan los puntos de {before} a {after} px, más de lo que harían tres parámetros por azar</translation>
-  </message>
-  <message>
-   <source>lens distortion brings the points from {before} to {after} px</source>
-   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
-   <translation>la distorsión de lente lleva los puntos de {before} a {after} px</translation>
-  </message>
-  <message>
-   <source>the points show lens distortion clearly and are {px} px off</source>
-   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
-   <translation>los puntos muestran claramente distorsión de lente y están a {px} px</translation>
   </message>
   <message numerus="yes">
    <source>{n} elements, {needed} needed</source>
@@ -444,6 +439,11 @@
    <source>pan, tilt or roll ± more than {degrees:g}°, position ± more than {way:g} % of the way to the field's centre, or focal length ± more than {focal:g} %, or clicks that are the same from the other end</source>
    <extracomment>[procc_annotator/calibration/result.py]</extracomment>
    <translation>giro, inclinación o alabeo ± más de {degrees:g}°, posición ± más del {way:g} % del camino al centro del campo, o distancia focal ± más del {focal:g} %, o clics que son iguales desde el otro extremo</translation>
+  </message>
+  <message>
+   <source>no camera explains these elements together: the best one misses half of them by more than {px:.0f} px (are the labels right?)</source>
+   <extracomment>[procc_annotator/calibration/result.py]</extracomment>
+   <translation>ninguna cámara explica estos elementos juntos: la mejor falla la mitad por más de {px:.0f} px (¿son correctas las clases?)</translation>
   </message>
   <message>
    <source>pan ± {degrees:.1f}°</source>
@@ -7418,10 +7418,31 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
    <extracomment>[procc_annotator/interaction/edit_tool.py]</extracomment>
    <translation>{title} está fijado para que un descuido no lo mueva: arrastre sus puntos, o suelte los elementos (Ctrl+P, menú Elemento) para arrastrarlo entero</translation>
   </message>
+  <message numerus="yes">
+   <source>move {n} points</source>
+   <extracomment>move {n} point / move {n} points [procc_annotator/interaction/edit_tool.py]</extracomment>
+   <translation>
+    <numerusform>mover {n} punto</numerusform>
+    <numerusform>mover {n} puntos</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>delete {n} points</source>
+   <extracomment>delete {n} point / delete {n} points [procc_annotator/interaction/edit_tool.py]</extracomment>
+   <translation>
+    <numerusform>borrar {n} punto</numerusform>
+    <numerusform>borrar {n} puntos</numerusform>
+   </translation>
+  </message>
   <message>
    <source>draw {title}</source>
    <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
    <translation>dibujar {title}</translation>
+  </message>
+  <message>
+   <source>continue {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>continuar {title}</translation>
   </message>
   <message>
    <source>confirm {title}</source>
@@ -7438,26 +7459,10 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
    <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
    <translation>mover {title} entero</translation>
   </message>
-  <message numerus="yes">
-   <source>move {n} points</source>
-   <extracomment>move {n} point / move {n} points [procc_annotator/interaction/gestures.py]</extracomment>
-   <translation>
-    <numerusform>mover {n} punto</numerusform>
-    <numerusform>mover {n} puntos</numerusform>
-   </translation>
-  </message>
   <message>
    <source>nudge {title}</source>
    <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
    <translation>desplazar {title}</translation>
-  </message>
-  <message numerus="yes">
-   <source>nudge {n} points</source>
-   <extracomment>nudge {n} point / nudge {n} points [procc_annotator/interaction/gestures.py]</extracomment>
-   <translation>
-    <numerusform>desplazar {n} punto</numerusform>
-    <numerusform>desplazar {n} puntos</numerusform>
-   </translation>
   </message>
   <message>
    <source>insert a point in {title}</source>
@@ -7475,17 +7480,12 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
    <translation>borrar el punto {number} de {title}</translation>
   </message>
   <message numerus="yes">
-   <source>delete {n} points</source>
-   <extracomment>delete {n} point / delete {n} points [procc_annotator/interaction/gestures.py]</extracomment>
+   <source>nudge {n} points</source>
+   <extracomment>nudge {n} point / nudge {n} points [procc_annotator/interaction/gestures.py]</extracomment>
    <translation>
-    <numerusform>borrar {n} punto</numerusform>
-    <numerusform>borrar {n} puntos</numerusform>
+    <numerusform>desplazar {n} punto</numerusform>
+    <numerusform>desplazar {n} puntos</numerusform>
    </translation>
-  </message>
-  <message>
-   <source>continue {title}</source>
-   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
-   <translation>continuar {title}</translation>
   </message>
   <message>
    <source>click, Enter and Esc do nothing yet</source>
@@ -7936,47 +7936,47 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
   </message>
   <message>
    <source>{element} agrees: its farthest point, {number}, is {px} px off; it passes at tau &gt; {px}.</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>{element} concuerda: su punto más lejano, el {number}, está a {px} px; pasa con tau &gt; {px}.</translation>
   </message>
   <message>
    <source>{element} is too far: point {number} is {px} px off; it passes at tau &gt; {px}.</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>{element} está demasiado lejos: el punto {number} está a {px} px; pasa con tau &gt; {px}.</translation>
   </message>
   <message>
    <source>{title} (judged as {other}, labels mirrored)</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>{title} (juzgado como {other}, clases reflejadas)</translation>
   </message>
   <message>
    <source>{element} is missed: it is annotated, but the camera does not show it in the picture.</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>{element} se pierde: está anotado, pero la cámara no lo muestra en la imagen.</translation>
   </message>
   <message>
    <source>{element} is not annotated, but the camera shows it: a false positive.</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>{element} no está anotado, pero la cámara lo muestra: un falso positivo.</translation>
   </message>
   <message>
    <source>{element} is too far: point {number} has no distance, because the projection has coinciding samples there; it passes at no tau.</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>{element} está demasiado lejos: el punto {number} no tiene distancia, porque la proyección tiene allí muestras coincidentes; no pasa con ningún tau.</translation>
   </message>
   <message>
    <source>As it goes on beyond the picture it is at most {px} px off, but soccernet measures to what is in the picture alone.</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>Tal como sigue más allá de la imagen está a lo sumo a {px} px, pero soccernet mide solo hasta lo que hay en la imagen.</translation>
   </message>
   <message>
    <source>{element} is missed: it is annotated, but the field has no such element to project.</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>{element} se pierde: está anotado, pero el campo no tiene tal elemento que proyectar.</translation>
   </message>
   <message>
    <source>{element} is missed: it is annotated, but it leaves the ground, and the camera knows only the ground.</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>{element} se pierde: está anotado, pero sale del suelo, y la cámara solo conoce el suelo.</translation>
   </message>
   <message>

@@ -4,9 +4,39 @@
  <context>
   <name>procc</name>
   <message>
+   <source>the principal point is far from the centre of the picture, which seems cut out of a larger one</source>
+   <extracomment>[procc_annotator/calibration/fitting.py]</extracomment>
+   <translation>le point principal est loin du centre de l’image, qui semble découpée dans une plus grande</translation>
+  </message>
+  <message>
+   <source>with aspect ratio and principal point {px} px: not clearly better</source>
+   <extracomment>[procc_annotator/calibration/fitting.py]</extracomment>
+   <translation>avec rapport d’aspect et point principal {px} px : pas nettement mieux</translation>
+  </message>
+  <message>
    <source>coordinates look like pixels, expected 0 to 1 (x = {x:g}, y = {y:g})</source>
    <extracomment>[procc_annotator/calibration/fitting.py]</extracomment>
    <translation>les coordonnées semblent être des pixels, attendues de 0 à 1 (x = {x:g}, y = {y:g})</translation>
+  </message>
+  <message>
+   <source>without lens distortion the points are {without} px off, with it {with_it} px: not clearly better</source>
+   <extracomment>[procc_annotator/calibration/fitting.py]</extracomment>
+   <translation>sans distorsion les points sont à {without} px, avec elle à {with_it} px : pas nettement mieux</translation>
+  </message>
+  <message>
+   <source>aspect ratio and principal point bring the points from {before} to {after} px, more than three parameters would by chance</source>
+   <extracomment>[procc_annotator/calibration/fitting.py]</extracomment>
+   <translation>rapport d’aspect et point principal amènent les points de {before} à {after} px, plus que trois paramètres par hasard</translation>
+  </message>
+  <message>
+   <source>lens distortion brings the points from {before} to {after} px</source>
+   <extracomment>[procc_annotator/calibration/fitting.py]</extracomment>
+   <translation>la distorsion de l’objectif amène les points de {before} à {after} px</translation>
+  </message>
+  <message>
+   <source>the points show lens distortion clearly and are {px} px off</source>
+   <extracomment>[procc_annotator/calibration/fitting.py]</extracomment>
+   <translation>les points montrent nettement une distorsion et sont à {px} px</translation>
   </message>
   <message>
    <source>even with the position known: {why}</source>
@@ -133,6 +163,16 @@
    <source>no camera fits these labels together</source>
    <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
    <translation>aucune caméra ne convient à ces classes ensemble</translation>
+  </message>
+  <message>
+   <source>exchange far and near in the whole frame</source>
+   <extracomment>[procc_annotator/calibration/label_check/candidate_classes.py]</extracomment>
+   <translation>échanger lointain et proche sur toute l’image</translation>
+  </message>
+  <message>
+   <source>exchange left and right in the whole frame</source>
+   <extracomment>[procc_annotator/calibration/label_check/candidate_classes.py]</extracomment>
+   <translation>échanger gauche et droite sur toute l’image</translation>
   </message>
   <message>
    <source>turn the labels by half a turn</source>
@@ -272,16 +312,6 @@
    <translation>aller voir</translation>
   </message>
   <message>
-   <source>exchange far and near in the whole frame</source>
-   <extracomment>[procc_annotator/calibration/label_check/orientation.py]</extracomment>
-   <translation>échanger lointain et proche sur toute l’image</translation>
-  </message>
-  <message>
-   <source>exchange left and right in the whole frame</source>
-   <extracomment>[procc_annotator/calibration/label_check/orientation.py]</extracomment>
-   <translation>échanger gauche et droite sur toute l’image</translation>
-  </message>
-  <message>
    <source>everything lies the wrong way round: far and near, are exchanged</source>
    <extracomment>[procc_annotator/calibration/label_check/side_rules.py]</extracomment>
    <translation>tout est à l’envers : lointain et proche sont échangés</translation>
@@ -335,41 +365,6 @@
    <source>{name} lies {px:.0f} px beside its paint</source>
    <extracomment>[procc_annotator/calibration/line_alignment/refinement.py]</extracomment>
    <translation>{name} est à {px:.0f} px de sa peinture</translation>
-  </message>
-  <message>
-   <source>the principal point is far from the centre of the picture, which seems cut out of a larger one</source>
-   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
-   <translation>le point principal est loin du centre de l’image, qui semble découpée dans une plus grande</translation>
-  </message>
-  <message>
-   <source>with aspect ratio and principal point {px} px: not clearly better</source>
-   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
-   <translation>avec rapport d’aspect et point principal {px} px : pas nettement mieux</translation>
-  </message>
-  <message>
-   <source>no camera explains these elements together: the best one misses half of them by more than {px:.0f} px (are the labels right?)</source>
-   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
-   <translation>aucune caméra n’explique ces éléments ensemble : la meilleure en manque la moitié de plus de {px:.0f} px (les classes sont-elles justes ?)</translation>
-  </message>
-  <message>
-   <source>without lens distortion the points are {without} px off, with it {with_it} px: not clearly better</source>
-   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
-   <translation>sans distorsion les points sont à {without} px, avec elle à {with_it} px : pas nettement mieux</translation>
-  </message>
-  <message>
-   <source>aspect ratio and principal point bring the points from {before} to {after} px, more than three parameters would by chance</source>
-   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
-   <translation>rapport d’aspect et point principal amènent les points de {before} à {after} px, plus que trois paramètres par hasard</translation>
-  </message>
-  <message>
-   <source>lens distortion brings the points from {before} to {after} px</source>
-   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
-   <translation>la distorsion de l’objectif amène les points de {before} à {after} px</translation>
-  </message>
-  <message>
-   <source>the points show lens distortion clearly and are {px} px off</source>
-   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
-   <translation>les points montrent nettement une distorsion et sont à {px} px</translation>
   </message>
   <message numerus="yes">
    <source>{n} elements, {needed} needed</source>
@@ -444,6 +439,11 @@
    <source>pan, tilt or roll ± more than {degrees:g}°, position ± more than {way:g} % of the way to the field's centre, or focal length ± more than {focal:g} %, or clicks that are the same from the other end</source>
    <extracomment>[procc_annotator/calibration/result.py]</extracomment>
    <translation>panoramique, inclinaison ou roulis ± plus de {degrees:g}°, position ± plus de {way:g} % du chemin vers le centre du terrain, ou focale ± plus de {focal:g} %, ou des clics identiques vus de l’autre bout</translation>
+  </message>
+  <message>
+   <source>no camera explains these elements together: the best one misses half of them by more than {px:.0f} px (are the labels right?)</source>
+   <extracomment>[procc_annotator/calibration/result.py]</extracomment>
+   <translation>aucune caméra n’explique ces éléments ensemble : la meilleure en manque la moitié de plus de {px:.0f} px (les classes sont-elles justes ?)</translation>
   </message>
   <message>
    <source>pan ± {degrees:.1f}°</source>
@@ -7418,10 +7418,31 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <extracomment>[procc_annotator/interaction/edit_tool.py]</extracomment>
    <translation>{title} est épinglé, pour qu’un faux geste ne le bouge pas : glissez ses points, ou libérez les éléments (Ctrl+P, menu Élément) pour le glisser en entier</translation>
   </message>
+  <message numerus="yes">
+   <source>move {n} points</source>
+   <extracomment>move {n} point / move {n} points [procc_annotator/interaction/edit_tool.py]</extracomment>
+   <translation>
+    <numerusform>déplacer {n} point</numerusform>
+    <numerusform>déplacer {n} points</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>delete {n} points</source>
+   <extracomment>delete {n} point / delete {n} points [procc_annotator/interaction/edit_tool.py]</extracomment>
+   <translation>
+    <numerusform>supprimer {n} point</numerusform>
+    <numerusform>supprimer {n} points</numerusform>
+   </translation>
+  </message>
   <message>
    <source>draw {title}</source>
    <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
    <translation>dessiner {title}</translation>
+  </message>
+  <message>
+   <source>continue {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>continuer {title}</translation>
   </message>
   <message>
    <source>confirm {title}</source>
@@ -7438,26 +7459,10 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
    <translation>déplacer tout {title}</translation>
   </message>
-  <message numerus="yes">
-   <source>move {n} points</source>
-   <extracomment>move {n} point / move {n} points [procc_annotator/interaction/gestures.py]</extracomment>
-   <translation>
-    <numerusform>déplacer {n} point</numerusform>
-    <numerusform>déplacer {n} points</numerusform>
-   </translation>
-  </message>
   <message>
    <source>nudge {title}</source>
    <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
    <translation>décaler {title}</translation>
-  </message>
-  <message numerus="yes">
-   <source>nudge {n} points</source>
-   <extracomment>nudge {n} point / nudge {n} points [procc_annotator/interaction/gestures.py]</extracomment>
-   <translation>
-    <numerusform>décaler {n} point</numerusform>
-    <numerusform>décaler {n} points</numerusform>
-   </translation>
   </message>
   <message>
    <source>insert a point in {title}</source>
@@ -7475,17 +7480,12 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <translation>supprimer le point {number} de {title}</translation>
   </message>
   <message numerus="yes">
-   <source>delete {n} points</source>
-   <extracomment>delete {n} point / delete {n} points [procc_annotator/interaction/gestures.py]</extracomment>
+   <source>nudge {n} points</source>
+   <extracomment>nudge {n} point / nudge {n} points [procc_annotator/interaction/gestures.py]</extracomment>
    <translation>
-    <numerusform>supprimer {n} point</numerusform>
-    <numerusform>supprimer {n} points</numerusform>
+    <numerusform>décaler {n} point</numerusform>
+    <numerusform>décaler {n} points</numerusform>
    </translation>
-  </message>
-  <message>
-   <source>continue {title}</source>
-   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
-   <translation>continuer {title}</translation>
   </message>
   <message>
    <source>click, Enter and Esc do nothing yet</source>
@@ -7936,47 +7936,47 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
   </message>
   <message>
    <source>{element} agrees: its farthest point, {number}, is {px} px off; it passes at tau &gt; {px}.</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>{element} convient : son point le plus loin, le {number}, est à {px} px ; il passe à tau &gt; {px}.</translation>
   </message>
   <message>
    <source>{element} is too far: point {number} is {px} px off; it passes at tau &gt; {px}.</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>{element} est trop loin : le point {number} est à {px} px ; il passe à tau &gt; {px}.</translation>
   </message>
   <message>
    <source>{title} (judged as {other}, labels mirrored)</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>{title} (jugé comme {other}, classes en miroir)</translation>
   </message>
   <message>
    <source>{element} is missed: it is annotated, but the camera does not show it in the picture.</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>{element} est manqué : il est annoté, mais la caméra ne le montre pas dans l’image.</translation>
   </message>
   <message>
    <source>{element} is not annotated, but the camera shows it: a false positive.</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>{element} n’est pas annoté, mais la caméra le montre : un faux positif.</translation>
   </message>
   <message>
    <source>{element} is too far: point {number} has no distance, because the projection has coinciding samples there; it passes at no tau.</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>{element} est trop loin : le point {number} n’a pas de distance, car la projection y a des échantillons confondus ; il ne passe à aucun tau.</translation>
   </message>
   <message>
    <source>As it goes on beyond the picture it is at most {px} px off, but soccernet measures to what is in the picture alone.</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>Tel qu’il continue au-delà de l’image il est au plus à {px} px, mais soccernet ne mesure que jusqu’à ce qui est dans l’image.</translation>
   </message>
   <message>
    <source>{element} is missed: it is annotated, but the field has no such element to project.</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>{element} est manqué : il est annoté, mais le terrain n’a pas un tel élément à projeter.</translation>
   </message>
   <message>
    <source>{element} is missed: it is annotated, but it leaves the ground, and the camera knows only the ground.</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>{element} est manqué : il est annoté, mais il quitte le sol, et la caméra ne connaît que le sol.</translation>
   </message>
   <message>

@@ -4,9 +4,39 @@
  <context>
   <name>procc</name>
   <message>
+   <source>the principal point is far from the centre of the picture, which seems cut out of a larger one</source>
+   <extracomment>[procc_annotator/calibration/fitting.py]</extracomment>
+   <translation>主点が画像の中心から離れており、より大きな画像から切り出されたようです</translation>
+  </message>
+  <message>
+   <source>with aspect ratio and principal point {px} px: not clearly better</source>
+   <extracomment>[procc_annotator/calibration/fitting.py]</extracomment>
+   <translation>アスペクト比と主点を加えて {px} px：明らかな改善なし</translation>
+  </message>
+  <message>
    <source>coordinates look like pixels, expected 0 to 1 (x = {x:g}, y = {y:g})</source>
    <extracomment>[procc_annotator/calibration/fitting.py]</extracomment>
    <translation>座標がピクセルのようです。0～1 が必要です（x = {x:g}、y = {y:g}）</translation>
+  </message>
+  <message>
+   <source>without lens distortion the points are {without} px off, with it {with_it} px: not clearly better</source>
+   <extracomment>[procc_annotator/calibration/fitting.py]</extracomment>
+   <translation>レンズ歪みなしで点のずれ {without} px、ありで {with_it} px：明らかな改善なし</translation>
+  </message>
+  <message>
+   <source>aspect ratio and principal point bring the points from {before} to {after} px, more than three parameters would by chance</source>
+   <extracomment>[procc_annotator/calibration/fitting.py]</extracomment>
+   <translation>アスペクト比と主点で点のずれが {before} から {after} px に減り、3 個のパラメーターの偶然を超えます</translation>
+  </message>
+  <message>
+   <source>lens distortion brings the points from {before} to {after} px</source>
+   <extracomment>[procc_annotator/calibration/fitting.py]</extracomment>
+   <translation>レンズ歪みで点のずれが {before} から {after} px に減ります</translation>
+  </message>
+  <message>
+   <source>the points show lens distortion clearly and are {px} px off</source>
+   <extracomment>[procc_annotator/calibration/fitting.py]</extracomment>
+   <translation>点は明らかなレンズ歪みを示し、ずれは {px} px です</translation>
   </message>
   <message>
    <source>even with the position known: {why}</source>
@@ -133,6 +163,16 @@
    <source>no camera fits these labels together</source>
    <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
    <translation>これらのクラスすべてに合うカメラがありません</translation>
+  </message>
+  <message>
+   <source>exchange far and near in the whole frame</source>
+   <extracomment>[procc_annotator/calibration/label_check/candidate_classes.py]</extracomment>
+   <translation>フレーム全体で奥と手前を入れ替える</translation>
+  </message>
+  <message>
+   <source>exchange left and right in the whole frame</source>
+   <extracomment>[procc_annotator/calibration/label_check/candidate_classes.py]</extracomment>
+   <translation>フレーム全体で左と右を入れ替える</translation>
   </message>
   <message>
    <source>turn the labels by half a turn</source>
@@ -267,16 +307,6 @@
    <translation>確認する</translation>
   </message>
   <message>
-   <source>exchange far and near in the whole frame</source>
-   <extracomment>[procc_annotator/calibration/label_check/orientation.py]</extracomment>
-   <translation>フレーム全体で奥と手前を入れ替える</translation>
-  </message>
-  <message>
-   <source>exchange left and right in the whole frame</source>
-   <extracomment>[procc_annotator/calibration/label_check/orientation.py]</extracomment>
-   <translation>フレーム全体で左と右を入れ替える</translation>
-  </message>
-  <message>
    <source>everything lies the wrong way round: far and near, are exchanged</source>
    <extracomment>[procc_annotator/calibration/label_check/side_rules.py]</extracomment>
    <translation>全体の向きが逆です：奥と手前が入れ替わっています</translation>
@@ -330,41 +360,6 @@
    <source>{name} lies {px:.0f} px beside its paint</source>
    <extracomment>[procc_annotator/calibration/line_alignment/refinement.py]</extracomment>
    <translation>{name} が塗りから {px:.0f} px ずれています</translation>
-  </message>
-  <message>
-   <source>the principal point is far from the centre of the picture, which seems cut out of a larger one</source>
-   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
-   <translation>主点が画像の中心から離れており、より大きな画像から切り出されたようです</translation>
-  </message>
-  <message>
-   <source>with aspect ratio and principal point {px} px: not clearly better</source>
-   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
-   <translation>アスペクト比と主点を加えて {px} px：明らかな改善なし</translation>
-  </message>
-  <message>
-   <source>no camera explains these elements together: the best one misses half of them by more than {px:.0f} px (are the labels right?)</source>
-   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
-   <translation>これらの要素を同時に説明するカメラがありません：最良のものでも半分が {px:.0f} px を超えて外れます（クラスは正しいですか？）</translation>
-  </message>
-  <message>
-   <source>without lens distortion the points are {without} px off, with it {with_it} px: not clearly better</source>
-   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
-   <translation>レンズ歪みなしで点のずれ {without} px、ありで {with_it} px：明らかな改善なし</translation>
-  </message>
-  <message>
-   <source>aspect ratio and principal point bring the points from {before} to {after} px, more than three parameters would by chance</source>
-   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
-   <translation>アスペクト比と主点で点のずれが {before} から {after} px に減り、3 個のパラメーターの偶然を超えます</translation>
-  </message>
-  <message>
-   <source>lens distortion brings the points from {before} to {after} px</source>
-   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
-   <translation>レンズ歪みで点のずれが {before} から {after} px に減ります</translation>
-  </message>
-  <message>
-   <source>the points show lens distortion clearly and are {px} px off</source>
-   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
-   <translation>点は明らかなレンズ歪みを示し、ずれは {px} px です</translation>
   </message>
   <message numerus="yes">
    <source>{n} elements, {needed} needed</source>
@@ -436,6 +431,11 @@
    <source>pan, tilt or roll ± more than {degrees:g}°, position ± more than {way:g} % of the way to the field's centre, or focal length ± more than {focal:g} %, or clicks that are the same from the other end</source>
    <extracomment>[procc_annotator/calibration/result.py]</extracomment>
    <translation>パン・チルト・ロールが ± {degrees:g}° を超える、位置がフィールド中心までの距離の ± {way:g} % を超える、焦点距離が ± {focal:g} % を超える、または反対側から見ても同じになるクリック</translation>
+  </message>
+  <message>
+   <source>no camera explains these elements together: the best one misses half of them by more than {px:.0f} px (are the labels right?)</source>
+   <extracomment>[procc_annotator/calibration/result.py]</extracomment>
+   <translation>これらの要素を同時に説明するカメラがありません：最良のものでも半分が {px:.0f} px を超えて外れます（クラスは正しいですか？）</translation>
   </message>
   <message>
    <source>pan ± {degrees:.1f}°</source>
@@ -7315,10 +7315,29 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <extracomment>[procc_annotator/interaction/edit_tool.py]</extracomment>
    <translation>{title} は誤って動かないよう固定されています。点をドラッグするか、全体を動かすには要素の固定を外してください（Ctrl+P、要素メニュー）</translation>
   </message>
+  <message numerus="yes">
+   <source>move {n} points</source>
+   <extracomment>move {n} point / move {n} points [procc_annotator/interaction/edit_tool.py]</extracomment>
+   <translation>
+    <numerusform>{n} 点を動かす</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>delete {n} points</source>
+   <extracomment>delete {n} point / delete {n} points [procc_annotator/interaction/edit_tool.py]</extracomment>
+   <translation>
+    <numerusform>{n} 点を削除</numerusform>
+   </translation>
+  </message>
   <message>
    <source>draw {title}</source>
    <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
    <translation>{title} を描く</translation>
+  </message>
+  <message>
+   <source>continue {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>{title} の続きを描く</translation>
   </message>
   <message>
    <source>confirm {title}</source>
@@ -7335,24 +7354,10 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
    <translation>{title} 全体を動かす</translation>
   </message>
-  <message numerus="yes">
-   <source>move {n} points</source>
-   <extracomment>move {n} point / move {n} points [procc_annotator/interaction/gestures.py]</extracomment>
-   <translation>
-    <numerusform>{n} 点を動かす</numerusform>
-   </translation>
-  </message>
   <message>
    <source>nudge {title}</source>
    <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
    <translation>{title} を微調整</translation>
-  </message>
-  <message numerus="yes">
-   <source>nudge {n} points</source>
-   <extracomment>nudge {n} point / nudge {n} points [procc_annotator/interaction/gestures.py]</extracomment>
-   <translation>
-    <numerusform>{n} 点を微調整</numerusform>
-   </translation>
   </message>
   <message>
    <source>insert a point in {title}</source>
@@ -7370,16 +7375,11 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <translation>{title} の点 {number} を削除</translation>
   </message>
   <message numerus="yes">
-   <source>delete {n} points</source>
-   <extracomment>delete {n} point / delete {n} points [procc_annotator/interaction/gestures.py]</extracomment>
+   <source>nudge {n} points</source>
+   <extracomment>nudge {n} point / nudge {n} points [procc_annotator/interaction/gestures.py]</extracomment>
    <translation>
-    <numerusform>{n} 点を削除</numerusform>
+    <numerusform>{n} 点を微調整</numerusform>
    </translation>
-  </message>
-  <message>
-   <source>continue {title}</source>
-   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
-   <translation>{title} の続きを描く</translation>
   </message>
   <message>
    <source>click, Enter and Esc do nothing yet</source>
@@ -7821,47 +7821,47 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
   </message>
   <message>
    <source>{element} agrees: its farthest point, {number}, is {px} px off; it passes at tau &gt; {px}.</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>{element} は合っています：最も遠い点 {number} のずれは {px} px。tau &gt; {px} で合格。</translation>
   </message>
   <message>
    <source>{element} is too far: point {number} is {px} px off; it passes at tau &gt; {px}.</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>{element} は遠すぎます：点 {number} のずれは {px} px。tau &gt; {px} で合格。</translation>
   </message>
   <message>
    <source>{title} (judged as {other}, labels mirrored)</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>{title}（{other} として評価、鏡像のクラス）</translation>
   </message>
   <message>
    <source>{element} is missed: it is annotated, but the camera does not show it in the picture.</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>{element} は見逃しです：注釈されていますが、カメラでは画像に写りません。</translation>
   </message>
   <message>
    <source>{element} is not annotated, but the camera shows it: a false positive.</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>{element} は注釈がありませんが、カメラでは写ります：偽陽性。</translation>
   </message>
   <message>
    <source>{element} is too far: point {number} has no distance, because the projection has coinciding samples there; it passes at no tau.</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>{element} は遠すぎます：投影の標本点がそこで重なるため、点 {number} には距離がありません。どの tau でも合格しません。</translation>
   </message>
   <message>
    <source>As it goes on beyond the picture it is at most {px} px off, but soccernet measures to what is in the picture alone.</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>画像の外への延長までなら最大 {px} px のずれですが、soccernet は画像内の部分までしか測りません。</translation>
   </message>
   <message>
    <source>{element} is missed: it is annotated, but the field has no such element to project.</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>{element} は見逃しです：注釈されていますが、投影すべきそのような要素がフィールドにありません。</translation>
   </message>
   <message>
    <source>{element} is missed: it is annotated, but it leaves the ground, and the camera knows only the ground.</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>{element} は見逃しです：注釈されていますが、地面から離れた要素で、カメラは地面しか知りません。</translation>
   </message>
   <message>

@@ -4,9 +4,39 @@
  <context>
   <name>procc</name>
   <message>
+   <source>the principal point is far from the centre of the picture, which seems cut out of a larger one</source>
+   <extracomment>[procc_annotator/calibration/fitting.py]</extracomment>
+   <translation>主点远离图片中心，图片似乎是从更大的图片裁剪而来</translation>
+  </message>
+  <message>
+   <source>with aspect ratio and principal point {px} px: not clearly better</source>
+   <extracomment>[procc_annotator/calibration/fitting.py]</extracomment>
+   <translation>加入像素宽高比和主点后为 {px} px：没有明显改善</translation>
+  </message>
+  <message>
    <source>coordinates look like pixels, expected 0 to 1 (x = {x:g}, y = {y:g})</source>
    <extracomment>[procc_annotator/calibration/fitting.py]</extracomment>
    <translation>坐标看起来像像素，应为 0 到 1（x = {x:g}，y = {y:g}）</translation>
+  </message>
+  <message>
+   <source>without lens distortion the points are {without} px off, with it {with_it} px: not clearly better</source>
+   <extracomment>[procc_annotator/calibration/fitting.py]</extracomment>
+   <translation>不含镜头畸变时点偏离 {without} px，含畸变时 {with_it} px：没有明显改善</translation>
+  </message>
+  <message>
+   <source>aspect ratio and principal point bring the points from {before} to {after} px, more than three parameters would by chance</source>
+   <extracomment>[procc_annotator/calibration/fitting.py]</extracomment>
+   <translation>像素宽高比和主点使点从 {before} 降到 {after} px，超过三个参数偶然所能达到的</translation>
+  </message>
+  <message>
+   <source>lens distortion brings the points from {before} to {after} px</source>
+   <extracomment>[procc_annotator/calibration/fitting.py]</extracomment>
+   <translation>镜头畸变使点从 {before} 降到 {after} px</translation>
+  </message>
+  <message>
+   <source>the points show lens distortion clearly and are {px} px off</source>
+   <extracomment>[procc_annotator/calibration/fitting.py]</extracomment>
+   <translation>点明显显示镜头畸变，偏离 {px} px</translation>
   </message>
   <message>
    <source>even with the position known: {why}</source>
@@ -133,6 +163,16 @@
    <source>no camera fits these labels together</source>
    <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
    <translation>没有相机同时吻合这些类别</translation>
+  </message>
+  <message>
+   <source>exchange far and near in the whole frame</source>
+   <extracomment>[procc_annotator/calibration/label_check/candidate_classes.py]</extracomment>
+   <translation>整帧互换远近</translation>
+  </message>
+  <message>
+   <source>exchange left and right in the whole frame</source>
+   <extracomment>[procc_annotator/calibration/label_check/candidate_classes.py]</extracomment>
+   <translation>整帧互换左右</translation>
   </message>
   <message>
    <source>turn the labels by half a turn</source>
@@ -267,16 +307,6 @@
    <translation>查看</translation>
   </message>
   <message>
-   <source>exchange far and near in the whole frame</source>
-   <extracomment>[procc_annotator/calibration/label_check/orientation.py]</extracomment>
-   <translation>整帧互换远近</translation>
-  </message>
-  <message>
-   <source>exchange left and right in the whole frame</source>
-   <extracomment>[procc_annotator/calibration/label_check/orientation.py]</extracomment>
-   <translation>整帧互换左右</translation>
-  </message>
-  <message>
    <source>everything lies the wrong way round: far and near, are exchanged</source>
    <extracomment>[procc_annotator/calibration/label_check/side_rules.py]</extracomment>
    <translation>整体方向相反：远近颠倒</translation>
@@ -330,41 +360,6 @@
    <source>{name} lies {px:.0f} px beside its paint</source>
    <extracomment>[procc_annotator/calibration/line_alignment/refinement.py]</extracomment>
    <translation>{name} 偏离其画线 {px:.0f} px</translation>
-  </message>
-  <message>
-   <source>the principal point is far from the centre of the picture, which seems cut out of a larger one</source>
-   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
-   <translation>主点远离图片中心，图片似乎是从更大的图片裁剪而来</translation>
-  </message>
-  <message>
-   <source>with aspect ratio and principal point {px} px: not clearly better</source>
-   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
-   <translation>加入像素宽高比和主点后为 {px} px：没有明显改善</translation>
-  </message>
-  <message>
-   <source>no camera explains these elements together: the best one misses half of them by more than {px:.0f} px (are the labels right?)</source>
-   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
-   <translation>没有相机能同时解释这些元素：最好的也有一半偏离超过 {px:.0f} px（类别是否正确？）</translation>
-  </message>
-  <message>
-   <source>without lens distortion the points are {without} px off, with it {with_it} px: not clearly better</source>
-   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
-   <translation>不含镜头畸变时点偏离 {without} px，含畸变时 {with_it} px：没有明显改善</translation>
-  </message>
-  <message>
-   <source>aspect ratio and principal point bring the points from {before} to {after} px, more than three parameters would by chance</source>
-   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
-   <translation>像素宽高比和主点使点从 {before} 降到 {after} px，超过三个参数偶然所能达到的</translation>
-  </message>
-  <message>
-   <source>lens distortion brings the points from {before} to {after} px</source>
-   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
-   <translation>镜头畸变使点从 {before} 降到 {after} px</translation>
-  </message>
-  <message>
-   <source>the points show lens distortion clearly and are {px} px off</source>
-   <extracomment>[procc_annotator/calibration/model_selection.py]</extracomment>
-   <translation>点明显显示镜头畸变，偏离 {px} px</translation>
   </message>
   <message numerus="yes">
    <source>{n} elements, {needed} needed</source>
@@ -436,6 +431,11 @@
    <source>pan, tilt or roll ± more than {degrees:g}°, position ± more than {way:g} % of the way to the field's centre, or focal length ± more than {focal:g} %, or clicks that are the same from the other end</source>
    <extracomment>[procc_annotator/calibration/result.py]</extracomment>
    <translation>水平转动、俯仰或横滚 ± 超过 {degrees:g}°，位置 ± 超过到场地中心距离的 {way:g} %，或焦距 ± 超过 {focal:g} %，或从另一端看相同的点击</translation>
+  </message>
+  <message>
+   <source>no camera explains these elements together: the best one misses half of them by more than {px:.0f} px (are the labels right?)</source>
+   <extracomment>[procc_annotator/calibration/result.py]</extracomment>
+   <translation>没有相机能同时解释这些元素：最好的也有一半偏离超过 {px:.0f} px（类别是否正确？）</translation>
   </message>
   <message>
    <source>pan ± {degrees:.1f}°</source>
@@ -7315,10 +7315,29 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <extracomment>[procc_annotator/interaction/edit_tool.py]</extracomment>
    <translation>{title} 已固定，以防误动：请拖动其点，或取消固定元素（Ctrl+P，“元素”菜单）后整体拖动</translation>
   </message>
+  <message numerus="yes">
+   <source>move {n} points</source>
+   <extracomment>move {n} point / move {n} points [procc_annotator/interaction/edit_tool.py]</extracomment>
+   <translation>
+    <numerusform>移动 {n} 个点</numerusform>
+   </translation>
+  </message>
+  <message numerus="yes">
+   <source>delete {n} points</source>
+   <extracomment>delete {n} point / delete {n} points [procc_annotator/interaction/edit_tool.py]</extracomment>
+   <translation>
+    <numerusform>删除 {n} 个点</numerusform>
+   </translation>
+  </message>
   <message>
    <source>draw {title}</source>
    <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
    <translation>绘制 {title}</translation>
+  </message>
+  <message>
+   <source>continue {title}</source>
+   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
+   <translation>继续 {title}</translation>
   </message>
   <message>
    <source>confirm {title}</source>
@@ -7335,24 +7354,10 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
    <translation>整体移动 {title}</translation>
   </message>
-  <message numerus="yes">
-   <source>move {n} points</source>
-   <extracomment>move {n} point / move {n} points [procc_annotator/interaction/gestures.py]</extracomment>
-   <translation>
-    <numerusform>移动 {n} 个点</numerusform>
-   </translation>
-  </message>
   <message>
    <source>nudge {title}</source>
    <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
    <translation>微移 {title}</translation>
-  </message>
-  <message numerus="yes">
-   <source>nudge {n} points</source>
-   <extracomment>nudge {n} point / nudge {n} points [procc_annotator/interaction/gestures.py]</extracomment>
-   <translation>
-    <numerusform>微移 {n} 个点</numerusform>
-   </translation>
   </message>
   <message>
    <source>insert a point in {title}</source>
@@ -7370,16 +7375,11 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <translation>删除 {title} 的第 {number} 点</translation>
   </message>
   <message numerus="yes">
-   <source>delete {n} points</source>
-   <extracomment>delete {n} point / delete {n} points [procc_annotator/interaction/gestures.py]</extracomment>
+   <source>nudge {n} points</source>
+   <extracomment>nudge {n} point / nudge {n} points [procc_annotator/interaction/gestures.py]</extracomment>
    <translation>
-    <numerusform>删除 {n} 个点</numerusform>
+    <numerusform>微移 {n} 个点</numerusform>
    </translation>
-  </message>
-  <message>
-   <source>continue {title}</source>
-   <extracomment>[procc_annotator/interaction/gestures.py]</extracomment>
-   <translation>继续 {title}</translation>
   </message>
   <message>
    <source>click, Enter and Esc do nothing yet</source>
@@ -7821,47 +7821,47 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
   </message>
   <message>
    <source>{element} agrees: its farthest point, {number}, is {px} px off; it passes at tau &gt; {px}.</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>{element} 吻合：最远的第 {number} 点偏离 {px} px；tau &gt; {px} 时通过。</translation>
   </message>
   <message>
    <source>{element} is too far: point {number} is {px} px off; it passes at tau &gt; {px}.</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>{element} 过远：第 {number} 点偏离 {px} px；tau &gt; {px} 时通过。</translation>
   </message>
   <message>
    <source>{title} (judged as {other}, labels mirrored)</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>{title}（按 {other} 评判，类别镜像）</translation>
   </message>
   <message>
    <source>{element} is missed: it is annotated, but the camera does not show it in the picture.</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>{element} 未命中：已标注，但相机未在图片中显示它。</translation>
   </message>
   <message>
    <source>{element} is not annotated, but the camera shows it: a false positive.</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>{element} 未标注，但相机显示了它：假阳性。</translation>
   </message>
   <message>
    <source>{element} is too far: point {number} has no distance, because the projection has coinciding samples there; it passes at no tau.</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>{element} 过远：第 {number} 点没有距离，因为投影在该处有重合的采样点；任何 tau 都不通过。</translation>
   </message>
   <message>
    <source>As it goes on beyond the picture it is at most {px} px off, but soccernet measures to what is in the picture alone.</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>若延续到图片之外，最多偏离 {px} px，但 soccernet 只测量到图片内的部分。</translation>
   </message>
   <message>
    <source>{element} is missed: it is annotated, but the field has no such element to project.</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>{element} 未命中：已标注，但场地没有可投影的此元素。</translation>
   </message>
   <message>
    <source>{element} is missed: it is annotated, but it leaves the ground, and the camera knows only the ground.</source>
-   <extracomment>[procc_annotator/metrics/explanation.py]</extracomment>
+   <extracomment>[procc_annotator/metrics/score.py]</extracomment>
    <translation>{element} 未命中：已标注，但它离开地面，而相机只知道地面。</translation>
   </message>
   <message>
