@@ -1,6 +1,6 @@
 # Two commands do everything on a machine that has Python 3.11+ and make:
 #   make run    opens the window on sample_data/ (without a display: evaluates, exports and draws it)
-#   make test   runs the tests that take less than half a second each
+#   make test   runs the tests, without the slowest quarter (make soak)
 SHELL := /bin/sh
 UV_VERSION := 0.13.8
 STAMP := .venv/.ready

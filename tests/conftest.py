@@ -124,8 +124,8 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
         metafunc.parametrize("lap", laps, ids="lap{}".format, indirect=True)
 
 
-# Files, classes and functions of tests that take over half a second of CPU: only in `make soak`.
-# Those that show that clicks are kept and numbers are right stay in `make test`, however long.
+# The slowest quarter of the tests, which takes three quarters of the time: only in `make soak`.
+# Tests that show that clicks are kept and numbers are right stay in `make test`, however long.
 SLOW = frozenset((ROOT / "tests" / "slow.txt").read_text(encoding="utf-8").split())
 
 
