@@ -20,7 +20,7 @@ from typer.main import get_command
 
 from procc_annotator.cli.echo import echo
 from procc_annotator.error_log import install_handlers, log_path
-from procc_annotator.errors import ProccError
+from procc_annotator.errors import ProccError, UsageError
 from procc_annotator.version import __version__
 
 
@@ -97,6 +97,10 @@ RENAMED_OPTIONS = {
     },
     "triangulate": {"--click-px": "--click-sd"},
 }
+REMOVED_OPTIONS = {
+    "evaluate": {"--table": "write each run with --output scores.csv and join the files"},
+    "report": {"--latex-width": "the tables of --output *.tex fit the text by themselves"},
+}
 
 _NEW_OBJECTS = 20_000  # before garbage is looked for: arrays and frozen values make hardly any
 
@@ -155,6 +159,9 @@ class LazyCommand(TyperCommand):
 
     def _renamed(self, argument: str) -> str:
         option, equals, value = argument.partition("=")
+        why = REMOVED_OPTIONS.get(str(self.name), {}).get(option)
+        if why is not None:
+            raise UsageError(f"{option} was removed: {why}")
         new = RENAMED_OPTIONS.get(str(self.name), {}).get(option)
         if new is None:
             return argument

@@ -74,8 +74,12 @@ def read_manifest(path: Path) -> Manifest:
     data = read_file(path)
     kind = decode_as(data, dict[str, Any], "manifest", path=path).get("format")
     if kind != FORMAT:
-        expected = f"expected {FORMAT!r}: run its command again with --manifest"
-        raise InputError(path, f"is of format {str(kind)[:60]!r}, {expected}")
+        older = isinstance(kind, str) and kind.startswith("procc-annotator")
+        raise InputError(
+            path,
+            f"is not a manifest (format {FORMAT!r})",
+            advice="run its command again with --manifest" if older else "--manifest writes one",
+        )
     return decode_as(data, Manifest, "manifest", path=path)
 
 

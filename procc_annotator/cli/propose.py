@@ -72,7 +72,7 @@ Example:
 
 \b
   procc-annotator propose match/ proposed/
-  procc-annotator propose match.mp4 proposed/ --every 25 --known fitted/positions.csv
+  procc-annotator propose match.mp4 proposed/ --every 25 --known-positions fitted/positions.csv
 """
 
 # Below this many pictures starting processes costs more than it saves.

@@ -1,7 +1,8 @@
 """Frame locks between windows and machines on one dataset folder.
 
 A lock file holds the author; its modification time, renewed by each beat, shows that the lock is in
-use, and a minute without a beat frees the frame. A lock informs and never prevents saving, so no
+use; a minute without a beat frees the frame, and so does the end of its process on this machine. A
+lock informs and never prevents saving, so no
 disk failure is raised here. Ages are measured by the clock of the file server: against the time of
 a file made at the same moment next to it.
 """
@@ -54,6 +55,8 @@ class LockHolder:
 class _LockContent:
     author: str
     host: str
+    machine: str  # see `_machine`
+    pid: int
     session: str  # of one window
     since: float
 
@@ -73,7 +76,9 @@ class FrameLocks:
 
     def __init__(self, folder: Path, author: str) -> None:
         self._folder = folder
-        self._me = _LockContent(author, socket.gethostname(), uuid.uuid4().hex, 0.0)
+        self._me = _LockContent(
+            author, socket.gethostname(), _machine(), os.getpid(), uuid.uuid4().hex, 0.0
+        )
         self._held: dict[str, _LockContent] = {}
 
     @property
@@ -191,7 +196,9 @@ class FrameLocks:
         """The holder of a lock file, or None for an expired one or our own."""
         os.stat(path)  # by far the most frequent answer, and the cheapest: there is none
         note = _read(path)
-        if self._is_ours(note) or (age := self._age(path)) > EXPIRY_S:
+        if self._is_ours(note) or (note is not None and self._has_ended(note)):
+            return None
+        if (age := self._age(path)) > EXPIRY_S:
             return None
         if note is None:
             return LockHolder("", "", 0.0, age)
@@ -199,6 +206,19 @@ class FrameLocks:
 
     def _is_ours(self, note: _LockContent | None) -> bool:
         return note is not None and note.session == self._me.session
+
+    def _has_ended(self, note: _LockContent) -> bool:
+        """Return whether its process is known to be gone; False on other machines and Windows."""
+        here = (note.host, note.machine) == (self._me.host, self._me.machine)
+        if os.name != "posix" or not here:
+            return False
+        try:
+            os.kill(note.pid, 0)
+        except (ProcessLookupError, OverflowError):
+            return True
+        except OSError:  # another user's
+            return False
+        return False
 
     def _age(self, path: Path) -> float:
         """Seconds since a file was written, by the clock of the server; 0 if unknown.
@@ -219,6 +239,14 @@ class FrameLocks:
         return abs(now - os.stat(path).st_mtime)
 
 
+def _machine() -> str:
+    """Start of the kernel and process namespace: containers may share a host name (Linux)."""
+    with suppress(OSError):
+        boot = Path("/proc/sys/kernel/random/boot_id").read_text(encoding="ascii").strip()
+        return f"{boot} {os.readlink('/proc/self/ns/pid')}"
+    return ""
+
+
 def _create(path: Path, data: bytes) -> None:
     flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)
     descriptor = os.open(path, flags, 0o666)
@@ -235,11 +263,15 @@ def _read(path: Path) -> _LockContent | None:
     """Content of a lock; None for one that is half written, damaged or of an unknown kind."""
     try:
         entries = json.loads(read_head(path, _LARGEST))
-        author, host, session = (_line(entries[key]) for key in ("author", "host", "session"))
-        since = float(entries["since"])
+        author, host, machine, session = (
+            _line(entries[key]) for key in ("author", "host", "machine", "session")
+        )
+        pid, since = entries["pid"], float(entries["since"])
     except (ValueError, RecursionError, KeyError, TypeError):
         return None
-    return _LockContent(author, host, session, since) if session and abs(since) < 1e12 else None
+    if not session or type(pid) is not int or pid <= 0 or not abs(since) < 1e12:
+        return None
+    return _LockContent(author, host, machine, pid, session, since)
 
 
 def _line(text: object) -> str:

@@ -269,6 +269,9 @@ def test_a_removed_command_says_what_to_use(cli) -> None:
     done = cli("gold", "match/", "anna/")
     assert done.exit_code == 2
     assert "gold was removed: use agree --reference" in done.stderr
+    done = cli("evaluate", "match/", "cameras/", "--table", "x.csv")
+    assert done.exit_code == 2
+    assert "--table was removed: write each run with --output" in done.stderr
 
 
 def test_an_option_of_the_release_before_is_translated(cli, dataset) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolBar, QToolButton
@@ -85,6 +85,7 @@ def test_the_crosshair_begins_in_the_middle_and_goes_with_the_mouse(
     window: MainWindow, hand: Hand
 ) -> None:
     document, keys = window.document, window.canvas.keys
+    QApplication.sendEvent(window.canvas, QEvent(QEvent.Type.Leave))  # of tests before
     document.select_class("Middle line")
     hand.key(KEY.Key_Right)
     assert keys.crosshair.px == pytest.approx((320.5, 179.5), abs=1)

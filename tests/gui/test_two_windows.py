@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import json
+import subprocess
+import sys
+import textwrap
 from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -177,6 +180,26 @@ def test_a_closed_window_leaves_no_lock(
     assert list((dataset / ".procc" / "locks").iterdir())
     first.close()
     assert not list((dataset / ".procc" / "locks").iterdir())
+
+
+def test_the_lock_of_a_killed_program_is_gone_at_once(
+    make_window: MakeWindow, dataset: Path, hand_on: HandOn
+) -> None:
+    killed = """
+        import os, signal, sys
+        from pathlib import Path
+        from procc_annotator.dataset.locks import FrameLocks
+        locks = FrameLocks(Path(sys.argv[1]) / ".procc" / "locks", "Crashed")
+        assert locks.acquire("frame_0") is None
+        os.kill(os.getpid(), signal.SIGKILL)
+    """
+    done = subprocess.run(
+        [sys.executable, "-c", textwrap.dedent(killed), str(dataset)], check=False
+    )
+    assert done.returncode < 0
+    window = make_window(dataset)
+    hand_on(window).draw(MIDDLE, (100, 100), (200, 200))
+    assert window.document.annotation.annotated == (MIDDLE,)
 
 
 def test_statuses_and_comments_of_the_other_window_arrive(

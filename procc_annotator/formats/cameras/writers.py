@@ -123,7 +123,9 @@ def _homography(convention: str, as_text: bool) -> Callable[[LoadedCamera], tupl
         else:
             raise ValueError(f"a homography cannot hold {_called(camera)}")
         if loaded.size is None:
-            raise ValueError("the camera names no picture size, and homographies need one")
+            raise ValueError(
+                "the camera names no picture size, a homography needs one (--camera-size)"
+            )
         world_from_units = CONVENTIONS[convention].world_from_units
         if not np.isfinite(image_from_world).all():
             raise ValueError("not a camera: a parameter is without bounds")
