@@ -106,8 +106,7 @@ def _guarded(fmt: CameraFormat, plugin: str) -> CameraFormat:
     def checked(loaded: object, path: str) -> LoadedCamera:
         if not isinstance(loaded, LoadedCamera):
             raise refused(path, f"it gives {type(loaded).__name__}, expected a LoadedCamera")
-        camera = loaded.camera
-        if isinstance(camera, ElementProjections):
+        if isinstance(camera := loaded.camera, ElementProjections):
             return loaded
         if not isinstance(camera, Camera):
             raise refused(path, f"a {type(camera).__name__} has no method project")
