@@ -493,7 +493,9 @@ def all_done(qtbot: QtBot) -> None:
 def _what(job: worker.Job) -> str:
     state = "delivered" if job._delivered else "wanted" if job.running else "cancelled"
     work = "not begun" if job._future is None else str(job._future)
-    return f"{state} work for {job._on_result}, {work}"
+    # Not its text: the receiver may be a deleted object of a window before.
+    receiver = getattr(job._on_result, "__qualname__", type(job._on_result).__name__)
+    return f"{state} work for {receiver}, {work}"
 
 
 def _whose(timer: QTimer) -> str:
