@@ -189,7 +189,7 @@ def corner_legend(there: OnPicture) -> tuple[LegendEntry, ...]:
     """A line for everything that is there, in the order of how often one asks."""
     entries = [*_elements(there)]
     if there.unconfirmed:
-        entries.append(_line(tr("copied, to be confirmed"), tones.UNCONFIRMED, *_UNCONFIRMED))
+        entries.append(_line(tr("to be confirmed"), tones.UNCONFIRMED, *_UNCONFIRMED))
     if there.ghosts:
         unsure = there.ghosts == "unsure"
         text = tr("ghost of an unsure camera") if unsure else tr("ghost: expected here")

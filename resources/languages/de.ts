@@ -7905,9 +7905,9 @@ abweichung in der schlechtesten Richtung, was immer der Mauszeiger selbst danebe
    <translation>annotiert, in der Farbe seiner Klasse</translation>
   </message>
   <message>
-   <source>copied, to be confirmed</source>
+   <source>to be confirmed</source>
    <extracomment>[procc_annotator/interaction/legend.py]</extracomment>
-   <translation>kopiert, zu bestätigen</translation>
+   <translation>zu bestätigen</translation>
   </message>
   <message>
    <source>projection</source>

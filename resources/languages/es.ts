@@ -7905,9 +7905,9 @@ típica en la peor dirección, sea cual sea el error del propio cursor</translat
    <translation>anotado, en el color de su clase</translation>
   </message>
   <message>
-   <source>copied, to be confirmed</source>
+   <source>to be confirmed</source>
    <extracomment>[procc_annotator/interaction/legend.py]</extracomment>
-   <translation>copiado, por confirmar</translation>
+   <translation>por confirmar</translation>
   </message>
   <message>
    <source>projection</source>

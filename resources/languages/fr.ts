@@ -7905,9 +7905,9 @@ dans la pire direction, quelle que soit l’erreur du curseur lui-même</transla
    <translation>annoté, dans la couleur de sa classe</translation>
   </message>
   <message>
-   <source>copied, to be confirmed</source>
+   <source>to be confirmed</source>
    <extracomment>[procc_annotator/interaction/legend.py]</extracomment>
-   <translation>copié, à confirmer</translation>
+   <translation>à confirmer</translation>
   </message>
   <message>
    <source>projection</source>

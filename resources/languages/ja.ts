@@ -7790,9 +7790,9 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <translation>注釈、クラスの色</translation>
   </message>
   <message>
-   <source>copied, to be confirmed</source>
+   <source>to be confirmed</source>
    <extracomment>[procc_annotator/interaction/legend.py]</extracomment>
-   <translation>コピー、確定待ち</translation>
+   <translation>確定待ち</translation>
   </message>
   <message>
    <source>projection</source>

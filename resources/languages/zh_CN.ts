@@ -7790,9 +7790,9 @@ deviation in the worst direction, whatever the cursor itself is off by</source>
    <translation>已标注，以其类别的颜色</translation>
   </message>
   <message>
-   <source>copied, to be confirmed</source>
+   <source>to be confirmed</source>
    <extracomment>[procc_annotator/interaction/legend.py]</extracomment>
-   <translation>复制所得，待确认</translation>
+   <translation>待确认</translation>
   </message>
   <message>
    <source>projection</source>
