@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import queue
 import threading
 from collections import deque
 from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
 import numpy as np
@@ -108,40 +108,25 @@ def _read_ahead(
     frame: ReadFrame, numbers: Sequence[int], to_follow: bool
 ) -> Iterator[tuple[int, PixelArray, MotionImage, FrameSignature]]:
     """Return what a thread has read ahead, in the order asked for."""
-    ready: queue.Queue[object] = queue.Queue(maxsize=_READ_AHEAD_FRAMES)
     stopped = threading.Event()
-
-    def hand(item: object) -> bool:
-        while not stopped.is_set():
-            try:
-                ready.put(item, timeout=0.1)
-            except queue.Full:
-                continue
-            return True
-        return False
-
-    def read() -> None:
+    frames = (
+        (
+            number,
+            picture,
+            motion_image(picture) if to_follow else EMPTY_MOTION_IMAGE,
+            frame_signature(picture[:, :, :3]),
+        )
+        for number, picture in _images_in_order(frame, numbers, stopped)
+    )
+    with ThreadPoolExecutor(1, "frames ahead") as reader:
         try:
-            for number, picture in _images_in_order(frame, numbers, stopped):
-                look = frame_signature(picture[:, :, :3])
-                small = motion_image(picture) if to_follow else EMPTY_MOTION_IMAGE
-                if not hand((number, picture, small, look)):
-                    return
-        except BaseException as failure:  # noqa: BLE001  # raised again by who waits for frames
-            hand(failure)
-        else:
-            hand(None)
-
-    thread = threading.Thread(target=read, name="frames ahead", daemon=True)
-    thread.start()
-    try:
-        while (item := ready.get()) is not None:
-            if isinstance(item, BaseException):
-                raise item
-            yield item  # type: ignore[misc]
-    finally:
-        stopped.set()
-        thread.join()
+            ahead = deque(reader.submit(next, frames, None) for _ in range(_READ_AHEAD_FRAMES))
+            while (item := ahead.popleft().result()) is not None:
+                ahead.append(reader.submit(next, frames, None))
+                yield item
+        finally:
+            stopped.set()
+            reader.shutdown(cancel_futures=True)
 
 
 def _images_in_order(
