@@ -28,9 +28,8 @@ class Latest:
 
         Args:
             owner, urgent, at_once, wait_ms: as for `run_in_background`.
-            failed: hears why it came to nothing, unless a piece of work has its own handler
-                reported;
-                None: it cannot fail in a way that could be reported.
+            failed: receives the reason of a failure, unless the work has a handler of its own; None
+                if the work cannot fail.
         """
         self._owner = owner
         self._failed = failed

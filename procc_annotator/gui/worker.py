@@ -272,7 +272,7 @@ def run_in_background(
         on_error: receives the one-line text of a `ProccError`. Any other exception is a bug: it
             goes to `sys.excepthook` as if it had been raised on the interface thread, and
             ``on_error`` receives a line that says so. None: the work raises nothing that a person
-            could be determined, so that every exception of it is a bug.
+            could be foreseen, so that every exception of it is a bug.
         on_progress: receives (done, total).
         on_parts: receives what the work passed on since, before progress and outcome.
         owner: nothing is delivered any more once this object is gone, and what has not begun by

@@ -163,7 +163,7 @@ class ElementsPanel(QWidget):
                 parent.setFont(NAME, font)
                 added.append(parent)
             self._groups[group].addChildren(items)
-        # All at once: reported row by row, the view takes several times as long.
+        # All at once: signalled row by row, the view takes several times as long.
         self.tree.addTopLevelItems(added)
         for parent in added:
             parent.setFirstColumnSpanned(True)
@@ -211,7 +211,7 @@ class ElementsPanel(QWidget):
         counts = {p.class_name: len(p.points) for p in annotation}
         best = self._document.ghosts.suggestion
         following = None if best is None else best.name
-        # Reported cell by cell, the view spends milliseconds a frame on it.
+        # Signalled cell by cell, the view spends milliseconds a frame on it.
         model = self.tree.model()
         model.blockSignals(True)
         others: list[QTreeWidgetItem] = []

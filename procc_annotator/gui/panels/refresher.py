@@ -108,8 +108,7 @@ class Refresher(QObject):
 
     def _in_sight(self) -> bool:
         """Return whether any of it is seen: Qt calls docks behind other tabs visible, too, and
-        keeps them
-        outside the window."""
+        keeps them outside the window."""
         widget = self._widget
         if not widget.isVisible():
             return False

@@ -287,9 +287,8 @@ class CameraHand(QObject):
         self.changed.emit()
 
     def _is_replaced(self, peg: ControlPoint) -> bool:
-        """Return whether a peg gives way to the place in hand: it is that one, or so near that
-        both would
-        roll and zoom the camera by what a click is off."""
+        """Return whether a peg gives way to the place in hand: it is that one, or so near that both
+        would roll and zoom the camera by what a click is off."""
         size, under = self._document.picture_size, self._under
         if peg is self._grabbed or under is None or size is None:
             return peg is self._grabbed

@@ -28,7 +28,7 @@ class OverlayDrawing(QObject):
 
     Attributes:
         colour_by: what colours mean.
-        count: how often it drew; states whether something drew meanwhile.
+        count: how often it drew; shows whether something drew meanwhile.
     """
 
     drawn = Signal()  # what a loupe shows may be another thing

@@ -291,9 +291,8 @@ class Editor(QObject):
         )
 
     def _begin_on(self, seen: ToolContext) -> bool:
-        """Return whether a gesture may begin: the frame can be edited, no one else has it, and
-        no one
-        changed what is chosen since it was ``seen``; that is to be checked first."""
+        """Return whether a gesture may begin: the frame can be edited, no one else has it, and no
+        one changed what is chosen since it was ``seen``; that is to be checked first."""
         document = self._document
         if document.frame is None or not document.editable or not document.begin_edit():
             return False

@@ -60,9 +60,8 @@ def arranged(
     times: float = 1.0,
 ) -> tuple[Plate, ...]:
     """Return where texts go so that they do not cover each other; signs of findings stand where
-    they are,
-    and so does what is at the cursor, which nothing gives way to. What needs painting does not
-    matter: a part that is painted anew fits the rest.
+    they are, and so does what is at the cursor, which nothing gives way to. What needs painting
+    does not matter: a part that is painted anew fits the rest.
 
     Args:
         groups: texts and their points, picture px.
@@ -169,9 +168,8 @@ def _paint_hand(
 def place_label(
     point: QPointF, size: QSizeF, room: QRectF, unit: float, *, below: bool = False
 ) -> QRectF:
-    """Return where the text of a point goes: right above it (or below it), or to its left or on
-    the other
-    side where that is cut off. It comes into sight if any of the point's mark does.
+    """Return where the text of a point goes: right above it (or below it), or to its left or on the
+    other side where that is cut off. It comes into sight if any of the point's mark does.
 
     Args:
         point, size, room: of the point, the text, and what can be seen, in device px.

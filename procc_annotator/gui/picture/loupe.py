@@ -59,8 +59,7 @@ class Loupe(QWidget):
 
         Args:
             cursor: viewport, points; the loupe stands next to it, or is hidden when the viewport
-                has
-                no room for it there.
+                has no room for it there.
             picture_px: the middle of what is shown; pixel centres are whole numbers.
             pixels: (H, W, 4) BGRA; kept until the next call.
             layers: drawn over the pixels, first to last, without their labels, which would cover

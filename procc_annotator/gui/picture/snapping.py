@@ -53,9 +53,8 @@ class ScreenSnapper:
         return self._found.get((class_name, position, direction)) if self._is_ready() else None
 
     def _is_ready(self) -> bool:
-        """Return whether there is something to look in; what was found in another picture, or
-        with another
-        camera, is forgotten."""
+        """Return whether there is something to look in; what was found in another picture, or with
+        another camera, is forgotten."""
         document = self._document
         # No one waits for the whole picture who only looks: a press does (`Canvas`).
         picture, fit = document.state.picture, document.live_fit.result

@@ -55,7 +55,7 @@ class PlotRequest:
         titles: of the classes, by row of the field.
         blind: whether blind mode hides frames of the scope.
         field: the elements, metres.
-        hidden: frames of which blind mode lets nothing be reported.
+        hidden: frames that blind mode hides.
         order_file: the dataset's table of frames, if it has one.
     """
 

@@ -44,8 +44,7 @@ class BlindLock(QObject):
     @property
     def reason(self) -> str:
         """Return who locked the dataset and when, in words; empty when no one did. It may begin
-        with a
-        name, which is written as its owner writes it."""
+        with a name, which is written as its owner writes it."""
         return self._said(lock) if (lock := self.lock) is not None else ""
 
     @property

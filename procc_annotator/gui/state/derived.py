@@ -79,8 +79,8 @@ class Derived(QObject, Generic[T]):
         Args:
             inputs: what to give to ``compute``; None: there is nothing to work out; a text: neither
                 is there, and this is why.
-            compute: from any thread if it works next to; may raise `ProccError`.
-            where: where, and when that is reported.
+            compute: from any thread if it runs in the background; may raise `ProccError`.
+            where: where, and when that is signalled.
             wanted: whether a person wants it from the beginning.
             after: signals after which the inputs may be others.
             kept: how many answers are kept, for inputs that come back.

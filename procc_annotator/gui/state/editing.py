@@ -137,9 +137,8 @@ class Editing(QObject):
 
         Args:
             label: of the step in the history.
-            change: given the newest annotation; raises `UsageError` (which is reported) where
-                the edit
-                makes no sense any more.
+            change: given the newest annotation; raises `UsageError` (which is reported) where the
+                edit makes no sense any more.
             kind: how new points came to be.
         """
         if not self.begin_edit():
@@ -301,8 +300,7 @@ class Editing(QObject):
 
     def _would_take_away(self, workspace: Workspace) -> bool:
         """Return whether undo would take away what another person saved, and was not reported so
-        before: it
-        is their work, and who presses the key means a step of their own."""
+        before: it is their work, and who presses the key means a step of their own."""
         history = workspace.state(self._store.state.frame_index).history
         if history.undo_label != SAVED_ELSEWHERE or self._warned_of is history.current:
             return False

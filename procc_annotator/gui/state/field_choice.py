@@ -107,9 +107,8 @@ class FieldChoice(QObject):
         return shown
 
     def choose(self, source: str | Path) -> None:
-        """Show another field from now on, and let the dataset remember it; reported where it
-        cannot be
-        used.
+        """Show another field from now on, and let the dataset remember it; reported where it cannot
+        be used.
 
         Args:
             source: a shipped field's name, or a file.

@@ -99,8 +99,7 @@ class Ghosts(QObject):
     @property
     def painted(self) -> tuple[Ghost, ...]:
         """Return what to show: while new ghosts are worked out, those of before that are still
-        missing,
-        so that they do not flicker with every click."""
+        missing, so that they do not flicker with every click."""
         return self._painted
 
     def _to_paint(self) -> tuple[Ghost, ...]:
@@ -170,9 +169,8 @@ class Ghosts(QObject):
 
     @property
     def gains(self) -> Mapping[str, float]:
-        """Return what annotating the classes that are missing would bring, px; empty where none
-        of it is
-        worth a word, or no one wants to hear of it."""
+        """Return what annotating the classes that are missing would bring, px; empty where none of
+        it is worth a word, or no one wants to hear of it."""
         if not self.suggesting or self._latest is None:
             return {}
         off = self._hidden | self._there | _with_points(self._latest.annotation)

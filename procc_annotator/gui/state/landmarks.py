@@ -284,8 +284,7 @@ class Landmarks(QObject):
     @property
     def ellipses(self) -> tuple[ShownEllipse, ...]:
         """Return how surely the frame on screen shows the landmarks; the same object as long as
-        nothing
-        changed."""
+        nothing changed."""
         return self._ellipses.value or ()
 
     # --- triangulation ---

@@ -65,9 +65,9 @@ class Opening(QObject):
         return True
 
     def reopener(self) -> Callable[[], Workspace]:
-        """Return what opens the dataset as it is on disk, in a thread of its own: this dataset
-        with this
-        field, whatever is shown by then. It raises `ProccError` if that cannot be opened any more.
+        """Return what opens the dataset as it is on disk, in a thread of its own: this dataset with
+        this field, whatever is shown by then. It raises `ProccError` if that cannot be opened any
+        more.
 
         Raises:
             UsageError: nothing is open.

@@ -86,9 +86,8 @@ class Proposals(QObject):
 
     @property
     def here(self) -> Proposal | None:
-        """Return what was found in the frame on screen; None while it is looked for, and where
-        it is
-        not."""
+        """Return what was found in the frame on screen; None while it is looked for, and where it
+        is not."""
         if not (self._wanted and self.allowed):
             return None
         state = self._store.state

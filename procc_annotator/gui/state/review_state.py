@@ -187,8 +187,7 @@ class ReviewState(QObject):
 
     def verdict(self, frame: str, source: str, place: str) -> Verdict | None:
         """Return whose fault a frame's score is under the camera source at a place, if a person
-        said so;
-        what an older database says of its name holds unless something else was said."""
+        said so; what an older database says of its name holds unless something else was said."""
         if self.database is None:
             return None
         found = self.database.verdicts(frame)

@@ -30,13 +30,11 @@ class _Writing:
 class Saver(QObject):
     """Writes frames of a workspace and remembers which could not be written.
 
-    The disk is waited for behind the interface's thread, by one write at a time. Anyone who
-    leaves a
-    frame, looks at its file or gives it to others settles what is under way first.
+    The disk is waited for behind the interface's thread, by one write at a time. Anyone who leaves
+    a frame, looks at its file or gives it to others settles what is under way first.
 
     A frame that failed stays dirty and is tried again every few seconds; its reason is reported
-    once,
-    until it changes. A frame whose file another person changed waits for a decision instead.
+    once, until it changes. A frame whose file another person changed waits for a decision instead.
     """
 
     changed = Signal()  # which frames are not on disk
@@ -78,9 +76,8 @@ class Saver(QObject):
 
     @property
     def under_way(self) -> bool:
-        """Return whether something is being written, or about to be: until it is kept nothing
-        says that it
-        is saved."""
+        """Return whether something is being written, or about to be: until it is kept nothing says
+        that it is saved."""
         return self._writing is not None or bool(self._again)
 
     def save_soon(self, index: int) -> None:

@@ -95,8 +95,7 @@ def that_survives(
     selection: ChosenElement, before: FrameAnnotation, after: FrameAnnotation, *, stepped: bool
 ) -> ChosenElement:
     """Return what stays chosen when an annotation becomes another one; an element whose points
-    changed is
-    not continued by clicks.
+    changed is not continued by clicks.
 
     Args:
         selection: of before.

@@ -57,11 +57,9 @@ class _Watch:
 class Store(QObject):
     """Holds the state. It is replaced as a whole, by commands, and reported step by step.
 
-    A change that is made while another one is reported is there at once, but reported after that
-        one: every
-    listener sees every step, and all see them in the same order. A listener is notified once of
-    all
-    steps that follow from one another; of what the user drags, after that was painted.
+    A change that is made while another one is signalled is there at once, but signalled after that
+    one: every listener sees every step, and all see them in the same order. A listener is notified
+    once of all steps that follow from one another; of what the user drags, after that was painted.
     """
 
     changed = Signal(object, object)  # the state before, the state after
@@ -89,10 +87,8 @@ class Store(QObject):
 
     @contextmanager
     def together(self) -> Iterator[None]:
-        """Return what is changed within is there at once, and reported as one step at its end,
-        but for
-        lines
-        that are said: each is a step of its own to those who listen to `changed`."""
+        """Return what is changed within is there at once, and reported as one step at its end, but
+        for lines that are said: each is a step of its own to those who listen to `changed`."""
         if self.busy:
             yield
             return

@@ -16,8 +16,7 @@ class KeptVerdicts:
 
     def shown_verdict(self, name: str) -> FaultParty | None:
         """Return whose fault a frame's score is under the active source; None while blind mode
-        hides
-        what is known of the camera there."""
+        hides what is known of the camera there."""
         source = self._store.state.active
         if source is None or not self._store.state.reveals(name):
             return None
@@ -26,8 +25,7 @@ class KeptVerdicts:
 
     def verdict(self, name: str, source: CameraSource) -> Verdict | None:
         """Return whose fault a frame's score is under a source, also where blind mode hides it;
-        None for
-        fits."""
+        None for fits."""
         if source.files is None:
             return None
         return self._review.verdict(name, source.name, self.place(source))

@@ -30,7 +30,7 @@ class Coach(QObject):
     Attributes:
         steps: what is to be done, in words.
         done: which of them were.
-        card: what gives them; it lets the mouse through.
+        card: what shows them; it lets the mouse through.
         close_button: dismisses it for good.
     """
 

@@ -77,9 +77,8 @@ def unfolded(elements: tuple[Element, ...], ground: Bounds) -> list[Unfold]:
 def unfolded_spots(
     places: FloatArray, elements: tuple[Element, ...], ways: Sequence[Unfold], ground: Bounds
 ) -> list[Unfold]:
-    """Return how to lay single places flat that are none of the field's own: next to the thing
-    in the air
-    that they belong to, else where they are.
+    """Return how to lay single places flat that are none of the field's own: next to the thing in
+    the air that they belong to, else where they are.
 
     Args:
         places: (n, 3) metres.

@@ -259,8 +259,7 @@ class FramesModel(QAbstractListModel):
 
     def info(self, row: int) -> RowInfo | None:
         """Return what a row shows now; what is missing is fetched, and the row reported to be
-        another
-        one."""
+        another one."""
         workspace = self._document.workspace
         if workspace is None:
             return None

@@ -28,7 +28,7 @@ class FitRow(NamedTuple):
     """One element.
 
     Attributes:
-        point: position of the worst point in the polyline; None where that cannot be reported.
+        point: position of the worst point in the polyline; None if unknown.
         left_out: whether the fit took it for a mistake.
     """
 
@@ -101,8 +101,7 @@ class FitTableModel(ElementRowsModel[FitRow]):
 
 def pose_figures(fit: FitResult) -> list[tuple[str, str, str]]:
     """Return what the camera is and how surely, line by line: name, value, standard deviation;
-    empty for
-    a homography, which has no pose."""
+    empty for a homography, which has no pose."""
     camera, sd = fit.camera, fit.deviations
     if not isinstance(camera, PosedCamera) or sd is None:
         return []
