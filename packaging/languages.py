@@ -38,9 +38,9 @@ _NOT_OF_WINDOW = tuple(
     PACKAGE / name
     for name in (
         "gui/selftest.py",
-        "gui/picture/comparison_panel.py",
-        "gui/picture/comparison_picture.py",
-        "gui/picture/overlay_picture.py",
+        "gui/canvas/comparison_panel.py",
+        "gui/canvas/comparison_picture.py",
+        "gui/canvas/overlay_picture.py",
         "interaction/legend.py",
     )
 )

@@ -51,7 +51,7 @@ def overlay_painter(suffix: str, look: OverlayLook | None = None) -> Paint:
         UsageError: another suffix.
     """
     if _can_paint("pictures are drawn plainer, without a legend"):
-        from procc_annotator.gui.picture.overlay_picture import OverlayPictures
+        from procc_annotator.gui.canvas.overlay_picture import OverlayPictures
 
         return OverlayPictures(suffix, look)
     check_overlay_suffix(suffix)
@@ -62,7 +62,7 @@ def pair_painter(suffix: str = ".png") -> PaintPair | None:
     """Paints where two cameras disagree; None, said on stderr, without Qt."""
     if not _can_paint("pictures of disagreement are left out"):
         return None
-    from procc_annotator.gui.picture.comparison_picture import ComparisonPictures
+    from procc_annotator.gui.canvas.comparison_picture import ComparisonPictures
 
     return ComparisonPictures(suffix)
 

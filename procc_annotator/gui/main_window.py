@@ -8,6 +8,32 @@ from PySide6.QtCore import QEvent, QPoint, Qt
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QShowEvent
 from PySide6.QtWidgets import QMainWindow, QStackedWidget, QVBoxLayout, QWidget
 
+from procc_annotator.gui.canvas.canvas import Canvas
+from procc_annotator.gui.commands.elements.assistant import Assistant
+from procc_annotator.gui.commands.elements.element_edits import ElementEdits
+from procc_annotator.gui.commands.elements.ghosts import GhostTasks
+from procc_annotator.gui.commands.elements.naming import Naming
+from procc_annotator.gui.commands.field.field_choosing import FieldBar, FieldChoosing
+from procc_annotator.gui.commands.field.field_dimensions import FieldDimensionsTask
+from procc_annotator.gui.commands.field.view_grouping import ViewGrouping
+from procc_annotator.gui.commands.files.exporting import Exporter
+from procc_annotator.gui.commands.files.exporting_as import ExportAs
+from procc_annotator.gui.commands.files.fit_saving import FitSaving
+from procc_annotator.gui.commands.files.import_offer import ImportBar, ImportOffer
+from procc_annotator.gui.commands.files.importing import AnnotationImporter
+from procc_annotator.gui.commands.files.opening import OpeningTask, sample_folder
+from procc_annotator.gui.commands.files.overlay_saving import OverlaySaving
+from procc_annotator.gui.commands.files.overview_command import OverviewCommand
+from procc_annotator.gui.commands.files.source_memory import SourceMemory
+from procc_annotator.gui.commands.review.blind_locking import BlindLocking
+from procc_annotator.gui.commands.review.label_check import LabelCheckCommands
+from procc_annotator.gui.commands.review.tour import Tour
+from procc_annotator.gui.commands.review.triage import Triage
+from procc_annotator.gui.commands.review.versions_command import Versions
+from procc_annotator.gui.commands.review.worst_first import WorstFirst
+from procc_annotator.gui.commands.shot.accepting import StretchAccepting
+from procc_annotator.gui.commands.shot.following import ShotFollowing
+from procc_annotator.gui.commands.shot.walking import ShotWalk
 from procc_annotator.gui.digit_row import DigitRow
 from procc_annotator.gui.element_keys import ElementShortcuts
 from procc_annotator.gui.messages import (
@@ -26,39 +52,13 @@ from procc_annotator.gui.panels.frames.panel import FramesPanel
 from procc_annotator.gui.panels.judged.fit import FitPanel
 from procc_annotator.gui.panels.judged.scores import ScoresPanel
 from procc_annotator.gui.panels.landmarks import LandmarksPanel
+from procc_annotator.gui.panels.plots.panel import PlotsPanel
 from procc_annotator.gui.panels.review import ReviewPanel
-from procc_annotator.gui.picture.canvas import Canvas
-from procc_annotator.gui.plots.panel import PlotsPanel
+from procc_annotator.gui.panels.timeline.filmstrip import Filmstrip
+from procc_annotator.gui.panels.timeline.place import StripPlace
+from procc_annotator.gui.panels.timeline.shot_strip import ShotStrip
 from procc_annotator.gui.settings import RECENT, SECOND, Settings
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.strip.filmstrip import Filmstrip
-from procc_annotator.gui.strip.place import StripPlace
-from procc_annotator.gui.strip.shot_strip import ShotStrip
-from procc_annotator.gui.tasks.elements.assistant import Assistant
-from procc_annotator.gui.tasks.elements.element_edits import ElementEdits
-from procc_annotator.gui.tasks.elements.ghosts import GhostTasks
-from procc_annotator.gui.tasks.elements.naming import Naming
-from procc_annotator.gui.tasks.field.field_choosing import FieldBar, FieldChoosing
-from procc_annotator.gui.tasks.field.field_dimensions import FieldDimensionsTask
-from procc_annotator.gui.tasks.field.view_grouping import ViewGrouping
-from procc_annotator.gui.tasks.files.exporting import Exporter
-from procc_annotator.gui.tasks.files.exporting_as import ExportAs
-from procc_annotator.gui.tasks.files.fit_saving import FitSaving
-from procc_annotator.gui.tasks.files.import_offer import ImportBar, ImportOffer
-from procc_annotator.gui.tasks.files.importing import AnnotationImporter
-from procc_annotator.gui.tasks.files.opening import OpeningTask, sample_folder
-from procc_annotator.gui.tasks.files.overlay_saving import OverlaySaving
-from procc_annotator.gui.tasks.files.overview_command import OverviewCommand
-from procc_annotator.gui.tasks.files.source_memory import SourceMemory
-from procc_annotator.gui.tasks.review.blind_locking import BlindLocking
-from procc_annotator.gui.tasks.review.label_check import LabelCheckCommands
-from procc_annotator.gui.tasks.review.tour import Tour
-from procc_annotator.gui.tasks.review.triage import Triage
-from procc_annotator.gui.tasks.review.versions_command import Versions
-from procc_annotator.gui.tasks.review.worst_first import WorstFirst
-from procc_annotator.gui.tasks.shot.accepting import StretchAccepting
-from procc_annotator.gui.tasks.shot.following import ShotFollowing
-from procc_annotator.gui.tasks.shot.walking import ShotWalk
 from procc_annotator.gui.window.coach import Coach
 from procc_annotator.gui.window.command_palette import CommandPalette
 from procc_annotator.gui.window.commands import Commands

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.gui.state.notices import Notice, Told
+from procc_annotator.gui.state.messages import Notice, Told
 from procc_annotator.gui.theme import alarm_colours
 from procc_annotator.translation import tr, tr_count, word
 

@@ -26,8 +26,8 @@ from procc_annotator.field.model import Field
 from procc_annotator.formats.annotations.soccernet import read_annotation
 from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.gui.app import application, build_window, start_lean
+from procc_annotator.gui.commands.files.opening import sample_folder
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.tasks.files.opening import sample_folder
 
 _WAIT_MS = 30_000
 # The clicks, in widths and heights of the picture; and how far a whole screen pixel may put them.

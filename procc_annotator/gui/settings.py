@@ -15,7 +15,7 @@ from procc_annotator.errors import UsageError
 from procc_annotator.gui.actions import ACTIONS
 from procc_annotator.gui.keymap import USUAL, Keymap, from_values, to_values
 from procc_annotator.gui.languages import LANGUAGES, SYSTEM
-from procc_annotator.gui.state.live_fit import DEFAULT_MODEL, MODELS
+from procc_annotator.gui.state.prediction.live_fit import DEFAULT_MODEL, MODELS
 from procc_annotator.gui.state.state import DEFAULT_TAU, MAX_TAU, MIN_TAU
 from procc_annotator.translation import word
 

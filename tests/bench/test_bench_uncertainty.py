@@ -11,7 +11,7 @@ import pytest
 from procc_annotator.calibration.fitting import fit_camera
 from procc_annotator.field.load import load_field
 from procc_annotator.formats.annotations.soccernet import read_annotation
-from procc_annotator.gui.state.uncertainty import know_ground
+from procc_annotator.gui.state.maps import know_ground
 
 FIELD = load_field("soccer")
 LIMIT_S = 0.040

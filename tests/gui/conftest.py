@@ -29,13 +29,15 @@ from procc_annotator.calibration.single_image.proposal import Proposal
 from procc_annotator.field.model import Field
 from procc_annotator.gui import worker
 from procc_annotator.gui.app import build_window, collect_now_and_then, start_lean
+from procc_annotator.gui.commands.field import field_dimensions, view_grouping
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.frames import folder_figures, panel, thumbnails
 from procc_annotator.gui.panels.refresher import Refresher
 from procc_annotator.gui.settings import Settings
-from procc_annotator.gui.state import check_queue, live_fit, paint_watch, proposals, review_state
-from procc_annotator.gui.state.paint_watch import Evidence
-from procc_annotator.gui.tasks.field import field_dimensions, view_grouping
+from procc_annotator.gui.state import review_state
+from procc_annotator.gui.state.checking import check_queue, line_pixels
+from procc_annotator.gui.state.checking.line_pixels import Evidence
+from procc_annotator.gui.state.prediction import live_fit, proposals
 from procc_annotator.gui.theme import PlainTextStyle
 from tests.gui.known_already import hand_out
 from tests.gui.one_window import OneWindow
@@ -101,7 +103,7 @@ _WAITS_FOR_A_HAND = (
     (field_dimensions, "_SETTLED_MS"),
     (folder_figures, "_SOON_MS"),
     (live_fit, "_STAYED_MS"),
-    (paint_watch, "_STAYED_MS"),
+    (line_pixels, "_STAYED_MS"),
     (panel, "_TYPED_MS"),
     (proposals, "_STAYED_MS"),
     (review_state, "_COLLECT_MS"),
@@ -169,7 +171,7 @@ def nothing_proposed(monkeypatch: pytest.MonkeyPatch) -> None:
         fit = FitResult("R", (picture.shape[1], picture.shape[0]), None, why)
         return Proposal("none", why, fit, 0.0, 0.0, None, 0.0, None)
 
-    monkeypatch.setattr("procc_annotator.gui.state.proposals.propose_camera", none)
+    monkeypatch.setattr("procc_annotator.gui.state.prediction.proposals.propose_camera", none)
 
 
 @pytest.fixture(autouse=True)
@@ -196,7 +198,7 @@ def paint_looked_for_once(monkeypatch: pytest.MonkeyPatch) -> None:
         seen.update(found)
         return found
 
-    monkeypatch.setattr("procc_annotator.gui.state.paint_watch.line_evidence", evidence)
+    monkeypatch.setattr("procc_annotator.gui.state.checking.line_pixels.line_evidence", evidence)
 
 
 _SEEN: dict[tuple[int, tuple[int, ...], int], tuple[Field, dict[Polyline, LineEvidence]]] = {}

@@ -26,9 +26,10 @@ from procc_annotator.calibration.tracking.track import Track, TrackedFrame
 from procc_annotator.camera.base import Camera
 from procc_annotator.dataset.review import FrameCheck
 from procc_annotator.field.model import Field
+from procc_annotator.gui.commands.shot import following
 from procc_annotator.gui.panels.frames import thumbnails
-from procc_annotator.gui.state import label_check, live_fit
-from procc_annotator.gui.tasks.shot import following
+from procc_annotator.gui.state.checking import label_check
+from procc_annotator.gui.state.prediction import live_fit
 from procc_annotator.image import decoding
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.translation import is_english

@@ -29,9 +29,9 @@ from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.dataset.records import OriginKind
 from procc_annotator.dataset.sequence import open_video
 from procc_annotator.field.model import Field
+from procc_annotator.gui.commands.shot import following
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.state import proposals
-from procc_annotator.gui.tasks.shot import following
+from procc_annotator.gui.state.prediction import proposals
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.interaction import palette as tones
 from procc_annotator.interaction.camera_view import wireframe_of
@@ -603,6 +603,6 @@ class TestInAShot:
 
 
 def words(window: MainWindow) -> str:
-    from procc_annotator.gui.strip.words import strip_words
+    from procc_annotator.gui.panels.timeline.words import strip_words
 
     return strip_words(window.document, window.strip.content, window.strip.number)

@@ -25,7 +25,7 @@ from procc_annotator.camera.backprojection import ground_from_px
 from procc_annotator.camera.base import ElementProjections
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state.camera_sources import CameraSource
-from procc_annotator.gui.state.source_frames import SourceFrame
+from procc_annotator.gui.state.scoring.frame_cameras import SourceFrame
 from procc_annotator.metrics.error_maps import disagreement
 from tests.gui.conftest import Hand, all_done, settle
 
@@ -168,7 +168,7 @@ class TestBlink:
         all_done(qtbot)  # the legend names what is drawn when nothing else is due
         at_first = pixels(audited)
         clock = [100.0]
-        monkeypatch.setattr("procc_annotator.gui.picture.comparison.monotonic", lambda: clock[0])
+        monkeypatch.setattr("procc_annotator.gui.canvas.comparison.monotonic", lambda: clock[0])
         self.press(audited)
         during = pixels(audited)
         assert "bad" in canvas.comparison.front.name
@@ -232,7 +232,7 @@ class TestKeysHeldElsewhere:
         document.compare_with(named(audited, "bad"))
         focused = self.focus(audited, qtbot, where)
         clock = [100.0]
-        monkeypatch.setattr("procc_annotator.gui.picture.comparison.monotonic", lambda: clock[0])
+        monkeypatch.setattr("procc_annotator.gui.canvas.comparison.monotonic", lambda: clock[0])
         QTest.keyPress(focused, Qt.Key.Key_Comma)
         assert canvas.comparison.front is named(audited, "bad")
         canvas.setFocus()  # as when the mouse comes over the picture
@@ -288,7 +288,7 @@ class TestSplit:
     @pytest.fixture(autouse=True)
     def split(self, audited: MainWindow, monkeypatch: pytest.MonkeyPatch) -> None:
         # Texts give way to each other within what can be seen of their side.
-        nothing = "procc_annotator.gui.picture.items.paint_plates"
+        nothing = "procc_annotator.gui.canvas.items.paint_plates"
         monkeypatch.setattr(nothing, lambda *_, **__: None)
         audited.document.compare_with(named(audited, "bad"))
         for source in audited.document.sources:
@@ -590,7 +590,7 @@ class TestDisagreement:
                 painted.append(str(given[-1]))
                 super().drawText(*given)
 
-        monkeypatch.setattr("procc_annotator.gui.picture.metre_map_legend.QPainter", Painter)
+        monkeypatch.setattr("procc_annotator.gui.canvas.metre_map_legend.QPainter", Painter)
         for source in audited.document.sources:
             audited.document.rename_source(source, f"cameras of {source.name} with a long name")
         legend = audited.canvas.maps.legend

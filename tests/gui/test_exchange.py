@@ -20,8 +20,8 @@ from procc_annotator.dataset.database.database import WorkspaceDatabase
 from procc_annotator.dataset.locks import FrameLocks, locks_folder
 from procc_annotator.dataset.records import Origin, PointKey
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.state import many_edits
-from procc_annotator.gui.state.set_edits import merged
+from procc_annotator.gui.state.editing import batch_edits
+from procc_annotator.gui.state.editing.batch_edits import merged
 from tests.gui.conftest import all_done, until_kept
 
 if TYPE_CHECKING:
@@ -261,7 +261,7 @@ def test_closing_the_window_ends_an_import_with_everything_saved(
     foreign: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(many_edits, "_TOGETHER", 1)
+    monkeypatch.setattr(batch_edits, "_TOGETHER", 1)
     window = make_window(annotated)
     window.document.go_to(2)
     window.importer.ask()

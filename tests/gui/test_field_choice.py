@@ -221,7 +221,7 @@ def test_no_work_outlives_a_window_that_is_closed(
         may_go_on.wait(10)
         ended.set()
 
-    monkeypatch.setattr("procc_annotator.gui.state.field_choice.mismatch_among", slow)
+    monkeypatch.setattr("procc_annotator.gui.state.navigation.field_choice.mismatch_among", slow)
     window = make_window(dataset)
     assert began.wait(10)
     threading.Timer(0.05, may_go_on.set).start()

@@ -22,10 +22,10 @@ from procc_annotator.assist.ghost_points import GhostPoints, find_points
 from procc_annotator.dataset.database.database import WorkspaceDatabase
 from procc_annotator.dataset.editing import append_points, delete_point
 from procc_annotator.dataset.records import OriginKind
+from procc_annotator.gui.commands.elements import ghost_accepting
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.state import ghosts as ghosts_module
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.tasks.elements import ghost_accepting
+from procc_annotator.gui.state.prediction import ghosts as ghosts_module
 from procc_annotator.gui.window.context_menu import canvas_menu
 from procc_annotator.interaction.class_choice import next_element
 from procc_annotator.interaction.overlay_predictions import ghost_extent

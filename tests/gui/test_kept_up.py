@@ -17,9 +17,9 @@ from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.dataset.locks import FrameLocks, locks_folder
 from procc_annotator.dataset.records import Status
 from procc_annotator.field.load import load_field
+from procc_annotator.gui.commands.review.versions_command import apply_version
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.settings import AUTHOR
-from procc_annotator.gui.tasks.review.versions_command import apply_version
 from tests.gui.conftest import settle, until_kept
 
 if TYPE_CHECKING:

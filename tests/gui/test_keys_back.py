@@ -20,8 +20,8 @@ from PySide6.QtWidgets import (
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.app import build_window
+from procc_annotator.gui.canvas.held_keys import typed_into
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.picture.held_keys import typed_into
 from tests.gui.conftest import Hand
 
 LEFT = Qt.MouseButton.LeftButton

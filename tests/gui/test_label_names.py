@@ -11,8 +11,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox
 from pytestqt.qtbot import QtBot
 
+from procc_annotator.gui.commands.files.label_dialog import LabelDialog
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.tasks.files.label_dialog import LabelDialog
 from tests.gui.conftest import until_kept
 
 pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)

@@ -12,8 +12,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
+from procc_annotator.gui.canvas.label_plates import Plate, arranged
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.picture.label_plates import Plate, arranged
 from procc_annotator.interaction.overlay_primitives import Labels
 from tests.gui.conftest import settle
 

@@ -26,9 +26,9 @@ from procc_annotator.calibration.result import ill_conditioned_reason
 from procc_annotator.dataset.editing import delete_point
 from procc_annotator.formats.cameras.soccernet import read_camera
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.plots.sources import PlotSources
+from procc_annotator.gui.panels.plots.sources import PlotSources
 from procc_annotator.gui.settings import SOURCES, Settings
-from procc_annotator.gui.state import live_fit
+from procc_annotator.gui.state.prediction import live_fit
 from tests.gui.conftest import Hand, MakeWindow, all_done, let_work_end, settle
 
 # The offscreen platform has no window manager to pass these on to.

@@ -9,7 +9,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel
 from pytestqt.qtbot import QtBot
 
-from procc_annotator.gui.picture.looks import LookControls
+from procc_annotator.gui.canvas.looks import LookControls
 from procc_annotator.gui.theme import palette
 from procc_annotator.image.pixels import DisplayAdjustment
 

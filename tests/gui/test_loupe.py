@@ -9,8 +9,8 @@ from PySide6.QtGui import QColor, QImage, QMouseEvent
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
-from procc_annotator.gui.picture.loupe import Loupe, magnify, place_beside, position_text
-from procc_annotator.gui.picture.view import PictureView
+from procc_annotator.gui.canvas.loupe import Loupe, magnify, place_beside, position_text
+from procc_annotator.gui.canvas.view import PictureView
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.interaction.overlay_primitives import Labels, Overlay, PointMarks, Strokes
 

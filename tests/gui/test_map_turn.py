@@ -15,7 +15,7 @@ from procc_annotator.camera.models import HomographyCamera, PinholeCamera
 from procc_annotator.field.load import load_field
 from procc_annotator.formats.cameras.soccernet import write_camera
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.state.map_sight import MapSight
+from procc_annotator.gui.state.maps import MapSight
 from procc_annotator.interaction.camera_view import visible_field
 from tests.gui.conftest import MakeWindow
 

@@ -87,7 +87,7 @@ def test_the_sample_is_tried_on_a_copy(
 ) -> None:
     monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
     monkeypatch.setattr(
-        "procc_annotator.gui.tasks.files.opening.sample_folder", lambda: sample_copy
+        "procc_annotator.gui.commands.files.opening.sample_folder", lambda: sample_copy
     )
     files = {path: path.stat().st_mtime_ns for path in sample_copy.rglob("*")}
     window.actions_["open_sample"].trigger()

@@ -12,8 +12,8 @@ from PySide6.QtWidgets import QDialogButtonBox, QFileDialog
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.errors import UsageError
-from procc_annotator.gui.picture.overlay_picture import OverlayPictures
-from procc_annotator.gui.tasks.files.overlay_saving import OverlayDialog
+from procc_annotator.gui.canvas.overlay_picture import OverlayPictures
+from procc_annotator.gui.commands.files.overlay_saving import OverlayDialog
 from procc_annotator.report.overlay_scene import OverlayLook, Scene
 
 SVG = "{http://www.w3.org/2000/svg}"

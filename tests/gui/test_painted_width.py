@@ -11,7 +11,7 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.errors import CameraError
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.state import painted_width
+from procc_annotator.gui.state import maps
 from tests.gui.conftest import let_work_end
 
 pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
@@ -91,7 +91,7 @@ def test_what_failed_is_tried_again(
         raise CameraError("x", "is no camera")
 
     with monkeypatch.context() as patched:
-        patched.setattr(painted_width, "project_markings", fail)
+        patched.setattr(maps, "project_markings", fail)
         judged.actions_["painted_width"].trigger()
         let_work_end(qtbot)
         document.scoreChanged.emit()

@@ -20,13 +20,13 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.formats.cameras.fit_record import FitCounts
 from procc_annotator.gui import theme
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.plots.curves import DifferencePage, TauPage, TimelinePage
-from procc_annotator.gui.plots.errors import HistogramPage, RadiusPage
-from procc_annotator.gui.plots.looks import dash_of, symbol_of
-from procc_annotator.gui.plots.poses import AnglesPage, PosesPage, PositionPage
-from procc_annotator.gui.plots.request import PlotRequest, PlottedSource
-from procc_annotator.gui.plots.residuals import DirectionsPage, VectorsPage
-from procc_annotator.gui.plots.steady import SteadyPage
+from procc_annotator.gui.panels.plots.curves import DifferencePage, TauPage, TimelinePage
+from procc_annotator.gui.panels.plots.errors import HistogramPage, RadiusPage
+from procc_annotator.gui.panels.plots.looks import dash_of, symbol_of
+from procc_annotator.gui.panels.plots.poses import AnglesPage, PosesPage, PositionPage
+from procc_annotator.gui.panels.plots.request import PlotRequest, PlottedSource
+from procc_annotator.gui.panels.plots.residuals import DirectionsPage, VectorsPage
+from procc_annotator.gui.panels.plots.steady import SteadyPage
 from procc_annotator.gui.theme import contrast, readable
 from procc_annotator.interaction.palette import SOURCE_COLOURS
 from tests.cli.conftest import camera_file

@@ -20,7 +20,7 @@ from procc_annotator.dataset.records import OriginKind
 from procc_annotator.errors import ImageError
 from procc_annotator.field.model import Field
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.state import proposals
+from procc_annotator.gui.state.prediction import proposals
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.interaction import palette as tones
 from tests.gui.conftest import Hand, all_done, until_kept

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QFileDialog
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.state.notices import UNSAVED
+from procc_annotator.gui.state.messages import UNSAVED
 from procc_annotator.gui.state.saying import notify, withdraw
 from tests.gui.conftest import Hand, MakeWindow, until_kept
 

@@ -14,9 +14,9 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.dataset.database.database import WorkspaceDatabase
 from procc_annotator.dataset.records import OriginKind, Status
+from procc_annotator.gui.commands.files.overview_command import gather_rows
+from procc_annotator.gui.commands.review.versions_command import apply_version
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.tasks.files.overview_command import gather_rows
-from procc_annotator.gui.tasks.review.versions_command import apply_version
 from tests.gui.conftest import all_done, until_kept
 
 if TYPE_CHECKING:

@@ -17,9 +17,9 @@ from PySide6.QtWidgets import (
 )
 from pytestqt.qtbot import QtBot
 
+from procc_annotator.gui.canvas.split_view import DividerGrip
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.judged.scores import ScoresPanel
-from procc_annotator.gui.picture.split_view import DividerGrip
 from procc_annotator.gui.window.docks import DESKS
 
 # The offscreen platform has no window manager to pass these on to.

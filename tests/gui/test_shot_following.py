@@ -24,9 +24,9 @@ from procc_annotator.dataset.records import OriginKind, Status
 from procc_annotator.dataset.sequence import open_video
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
+from procc_annotator.gui.commands.shot import accepting, following
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.state import proposals
-from procc_annotator.gui.tasks.shot import accepting, following
+from procc_annotator.gui.state.prediction import proposals
 from procc_annotator.image.pixels import PixelArray
 from tests.drawn_shots import DrawnShot, Look, soccer_shot, write_video
 from tests.gui.conftest import Hand, all_done, until_kept

@@ -13,8 +13,8 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.calibration.result import external_camera_fit
 from procc_annotator.calibration.tracking.track import Track, TrackedFrame
+from procc_annotator.gui.commands.shot import accepting, following
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.tasks.shot import accepting, following
 from tests.drawn_shots import soccer_shot
 from tests.gui.conftest import SIZE, Hand, MakeWindow, all_done, until_kept
 

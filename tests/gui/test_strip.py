@@ -23,10 +23,10 @@ from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.dataset.frames import list_frames
 from procc_annotator.dataset.sequence import FEWEST, sequence_of
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.strip import content
-from procc_annotator.gui.strip.axis import Axis
-from procc_annotator.gui.strip.band import Band, band_pixels
-from procc_annotator.gui.strip.painting import strip_rows
+from procc_annotator.gui.panels.timeline import content
+from procc_annotator.gui.panels.timeline.axis import Axis
+from procc_annotator.gui.panels.timeline.band import Band, band_pixels
+from procc_annotator.gui.panels.timeline.painting import strip_rows
 from tests.gui.conftest import all_done
 
 if TYPE_CHECKING:
@@ -409,7 +409,7 @@ class TestWhatItTells:
 
 
 def strip_words(window: MainWindow) -> str:
-    from procc_annotator.gui.strip.words import strip_words
+    from procc_annotator.gui.panels.timeline.words import strip_words
 
     return strip_words(window.document, window.strip.content, window.strip.number)
 

@@ -13,8 +13,8 @@ from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.dataset.landmarks.view_groups import load_views
+from procc_annotator.gui.commands.field.view_dialog import ViewDialog
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.tasks.field.view_dialog import ViewDialog
 from tests.gui.conftest import MakeWindow
 
 NAMES = ("17_left", "17_right", "18_left", "18_right", "poster")
@@ -113,7 +113,7 @@ def test_another_file_is_not_written_over_unasked(
 ) -> None:
     answers = [False, True]
     monkeypatch.setattr(
-        "procc_annotator.gui.tasks.field.view_grouping.ask_to_replace", lambda *_: answers.pop(0)
+        "procc_annotator.gui.commands.field.view_grouping.ask_to_replace", lambda *_: answers.pop(0)
     )
     path = folder / "views.csv"
     path.write_text("frame,instant\n17_left,1\n18_left,1\n")

@@ -17,7 +17,8 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.field.load import load_field
 from procc_annotator.gui import worker
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.state import label_check, set_scores
+from procc_annotator.gui.state.checking import label_check
+from procc_annotator.gui.state.scoring import dataset_scores
 from procc_annotator.gui.worker import run_in_background
 from procc_annotator.report import conversion
 from tests.gui.conftest import Hand, MakeWindow, let_work_end
@@ -143,9 +144,9 @@ def test_what_is_exported_while_the_set_is_scored_is_said_to_be_unfinished(
     let_work_end(qtbot)
     told = messages(window)
     with busy(worker._PATIENT_THREADS - 1):
-        slow = Stop(set_scores._audit, 3)
+        slow = Stop(dataset_scores._audit, 3)
         with pytest.MonkeyPatch.context() as patch:
-            patch.setattr(set_scores, "_audit", slow)
+            patch.setattr(dataset_scores, "_audit", slow)
             assert window.document.load_cameras(annotated / "cameras" / "true")
             assert slow.reached.wait(10)
         window.overview.write(tmp_path / "overview.csv")

@@ -12,45 +12,48 @@ from procc_annotator.camera.base import CameraOrProjections
 from procc_annotator.dataset.records import default_author
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
-from procc_annotator.gui.state.annotated_frames import AnnotatedIndices
-from procc_annotator.gui.state.auditing import Auditing
 from procc_annotator.gui.state.blind_lock import BlindLock
-from procc_annotator.gui.state.corrections import Corrections
-from procc_annotator.gui.state.disagreement import DisagreementWatch
-from procc_annotator.gui.state.editing import Editing
-from procc_annotator.gui.state.field_choice import FieldChoice
-from procc_annotator.gui.state.fit_source import FitSource
-from procc_annotator.gui.state.foresight import Foresight
-from procc_annotator.gui.state.frame_walk import FrameWalk
-from procc_annotator.gui.state.ghosts import Ghosts
-from procc_annotator.gui.state.judge import Judge
-from procc_annotator.gui.state.label_check import LabelCheck
+from procc_annotator.gui.state.checking.label_check import LabelCheck
+from procc_annotator.gui.state.checking.line_pixels import PaintWatch
+from procc_annotator.gui.state.editing.editor import Editing
+from procc_annotator.gui.state.editing.outside_changes import OutsideChanges
+from procc_annotator.gui.state.editing.presence import Presence
+from procc_annotator.gui.state.editing.saving import Saver
 from procc_annotator.gui.state.landmarks import Landmarks
-from procc_annotator.gui.state.live_fit import LiveFit
-from procc_annotator.gui.state.map_sight import MapSight
-from procc_annotator.gui.state.notices import UNSAVED, Level
-from procc_annotator.gui.state.opening import Opening
-from procc_annotator.gui.state.outside_changes import OutsideChanges
-from procc_annotator.gui.state.paint_watch import PaintWatch
-from procc_annotator.gui.state.painted_width import PaintedWidth
-from procc_annotator.gui.state.presence import Presence
-from procc_annotator.gui.state.proposals import Proposals
+from procc_annotator.gui.state.maps import (
+    DisagreementWatch,
+    MapSight,
+    PaintedWidth,
+    UncertaintyWatch,
+)
+from procc_annotator.gui.state.messages import UNSAVED, Level
+from procc_annotator.gui.state.navigation.field_choice import FieldChoice
+from procc_annotator.gui.state.navigation.navigator import FrameWalk
+from procc_annotator.gui.state.navigation.opening import Opening
+from procc_annotator.gui.state.prediction.camera_choice import Foresight
+from procc_annotator.gui.state.prediction.fit_source import FitSource
+from procc_annotator.gui.state.prediction.ghosts import Ghosts
+from procc_annotator.gui.state.prediction.live_fit import LiveFit
+from procc_annotator.gui.state.prediction.proposals import Corrections, Proposals
+from procc_annotator.gui.state.prediction.shot_track import ShotTrack
 from procc_annotator.gui.state.review_state import ReviewState
-from procc_annotator.gui.state.saving import Saver
 from procc_annotator.gui.state.saying import notify, say, withdraw
+from procc_annotator.gui.state.scoring.camera_sources import KeptVerdicts, Sources
+from procc_annotator.gui.state.scoring.dataset_scores import (
+    Auditing,
+    FrameScores,
+    SetScores,
+    scores_of,
+)
+from procc_annotator.gui.state.scoring.evaluation_settings import Terms
+from procc_annotator.gui.state.scoring.frame_cameras import SourceFrames
+from procc_annotator.gui.state.scoring.frame_score import Judge
 from procc_annotator.gui.state.second import SecondAnnotator
 from procc_annotator.gui.state.selection import Selecting
-from procc_annotator.gui.state.sequence_watch import SequenceWatch
-from procc_annotator.gui.state.set_scores import FrameScores, SetScores, scores_of
-from procc_annotator.gui.state.shot_track import ShotTrack
+from procc_annotator.gui.state.sequences import AnnotatedIndices, SequenceWatch
 from procc_annotator.gui.state.signals import Signals
-from procc_annotator.gui.state.source_frames import SourceFrames
-from procc_annotator.gui.state.sources import Sources
 from procc_annotator.gui.state.state import State
 from procc_annotator.gui.state.store import Store
-from procc_annotator.gui.state.terms import Terms
-from procc_annotator.gui.state.uncertainty import UncertaintyWatch
-from procc_annotator.gui.state.verdicts import KeptVerdicts
 from procc_annotator.image.decoding import FrameCache
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.metrics.measurement import Measurement

@@ -28,15 +28,18 @@ from procc_annotator.formats.landmark_file import (
     save_landmarks,
 )
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
-from procc_annotator.gui.state.judge import Judge
-from procc_annotator.gui.state.landmark_ellipses import LandmarkEllipses, entries_of
-from procc_annotator.gui.state.landmark_files import LandmarkFiles
-from procc_annotator.gui.state.landmark_placing import LandmarkPlacing
-from procc_annotator.gui.state.live_fit import LiveFit
+from procc_annotator.gui.state.landmark_tools import (
+    LandmarkEllipses,
+    LandmarkFiles,
+    LandmarkPlacing,
+    entries_of,
+)
+from procc_annotator.gui.state.prediction.live_fit import LiveFit
 from procc_annotator.gui.state.saying import notify, say, withdraw
+from procc_annotator.gui.state.scoring.evaluation_settings import Terms
+from procc_annotator.gui.state.scoring.frame_score import Judge
 from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
-from procc_annotator.gui.state.terms import Terms
 from procc_annotator.interaction.overlay_lines import ShownEllipse
 from procc_annotator.translation import tr
 

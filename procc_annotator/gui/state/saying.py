@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from procc_annotator.gui.state.notices import Level, Notice, Told, with_notice, without_notice
+from procc_annotator.gui.state.messages import Level, Notice, Told, with_notice, without_notice
 from procc_annotator.gui.state.store import Store
 
 

@@ -22,7 +22,7 @@ from procc_annotator.field.load import field_for_stadium, stadium_of
 from procc_annotator.field.model import Field
 from procc_annotator.gui.keymap import USUAL, Keymap
 from procc_annotator.gui.state.camera_sources import CameraSource, SourceLook
-from procc_annotator.gui.state.notices import Notice, Told
+from procc_annotator.gui.state.messages import Notice, Told
 from procc_annotator.image.decoding import HalfSizeImage
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.metrics.setup import EvaluationSetup

@@ -9,9 +9,9 @@ from PySide6.QtGui import QColor, QFont, QFontMetrics, QMouseEvent, QPainter, QP
 from PySide6.QtWidgets import QWidget
 
 from procc_annotator.dataset.records import OriginKind
+from procc_annotator.gui.canvas.canvas import Canvas
+from procc_annotator.gui.canvas.pinned import Pinned
 from procc_annotator.gui.keymap import NATIVE
-from procc_annotator.gui.picture.canvas import Canvas
-from procc_annotator.gui.picture.pinned import Pinned
 from procc_annotator.gui.settings import COACHED, Settings
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.window.menus import Actions

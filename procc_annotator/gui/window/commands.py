@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDialog, QMessageBox, QWidget
 
-from procc_annotator.gui.picture.canvas import Canvas
+from procc_annotator.gui.canvas.canvas import Canvas
 from procc_annotator.gui.settings import AUTHOR, KEYS
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.state import Mode

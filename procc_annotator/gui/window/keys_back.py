@@ -8,9 +8,9 @@ from PySide6.QtCore import QEvent, QObject, Qt, QTimer
 from PySide6.QtGui import QCursor, QKeyEvent
 from PySide6.QtWidgets import QApplication, QComboBox, QDoubleSpinBox, QLineEdit, QWidget
 
+from procc_annotator.gui.canvas.canvas import Canvas
+from procc_annotator.gui.canvas.held_keys import beside_picture, typed_into
 from procc_annotator.gui.panels.parts import LEFT_BY_ESCAPE
-from procc_annotator.gui.picture.canvas import Canvas
-from procc_annotator.gui.picture.held_keys import beside_picture, typed_into
 
 _CLICK_MS = 200  # window managers refuse to activate another window while a click is under way
 _ENTER, _BACKSPACE, _ESCAPE = "Enter", "Backspace", "Escape"  # not shown

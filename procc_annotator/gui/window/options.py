@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QApplication
 
 from procc_annotator.dataset.records import default_author
 from procc_annotator.gui import settings as rows
-from procc_annotator.gui.picture.canvas import Canvas
+from procc_annotator.gui.canvas.canvas import Canvas
 from procc_annotator.gui.settings import SWITCHES, Setting, Settings, T
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import set_text_size, set_theme

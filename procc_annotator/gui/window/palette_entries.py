@@ -14,7 +14,7 @@ from procc_annotator.gui.actions import ACTIONS, MENUS
 from procc_annotator.gui.element_keys import key_text
 from procc_annotator.gui.settings import OFFERED, RECENT, SWITCHES, Settings
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.state.live_fit import MODELS
+from procc_annotator.gui.state.prediction.live_fit import MODELS
 from procc_annotator.gui.window.docks import TITLES
 from procc_annotator.gui.window.menus import Actions, in_menu
 from procc_annotator.gui.window.welcome import described

@@ -6,8 +6,8 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeySequence, QResizeEvent
 from PySide6.QtWidgets import QMenu, QToolBar, QToolButton, QWidgetAction
 
+from procc_annotator.gui.canvas.looks import LookControls
 from procc_annotator.gui.keymap import NATIVE
-from procc_annotator.gui.picture.looks import LookControls
 from procc_annotator.gui.window.icon_button import IconButton
 from procc_annotator.gui.window.menus import Actions
 from procc_annotator.translation import tr

@@ -7,7 +7,7 @@ from PySide6.QtCore import QObject
 
 from procc_annotator.camera.backprojection import ground_from_px
 from procc_annotator.field.model import Field
-from procc_annotator.gui.picture.canvas import Canvas
+from procc_annotator.gui.canvas.canvas import Canvas
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.window.status import StatusLine
 from procc_annotator.translation import tr

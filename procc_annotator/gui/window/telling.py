@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QMainWindow
 
 from procc_annotator.gui.messages import ConflictBar, FrameBar, MessageBar
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.state.notices import UNSAVED, Told
+from procc_annotator.gui.state.messages import UNSAVED, Told
 from procc_annotator.gui.state.state import State
 from procc_annotator.gui.window.status import StatusLine
 from procc_annotator.translation import tr

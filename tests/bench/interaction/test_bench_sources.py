@@ -19,8 +19,8 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.annotation import points_px
 from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.state.disagreement import compare_cameras
 from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.maps import compare_cameras
 from tests.bench.interaction.conftest import FRAMES, SIZE, Report
 from tests.gui.conftest import Hand, all_done
 

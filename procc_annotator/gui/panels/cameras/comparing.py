@@ -14,8 +14,8 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.gui.panels.cameras.source_row import colour_icon
 from procc_annotator.gui.panels.parts import box_of, choice, note_label, show_note
-from procc_annotator.gui.state.disagreement import Compared
 from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.maps import Compared
 from procc_annotator.gui.theme import fixed_width
 from procc_annotator.metrics.error_maps import OFFSIDE_ACCURACY_M, MapSummary
 from procc_annotator.translation import tr

@@ -7,12 +7,12 @@ from collections.abc import Collection
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPainterPath, QPalette, QPolygonF
 
+from procc_annotator.gui.canvas.metre_map_picture import paint_shapes
 from procc_annotator.gui.panels.field_map.placement import Placement, scale_to_fit
 from procc_annotator.gui.panels.field_map.shape import FieldShape
 from procc_annotator.gui.panels.field_map.unfolding import Bounds
-from procc_annotator.gui.picture.metre_map_picture import paint_shapes
-from procc_annotator.gui.state.map_sight import MapSight
-from procc_annotator.gui.state.metre_map_shapes import MapShapes
+from procc_annotator.gui.state.map_shapes import MapShapes
+from procc_annotator.gui.state.maps import MapSight
 from procc_annotator.gui.theme import blend
 from procc_annotator.interaction.camera_view import VisibleField
 

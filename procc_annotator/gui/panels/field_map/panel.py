@@ -23,6 +23,7 @@ from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 from procc_annotator.calibration.prediction.suggestions import AnnotationSuggestion
 from procc_annotator.dataset.review import StoredFinding
 from procc_annotator.field.model import Field
+from procc_annotator.gui.canvas.finding_sign import paint_finding_sign
 from procc_annotator.gui.element_keys import key_text
 from procc_annotator.gui.panels.field_map.ground import (
     paint_ground,
@@ -41,7 +42,6 @@ from procc_annotator.gui.panels.states import (
     element_states,
     state_pen,
 )
-from procc_annotator.gui.picture.finding_sign import paint_finding_sign
 from procc_annotator.gui.roles import give_role
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import muted

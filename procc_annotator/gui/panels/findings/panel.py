@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.calibration.label_check.finding import Severity
 from procc_annotator.dataset.review import by_severity
+from procc_annotator.gui.canvas.finding_sign import finding_icon
 from procc_annotator.gui.panels.findings.rows import (
     Entry,
     FindingDelegate,
@@ -29,7 +30,6 @@ from procc_annotator.gui.panels.findings.rows import (
 from procc_annotator.gui.panels.findings.words import frame_words, set_words, so_many
 from procc_annotator.gui.panels.parts import empty_state, note_label, show_note
 from procc_annotator.gui.panels.refresher import Refresher
-from procc_annotator.gui.picture.finding_sign import finding_icon
 from procc_annotator.gui.state.document import Document
 from procc_annotator.translation import tr, tr_count
 

@@ -24,8 +24,8 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.calibration.label_check.finding import Severity
 from procc_annotator.dataset.review import StoredFinding
+from procc_annotator.gui.canvas.finding_sign import paint_finding_sign
 from procc_annotator.gui.panels.rows import Index, list_rows
-from procc_annotator.gui.picture.finding_sign import paint_finding_sign
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import blend, paint_row
 from procc_annotator.translation import tr, word

@@ -9,8 +9,8 @@ from PySide6.QtWidgets import QTreeWidget, QTreeWidgetItem
 
 from procc_annotator.calibration.label_check.finding import Severity
 from procc_annotator.dataset.review import StoredFinding
+from procc_annotator.gui.canvas.finding_sign import finding_icon
 from procc_annotator.gui.panels.findings.rows import WORDS
-from procc_annotator.gui.picture.finding_sign import finding_icon
 from procc_annotator.gui.state.document import Document
 from procc_annotator.translation import tr
 

@@ -8,10 +8,10 @@ from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem
 
 from procc_annotator.calibration.label_check.finding import Severity
 from procc_annotator.dataset.records import FAULT_WORDS, FaultParty, Status
+from procc_annotator.gui.canvas.finding_sign import paint_finding_sign
 from procc_annotator.gui.panels.frames.folder_row import indent, paint_folder, paint_jac
 from procc_annotator.gui.panels.frames.model import FramesModel, RowInfo
 from procc_annotator.gui.panels.rows import Index
-from procc_annotator.gui.picture.finding_sign import paint_finding_sign
 from procc_annotator.gui.theme import alarm_colours, blend
 from procc_annotator.translation import tr, tr_count
 

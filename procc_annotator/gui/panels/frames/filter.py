@@ -14,7 +14,7 @@ from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.state.set_scores import FrameScores
+from procc_annotator.gui.state.scoring.dataset_scores import FrameScores
 from procc_annotator.gui.worker import JobControl
 
 _MANY = 500  # frames that are asked on the interface thread at most

@@ -46,8 +46,8 @@ from procc_annotator.gui.panels.refresher import Refresher, judged
 from procc_annotator.gui.panels.rows import ElementTable
 from procc_annotator.gui.panels.states import ElementState
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.state.judge import SecondOpinion
-from procc_annotator.gui.state.live_fit import MODELS
+from procc_annotator.gui.state.prediction.live_fit import MODELS
+from procc_annotator.gui.state.scoring.frame_score import SecondOpinion
 from procc_annotator.gui.theme import fixed_width
 from procc_annotator.metrics.score import FrameScore
 from procc_annotator.translation import tr, tr_count, word

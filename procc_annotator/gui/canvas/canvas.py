@@ -1,0 +1,400 @@
+"""The picture with everything drawn over it, and the hands on it."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, Qt, QTimer, Signal
+from PySide6.QtGui import (
+    QAccessible,
+    QContextMenuEvent,
+    QEnterEvent,
+    QKeyEvent,
+    QMouseEvent,
+    QResizeEvent,
+)
+from PySide6.QtWidgets import QApplication, QLineEdit, QToolTip
+
+from procc_annotator.gui.canvas.blind_frame import BlindFrame
+from procc_annotator.gui.canvas.camera_hand import CameraHand
+from procc_annotator.gui.canvas.comparison import OtherSources
+from procc_annotator.gui.canvas.corner_legend import CornerLegend
+from procc_annotator.gui.canvas.drawing import OverlayDrawing
+from procc_annotator.gui.canvas.editor import Editor
+from procc_annotator.gui.canvas.found_plate import FoundPlate
+from procc_annotator.gui.canvas.held_keys import HeldKey, HeldKeys
+from procc_annotator.gui.canvas.key_pointing import KeyPointing, modifiers_of
+from procc_annotator.gui.canvas.loupe import Loupe
+from procc_annotator.gui.canvas.metre_maps import MetreMaps
+from procc_annotator.gui.canvas.overlay_item import OverlayItem
+from procc_annotator.gui.canvas.shown_picture import ShownPicture
+from procc_annotator.gui.canvas.view import PictureView
+from procc_annotator.gui.roles import give_role
+from procc_annotator.gui.soon import soon
+from procc_annotator.gui.state.document import Document
+from procc_annotator.image.pixels import DisplayAdjustment
+from procc_annotator.interaction.gestures import Modifiers
+from procc_annotator.interaction.hints import SEPARATOR
+from procc_annotator.translation import tr, word
+
+_EXPLANATION_MS = 12_000
+_SCREEN_FRAME_MS = 16
+_PAN_HINT = (
+    word("PAN"),
+    word("drag moves the picture"),
+    word("click and Enter do nothing"),
+    word("Esc takes the tool again"),
+)
+
+
+class Canvas(PictureView):
+    """Shows the document's frame; mouse and keys go to the tool in hand."""
+
+    cursorMoved = Signal(object)  # (x, y) in picture px, or None
+    hintChanged = Signal(str)
+    menuWanted = Signal(QPoint)  # on the screen
+    panChanged = Signal(bool)  # whether the left button moves the picture
+
+    def __init__(self, document: Document) -> None:
+        super().__init__()
+        give_role(self, QAccessible.Role.Canvas)
+        self.setObjectName("canvas")
+        self.setAccessibleName(tr("Picture"))
+        self._document = self.document = document
+        self.editor = Editor(document, self)
+        self.overlay_item = OverlayItem()
+        self.scene().addItem(self.overlay_item)
+        self.comparison = OtherSources(document, self.viewport(), self.scene(), self.overlay_item)
+        self.maps = MetreMaps(document, self.viewport(), self.scene())
+        self.found_plate = FoundPlate(document, self)
+        self.blind_frame = BlindFrame(document, self)
+        self.legend = CornerLegend(document, self, self.comparison)
+        self.camera_hand = CameraHand(document, self, self.editor)
+        self.drawing = OverlayDrawing(
+            document,
+            self,
+            self.editor,
+            self.overlay_item,
+            self.comparison,
+            self.maps,
+            self.legend,
+            self.camera_hand,
+            lambda: self.cursor_px,
+        )
+        self.keep_zoom = False
+        self.cursor_px: tuple[float, float] | None = None
+        self._hint = ""
+        self._hint_soon = soon(self, self._say_hint)
+        # While the user drags something, who only reads where it is can wait for the next frame.
+        self._carried_on = QTimer(self, singleShot=True, interval=_SCREEN_FRAME_MS)
+        self._carried_on.timeout.connect(self._say_cursor)
+        self.loupe = Loupe(self.viewport())
+        self.loupe_always = False
+        self._held_keys = self._make_held_keys()
+        self._loupe_by_key = False
+        self.keys = KeyPointing(document, self, self.editor, lambda: self.cursor_px)
+        self.shown = ShownPicture(self)
+        document.cache.foresee = self.picture_item.reduced.foresee
+        self._listen()
+        self._show_frame()
+
+    def _listen(self) -> None:
+        document = self._document
+        self.shown.changed.connect(self._show_picture)
+        self.editor.changed.connect(self.drawing.refresh)
+        self.drawing.drawn.connect(self._place_loupe)
+        self.drawing.told.connect(self._hint_soon.start)
+        self.keys.pointed.connect(self.point_at)
+        self.keys.forgotten.connect(self._forget_cursor)
+        self.editor.explained.connect(self._explain)
+        self.viewChanged.connect(self._view_changed)
+        self.camera_hand.moved.connect(self._follow_cursor)
+        document.datasetChanged.connect(self.keys.forget)
+        document.frameChanged.connect(self._show_frame)
+        document.pictureChanged.connect(self._show_whole)
+        document.flyTo.connect(self.fly_to)
+        document.flyToArea.connect(self.show_area)
+
+    # --- showing --------------------------------------------------------------------------
+
+    def _show_frame(self) -> None:
+        if self._loupe_wanted:  # it shows every pixel
+            self._document.walk.see_whole()
+        state = self._document.state
+        looked_at = state.picture if state.half is None else state.half.pixels
+        self.shown.set_picture(looked_at, whole=state.half is None)
+        self.set_picture(self.shown.pixels, state.picture_size, keep_view=self.keep_zoom)
+        self.overlay_item.set_area(self.sceneRect())
+        self.comparison.set_area(self.sceneRect())
+        self.camera_hand.item.set_area(self.sceneRect())
+        self.keys.keep_within()
+        self.drawing.refresh_everywhere()
+
+    def set_covered(self, height: int) -> None:
+        """Bars lie over the top: what is pinned there makes room, the picture stays."""
+        super().set_covered(height)
+        self.comparison.set_top(height)
+
+    def _show_whole(self) -> None:
+        """The whole picture is there, or it turned out that it cannot be read."""
+        state = self._document.state
+        if state.picture is None:
+            self._show_frame()
+            return
+        self.shown.set_picture(state.picture)
+        self._show_picture()
+        self.drawing.refresh()  # what the next click does depends on the lines of the picture
+
+    def _show_picture(self) -> None:
+        """The same frame looks different: brightness and the like."""
+        self.picture_item.set_picture(self.shown.pixels, self._document.picture_size)
+
+    def _explain(self, text: str) -> None:
+        """Next to the cursor, where it cannot be missed."""
+        if self.cursor_px is not None:
+            place = self.viewport().mapToGlobal(self.to_view(*self.cursor_px).toPoint())
+            QToolTip.showText(place, text, self.viewport(), QRect(), _EXPLANATION_MS)
+
+    def set_look(self, look: DisplayAdjustment) -> None:
+        """How pictures are shown, from now on for every frame."""
+        self.shown.set_look(look)
+
+    @property
+    def hint(self) -> str:
+        """Return what the next click, Enter and Esc will do."""
+        self._say_hint()
+        return self._hint
+
+    def _say_hint(self) -> None:
+        self._hint_soon.stop()
+        hint = self.camera_hand.hint or (_pan_hint() if self.pan_tool else self.editor.hint())
+        if hint != self._hint:
+            self._hint = hint
+            self.setAccessibleDescription(hint)
+            self.hintChanged.emit(hint)
+
+    # --- loupe ----------------------------------------------------------------------------
+
+    def set_loupe_always(self, always: bool) -> None:
+        """Whether the loupe is there without a key held."""
+        self.loupe_always = always
+        self._place_loupe()
+
+    @property
+    def _loupe_wanted(self) -> bool:
+        held = self.editor.dragging or self.camera_hand.dragging
+        return self.loupe_always or self._loupe_by_key or held
+
+    def _place_loupe(self) -> None:
+        px, pixels = self.cursor_px, self.shown.pixels
+        half = self._document.state.half is not None
+        if not self._loupe_wanted or px is None or pixels is None or half:
+            self.loupe.hide()
+            return
+        at = self.to_view(*px)
+        item = self.comparison.item_at(at.x())
+        self.loupe.show_at(at, px, pixels, *item.layers, *self.camera_hand.item.layers)
+
+    def _view_changed(self) -> None:
+        self.editor.view_scale = self.view_scale
+        self.comparison.view_changed()
+
+    def set_keep_zoom(self, keep: bool) -> None:
+        """Whether place and zoom stay when the frame changes."""
+        self.keep_zoom = keep
+
+    def set_pan(self, on: bool) -> None:
+        """Whether the left button moves the picture instead of using the tool in hand."""
+        if on != self.pan_tool:
+            self.pan_tool = on
+            self.update_cursor()
+            self._say_hint()
+            self.panChanged.emit(on)
+
+    # --- actions --------------------------------------------------------------------------
+
+    def undo(self) -> None:
+        """Take back the last point of a polyline under way, put back what the mouse holds, give up
+        what is waited for, or take back the last step of the frame."""
+        if self.editor.drawing:
+            self.key("Backspace")  # not shown
+        elif self.editor.holding:
+            self.key("Escape")  # not shown
+        elif not self.editor.taken_first("Undo", False):  # not shown
+            self._document.undo()
+
+    def key(self, name: str, shift: bool = False) -> None:
+        """What the tool in hand does on Enter, Backspace, Escape or Delete."""
+        if name == "Escape" and self.pan_tool:
+            self.set_pan(False)
+        elif not self.editor.key(name, shift=shift) and name == "Escape":
+            self.keys.put_away()
+
+    def arrow(self, name: str, step: float) -> None:
+        """Move the chosen points so many picture px; without any, what the keys point with."""
+        self.keys.arrow(name, step)
+
+    def point_at(self, px: tuple[float, float]) -> None:
+        """The hand is there now, whichever way it came."""
+        self.cursor_px = px
+        self.editor.move(px, Modifiers())
+        self.drawing.refresh()
+        self._say_cursor()
+
+    def delete_element(self) -> None:
+        """Remove the selected element."""
+        self.editor.delete_element()
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        event.accept()
+        if self.editor.holding or self.camera_hand.dragging or self.panning:
+            return  # a menu would take the release that ends it
+        if event.reason() == QContextMenuEvent.Reason.Mouse:
+            self.editor.point_at(self.to_picture(QPointF(event.pos())))
+            self.menuWanted.emit(event.globalPos())
+            return
+        at = self.viewport().rect().center()
+        if (px := self.keys.crosshair.px) is not None:
+            self.editor.point_at(px)
+            at = self.to_view(*px).toPoint()
+        self.menuWanted.emit(self.viewport().mapToGlobal(at))
+
+    # --- events ---------------------------------------------------------------------------
+
+    def tool_cursor(self) -> Qt.CursorShape:
+        if self._document.mode == "draw" and self._document.editable:
+            return Qt.CursorShape.CrossCursor
+        return Qt.CursorShape.ArrowCursor
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        event.accept()
+        self.keys.put_away()
+        if self._wants_pan(event):
+            self._start_pan(event)
+        elif event.button() == Qt.MouseButton.LeftButton and not self.panning:
+            self.cursor_px = self.to_picture(event.position())
+            self._document.walk.see_whole()  # its lines are snapped to
+            self.editor.press(self.cursor_px, modifiers_of(event.modifiers()))
+            if self.editor.holding:
+                self._say_hint()
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        event.accept()
+        px = self.to_picture(event.position())
+        if self._wants_pan(event):
+            self._start_pan(event)
+        elif event.button() == Qt.MouseButton.LeftButton and not self.panning:
+            # Qt sent the first click already; it is the last point, and this one only finishes.
+            self.editor.double_click(px, modifiers_of(event.modifiers()))
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        event.accept()
+        self.keys.put_away()
+        px = self.to_picture(event.position())
+        if self.editor.holding and not event.buttons() & Qt.MouseButton.LeftButton:
+            # Another window had the release: what is held stays where it was seen last.
+            self.editor.release(self.cursor_px or px, modifiers_of(event.modifiers()))
+        self.cursor_px, drawn = px, self.drawing.count
+        if self.panning:
+            self._pan_to(event.position().toPoint())
+        else:
+            self.editor.move(px, modifiers_of(event.modifiers()))
+        if self.editor.follows_cursor and drawn == self.drawing.count:
+            self.drawing.refresh()
+        elif drawn == self.drawing.count:
+            self._place_loupe()
+        if not self.editor.holding:
+            self._say_cursor()
+        elif not self._carried_on.isActive():
+            self._carried_on.start()
+
+    def _forget_cursor(self) -> None:
+        self.cursor_px = None
+
+    def _follow_cursor(self, px: tuple[float, float]) -> None:
+        self.cursor_px = px
+        self._place_loupe()
+        self._say_cursor()
+
+    def _say_cursor(self) -> None:
+        self._carried_on.stop()
+        px = self.cursor_px
+        self.legend.follow(None if px is None else self.to_view(*px))
+        self.cursorMoved.emit(px)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        event.accept()
+        if self._ends_pan(event):
+            self._end_pan()
+        elif event.button() == Qt.MouseButton.LeftButton:
+            self.editor.release(self.to_picture(event.position()), modifiers_of(event.modifiers()))
+            if self._carried_on.isActive():
+                self._say_cursor()
+
+    def keyReleaseEvent(self, event: QKeyEvent) -> None:
+        tapped = self.tapped(event)
+        super().keyReleaseEvent(event)
+        if tapped:
+            self.keys.click(modifiers_of(event.modifiers()))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.comparison.place()
+        self.maps.place()
+
+    def enterEvent(self, event: QEnterEvent) -> None:
+        super().enterEvent(event)
+        self.update_cursor()
+        # Keys should act on what the mouse is over, unless something is being typed elsewhere.
+        if not isinstance(QApplication.focusWidget(), QLineEdit) and self.window().isActiveWindow():
+            self.setFocus()
+
+    def leaveEvent(self, event: QEvent) -> None:
+        super().leaveEvent(event)
+        if self.keys.active:
+            return  # they point; the mouse is elsewhere
+        self.cursor_px = None
+        self.editor.leave()
+        self.drawing.refresh()
+        self._say_cursor()
+
+    def _make_held_keys(self) -> HeldKeys:
+        hide, loupe, aside = self.drawing.hide_by_key, self._loupe, self._aside
+        dressed, no_loupe, snap = partial(hide, False), partial(loupe, False), partial(aside, False)
+        keys = {
+            Qt.Key.Key_X: HeldKey(partial(hide, True), dressed, dressed),
+            Qt.Key.Key_Z: HeldKey(partial(loupe, True), no_loupe, no_loupe),
+            Qt.Key.Key_Comma: HeldKey(self._blink, self._end_blink, self._lose_blink),
+            Qt.Key.Key_Control: HeldKey(partial(aside, True), snap, snap),
+        }
+        return HeldKeys(keys, self)
+
+    def _loupe(self, shown: bool) -> None:
+        self._loupe_by_key = shown
+        self._place_loupe()
+
+    def _aside(self, suspended: bool) -> None:
+        """Snapping rests."""
+        self.editor.hold(Modifiers(ctrl=suspended))
+        self.drawing.refresh()
+
+    def _blink(self) -> None:
+        if self.comparison.hold():
+            self.drawing.refresh()
+        else:
+            say = self._document.say
+            say(tr("load a second set of cameras to blink between two (Ctrl+L)"), "info")
+
+    def _end_blink(self) -> None:
+        if self.comparison.let_go():
+            self._document.swap_sources()
+        else:
+            self.drawing.refresh()
+
+    def _lose_blink(self) -> None:
+        self.comparison.let_go()
+        self.drawing.refresh()
+
+
+def _pan_hint() -> str:
+    return SEPARATOR.join(tr(words) for words in _PAN_HINT)

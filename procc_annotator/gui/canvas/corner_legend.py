@@ -1,0 +1,172 @@
+"""The legend in the corner of the picture; it gives way to the hand."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRect, QRectF, Qt, Slot
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPaintEvent
+from PySide6.QtWidgets import QWidget
+
+from procc_annotator.dataset.records import OriginKind
+from procc_annotator.gui.canvas.comparison import OtherSources
+from procc_annotator.gui.canvas.items import paint_overlay
+from procc_annotator.gui.canvas.pinned import Pinned
+from procc_annotator.gui.canvas.view import PictureView
+from procc_annotator.gui.soon import soon
+from procc_annotator.gui.state.document import Document
+from procc_annotator.interaction.legend import LegendEntry, OnPicture, corner_legend
+from procc_annotator.interaction.overlay import ColourBy
+from procc_annotator.interaction.overlay_primitives import Overlay, PointMarks, Strokes
+
+_EDGE = 8
+_SAMPLE, _GAP = 30.0, 8.0
+_PLATE = QColor(20, 20, 20, 200)
+_TEXT = QColor("#f4f4f4")
+_AROUND = 24  # screen px: so near the hand needs what lies below
+_LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+
+
+class CornerLegend(Pinned):
+    """Explains what is over the picture at its lower right corner, and nothing else."""
+
+    def __init__(self, document: Document, view: PictureView, comparison: OtherSources) -> None:
+        super().__init__(view.viewport(), "cornerLegend")
+        self._document, self._viewport, self._comparison = document, view.viewport(), comparison
+        self.entries: tuple[LegendEntry, ...] = ()
+        self._wanted, self._bare = True, False
+        self._others: tuple[tuple[str, str], ...] = ()
+        self._by: ColourBy = "criterion"
+        self._hand: QPointF | None = None
+        self._soon = soon(self, self._look)
+        view.resized.connect(self._soon.start)
+        for beneath in self._beneath():
+            beneath.installEventFilter(self)
+        for signal in (
+            document.scoreChanged,
+            document.frameChanged,
+            document.camerasChanged,
+            document.blindChanged,
+            document.source_frames.changed,
+            document.ghosts.changed,
+            document.second.changed,
+            document.review.originsChanged,
+        ):
+            signal.connect(self._soon.start)
+
+    def set_wanted(self, wanted: bool) -> None:
+        """Whether a person wants to see it."""
+        self._wanted = wanted
+        self._look()
+
+    def show_for(self, colour_by: ColourBy, *, bare: bool) -> None:
+        """What colours say, and whether nothing is drawn over the picture."""
+        shown = colour_by, bare, self._comparison.names_of_others()
+        if shown != (self._by, self._bare, self._others):
+            self._by, self._bare, self._others = shown
+            self._soon.start()
+
+    @Slot(object)
+    def follow(self, cursor: QPointF | None) -> None:
+        """The hand is there now, viewport px: what is under it is to be seen."""
+        self._hand = cursor
+        if self.entries:
+            self._show()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() in (QEvent.Type.Resize, QEvent.Type.Show, QEvent.Type.Hide):
+            self._soon.start()
+        return False
+
+    # --- inside ---
+
+    def _look(self) -> None:
+        shown = self._wanted and not self._bare and self._document.frame is not None
+        self.entries = corner_legend(self._there()) if shown else ()
+        self.setAccessibleName("; ".join(entry.text for entry in self.entries))
+        self._stand()
+        self._show()
+        self.update()
+
+    def _show(self) -> None:
+        near = self._hand is not None and self.geometry().adjusted(
+            -_AROUND, -_AROUND, _AROUND, _AROUND
+        ).contains(self._hand.toPoint())
+        self.setVisible(bool(self.entries) and not near)
+
+    def _there(self) -> OnPicture:
+        document = self._document
+        annotation, score = document.annotation, document.score
+        painted, foresight = document.ghosts.painted, document.foresight
+        unsure = foresight.stands_in and bool(foresight.doubt)
+        origins = self._origins()
+        return OnPicture(
+            annotated=bool(annotation.annotated),
+            statuses=None if score is None else {e.status for e in score.elements},
+            colour_by=self._by,
+            origins=origins[0],
+            authors=origins[1],
+            ghosts=("unsure" if unsure else "sure") if painted else "",
+            unconfirmed=bool(annotation.unconfirmed),
+            second=document.second.annotation is not None and document.projection_visible,
+            others=self._comparison.names_of_others(),
+        )
+
+    def _origins(self) -> tuple[frozenset[str], tuple[str, ...]]:
+        """Return how points came to be, and whose they are."""
+        document = self._document
+        if self._by not in ("origin", "annotator") or document.frame is None:
+            return frozenset(), ()
+        known = document.review.origins(document.frame.name) or {}
+        keys = {(p.u, p.v) for line in document.annotation.polylines for p in line.points}
+        kinds = {known[key].kind if key in known else OriginKind.FILE for key in keys}
+        authors = tuple(sorted({origin.author for origin in known.values()}))
+        return frozenset(kind.value for kind in kinds), authors
+
+    def _stand(self) -> None:
+        """At the lower right, above what else stands there."""
+        metrics = QFontMetricsF(self.font())
+        texts = [metrics.horizontalAdvance(entry.text) for entry in self.entries]
+        line = math.ceil(metrics.height()) + 2
+        width = math.ceil(max(texts, default=0) + _SAMPLE + _GAP + 2 * _EDGE)
+        height = line * len(self.entries) + 2 * _EDGE - 4
+        room = self._viewport.size()
+        width = min(width, room.width() - 2 * _EDGE)
+        corner = QPoint(room.width() - width - _EDGE, room.height() - height - _EDGE)
+        place = QRect(corner.x(), corner.y(), width, height)
+        for other in self._beneath():
+            if not other.isHidden() and other.geometry().intersects(place):
+                place.moveBottom(other.geometry().top() - _EDGE // 2)
+        self.put(place)
+
+    def _beneath(self) -> list[QWidget]:
+        """Return what stands at the lower edge, too, and stays there."""
+        named = (self._viewport.findChild(QWidget, name) for name in ("blindBadge", "foundPlate"))
+        return [other for other in named if other is not None]
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        with QPainter(self) as painter:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(_PLATE)
+            painter.drawRoundedRect(QRectF(self.rect()), 4, 4)
+            line = (self.height() - 2 * _EDGE + 4) / max(1, len(self.entries))
+            middles = [_EDGE - 2 + line * (i + 0.5) for i in range(len(self.entries))]
+            self._paint_samples(painter, middles)
+            painter.setPen(_TEXT)
+            left = _EDGE + _SAMPLE + _GAP
+            for entry, y in zip(self.entries, middles, strict=True):
+                room = QRectF(left, y - line / 2, self.width() - left - _EDGE / 2, line)
+                painter.drawText(room, _LEFT, entry.text)
+
+    def _paint_samples(self, painter: QPainter, middles: list[float]) -> None:
+        strokes, marks = [], []
+        for entry, y in zip(self.entries, middles, strict=True):
+            sample = np.array([[_EDGE, y, _EDGE + _SAMPLE, y]])
+            strokes += [Strokes(sample, s.colour, s.width, s.dash) for s in entry.lines]
+            if (mark := entry.mark) is not None:
+                centre = np.array([[_EDGE + _SAMPLE / 2, y]])
+                marks.append(PointMarks(centre, mark.shape, mark.colour, mark.size))
+        overlay = Overlay(tuple(strokes), tuple(marks), ())
+        paint_overlay(painter, overlay, scale=1.0, offset=(-0.5, -0.5))

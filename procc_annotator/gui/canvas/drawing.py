@@ -1,0 +1,205 @@
+"""What is drawn over the picture, and when it is drawn anew."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QObject, Signal
+
+from procc_annotator.gui.canvas.camera_hand import CameraHand
+from procc_annotator.gui.canvas.comparison import OtherSources
+from procc_annotator.gui.canvas.corner_legend import CornerLegend
+from procc_annotator.gui.canvas.editor import Editor
+from procc_annotator.gui.canvas.ghost_layer import GhostLayer
+from procc_annotator.gui.canvas.metre_maps import MetreMaps
+from procc_annotator.gui.canvas.overlay_item import OverlayItem
+from procc_annotator.gui.canvas.overlay_layer import BY_ORIGIN, OverlayLayer
+from procc_annotator.gui.canvas.view import PictureView
+from procc_annotator.gui.soon import soon
+from procc_annotator.gui.state.document import Document
+from procc_annotator.interaction.gestures import Position
+from procc_annotator.interaction.overlay import ColourBy
+from procc_annotator.interaction.overlay_primitives import EMPTY_OVERLAY
+
+
+class OverlayDrawing(QObject):
+    """Draws overlay, ghosts and other sources where they changed; once for all that changes
+    together.
+
+    Attributes:
+        colour_by: what colours mean.
+        count: how often it drew; shows whether something drew meanwhile.
+    """
+
+    drawn = Signal()  # what a loupe shows may be another thing
+    told = Signal()  # and so may be what the next click does
+
+    def __init__(
+        self,
+        document: Document,
+        view: PictureView,
+        editor: Editor,
+        item: OverlayItem,
+        comparison: OtherSources,
+        maps: MetreMaps,
+        legend: CornerLegend,
+        hand: CameraHand,
+        cursor: Callable[[], Position | None],
+    ) -> None:
+        """
+        Args:
+            item, comparison, maps, legend: what it draws with.
+            hand: may carry a camera, which is drawn instead of the ghosts.
+            cursor: where the mouse is, picture px.
+        """
+        super().__init__(view)
+        self._document, self._view = document, view
+        self._item, self._comparison, self._maps, self._legend = item, comparison, maps, legend
+        self._editor, self._hand, self._cursor = editor, hand, cursor
+        self._layer = OverlayLayer(document, editor)
+        self._other_layer = OverlayLayer(document, editor)
+        self._ghosts = GhostLayer(document)
+        self.colour_by: ColourBy = "criterion"
+        self.count = 0
+        self._hidden_by_action = self._hidden_by_key = False
+        self._due = False  # once all that changed was told
+        self._everywhere = False  # not only where the overlay differs
+        self._soon = soon(self, self.refresh)
+        self._listen()
+
+    def _listen(self) -> None:
+        document = self._document
+        self._hand.changed.connect(self._refresh_ghosts)
+        document.previewChanged.connect(self._carry)
+        for signal in (
+            document.scoreChanged,  # also after every annotationChanged
+            document.selectionChanged,
+            document.hoverChanged,
+            document.modeChanged,
+        ):
+            signal.connect(self.refresh)
+        document.store.rested.connect(self._follow_state)
+        document.review.originsChanged.connect(self._refresh_origins)
+        document.second.changed.connect(self.refresh)
+        # Comes next to signals that draw at once: one drawing is enough for both.
+        document.label_check.changed.connect(self._soon.start)
+        document.camerasChanged.connect(self._refresh_others)
+        document.source_frames.changed.connect(self._refresh_others)
+        document.ghosts.changed.connect(self._refresh_ghosts)
+        document.painted_width.changed.connect(self.refresh)
+        document.paint_watch.changed.connect(self._soon.start)
+        document.landmarks.changed.connect(self.refresh)
+        document.landmarks.ellipsesChanged.connect(self.refresh)
+
+    # --- what is wanted -----------------------------------------------------------------------
+
+    @property
+    def hidden(self) -> bool:
+        """Return whether only the bare picture is shown."""
+        return self._hidden_by_action or self._hidden_by_key
+
+    def set_hidden(self, hidden: bool) -> None:
+        """Show the bare picture, until the action is chosen again."""
+        self._hidden_by_action = hidden
+        self.refresh()
+
+    def hide_by_key(self, hidden: bool) -> None:
+        """Show the bare picture as long as a key is held."""
+        self._hidden_by_key = hidden
+        self.refresh()
+
+    def set_colour_by(self, colour_by: ColourBy) -> None:
+        """What colours mean."""
+        self.colour_by = colour_by
+        self.refresh()
+
+    def show_others(self, shown: bool) -> None:
+        """Whether visible sources are drawn next to the active one."""
+        self._comparison.others_wanted = shown
+        self.refresh()
+
+    def set_split(self, split: bool) -> None:
+        """Draw the active source on the left of a divider, the compared one on its right."""
+        self._comparison.split_wanted = split
+        self.refresh()
+
+    # --- drawing ------------------------------------------------------------------------------
+
+    def refresh(self) -> None:
+        """Draw the overlay anew where it changed, and say what the next click does."""
+        self._due = True
+        self._refresh_if_due()
+
+    def refresh_everywhere(self) -> None:
+        """The same, also where the overlay looks as it did."""
+        self._everywhere = True
+        self.refresh()
+
+    def _refresh_if_due(self) -> None:
+        if self._due and not self._document.store.busy:
+            self._refresh()
+
+    def _follow_state(self) -> None:
+        """The hand did not move: where its next click would be put is looked for after the paint,
+        which would have to wait for it."""
+        if self._due and not self._document.store.busy:
+            self._refresh(looking=False)
+            if self._document.mode == "draw" and self._editor.follows_cursor:
+                self._soon.start()
+
+    def _refresh_others(self) -> None:
+        """Other sources are drawn, or otherwise; whatever changes the one in front says so too."""
+        comparison = self._comparison
+        if comparison.split_wanted or comparison.looking:
+            self.refresh()
+            return
+        comparison.refresh(hidden=self.hidden)
+
+    def _refresh_origins(self) -> None:
+        if self.colour_by in BY_ORIGIN:
+            self.refresh()
+
+    def _refresh(self, *, looking: bool = True) -> None:
+        self.count += 1
+        everywhere, self._everywhere, self._due = self._everywhere, False, False
+        self._soon.stop()
+        scale, comparison = self._view.view_scale, self._comparison
+        comparison.refresh(hidden=self.hidden)
+        self._maps.set_hidden(self.hidden)
+        self._legend.show_for(self.colour_by, bare=self.hidden)
+        overlay = other = EMPTY_OVERLAY
+        if not self.hidden:
+            terms = self._cursor(), self.colour_by
+            overlay = self._layer.overlay(comparison.judged, *terms, looking=looking)
+            if comparison.split.shown:
+                right = comparison.judged_right
+                other = self._other_layer.overlay(right, *terms, looking=looking)
+        self._item.set_overlay(overlay, scale, everywhere=everywhere)
+        comparison.other_side.set_overlay(other, scale, everywhere=everywhere)
+        self._draw_ghosts()
+        self._hand.refresh(hidden=self.hidden)
+        self.drawn.emit()
+        self.told.emit()
+
+    def _carry(self) -> None:
+        """Draw what the user drags; nothing else that is drawn follows from that."""
+        comparison = self._comparison
+        if self.hidden or comparison.split.shown or comparison.looking:
+            self.refresh()  # the names of sources, with their scores
+            return
+        self.count += 1
+        overlay = self._layer.overlay(comparison.judged, self._cursor(), self.colour_by)
+        self._item.set_overlay(overlay, self._view.view_scale)
+        self.drawn.emit()
+
+    def _refresh_ghosts(self) -> None:
+        if not self._due:
+            self._draw_ghosts()
+            self.told.emit()
+
+    def _draw_ghosts(self) -> None:
+        hidden = self.hidden or self._hand.held  # its wireframe is shown instead
+        ghosts = self._ghosts.overlay(hidden=hidden)
+        self._item.set_ghosts(ghosts, self._view.view_scale)
+        beside = ghosts if self._comparison.split.shown else EMPTY_OVERLAY
+        self._comparison.other_side.set_ghosts(beside, self._view.view_scale)

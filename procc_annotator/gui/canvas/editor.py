@@ -1,0 +1,423 @@
+"""The tool in hand, between the canvas's events and the document."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from PySide6.QtCore import QObject, Signal
+
+from procc_annotator.annotation import Polyline
+from procc_annotator.assist.copying import annotated_before
+from procc_annotator.dataset import editing
+from procc_annotator.dataset.records import PointKey
+from procc_annotator.gui.canvas.editor_words import finished, waiting, why_not_deleted
+from procc_annotator.gui.canvas.snapping import ScreenSnapper
+from procc_annotator.gui.state.document import Document
+from procc_annotator.interaction.class_choice import next_element, unnamed_class
+from procc_annotator.interaction.draw_tool import DrawTool, draft_with_cursor
+from procc_annotator.interaction.edit_tool import EditTool
+from procc_annotator.interaction.gestures import (
+    Edit,
+    Hit,
+    Modifiers,
+    Position,
+    Reaction,
+    ToolContext,
+)
+from procc_annotator.interaction.hints import GhostHint, status_hint
+from procc_annotator.interaction.overlay_primitives import Draft
+from procc_annotator.translation import tr
+
+# Given a key's name and whether Shift is held, takes it or does not.
+KeyTaker = Callable[[str, bool], bool]
+
+
+class Editor(QObject):
+    """Gives events to the draw or edit tool and does what the tool answers."""
+
+    changed = Signal()  # a draft or gesture changed, nothing in the document
+    lineFinished = Signal(str)  # one that has no name yet: its class meanwhile
+    explained = Signal(str)  # why nothing happened, the first time
+
+    def __init__(self, document: Document, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._document = document
+        self._draw = DrawTool()
+        self._edit = EditTool()
+        self._over: Hit | None = None
+        self._cursor: Position | None = None
+        self._held = Modifiers()
+        self._explained = False
+        self._snapper = ScreenSnapper(document)
+        self.on_ground = False  # whether the last right click hit nothing
+        self.seen_before: frozenset[str] = frozenset()
+        self._take_field()
+        document.fieldChanged.connect(self._take_field)
+        self.view_scale = 1.0
+        self._asked_first: tuple[KeyTaker, ...] = ()
+        document.aboutToLeave.connect(self.finish)
+        self.changed.connect(self._keep_clicks)
+        document.selectionChanged.connect(self._finish_for_another_class)
+        document.frameChanged.connect(self._look_before)
+        document.frameChanged.connect(self._look_under)
+        document.annotationChanged.connect(self._look_under)
+        document.modeChanged.connect(self._look_under)
+
+    def _take_field(self) -> None:
+        elements = self._document.field.elements
+        self.curved = frozenset(e.name for e in elements if e.is_curved)
+        landmarks = (mark.name for mark in self._document.field.landmarks)  # placed or not
+        self.spots = frozenset((*(e.name for e in elements if e.is_spot), *landmarks))
+
+    @property
+    def drawing(self) -> bool:
+        """Return whether a polyline is under way."""
+        return self._draw.busy
+
+    @property
+    def dragging(self) -> bool:
+        """Return whether a point is dragged by the mouse."""
+        return self._edit.busy and self._edit.grabbed is not None
+
+    @property
+    def holding(self) -> bool:
+        """Return whether the mouse holds anything: points, an element, a band."""
+        return self._edit.busy
+
+    @property
+    def band(self) -> tuple[Position, Position] | None:
+        """The rectangle that chooses points, picture px."""
+        return self._edit.band
+
+    @property
+    def upcoming(self) -> str | None:
+        """The class that is chosen by itself once the one under way is finished."""
+        document = self._document
+        if not document.state.options.auto_advance:
+            return None
+        finished = self._draw.class_name if self._draw.busy else document.selected_class
+        ghosts = document.ghosts
+        terms = document.field, document.annotation, finished, self.seen_before
+        return next_element(*terms, gains=ghosts.gains, out_of_sight=ghosts.out_of_sight)
+
+    @property
+    def _one_click(self) -> bool:
+        """Return whether the next click finishes the element that is chosen."""
+        return self._document.mode == "draw" and self._document.selected_class in self.spots
+
+    @property
+    def follows_cursor(self) -> bool:
+        """Return whether something is painted at the cursor."""
+        document = self._document
+        chosen = document.selected_class is not None
+        drawing = document.mode == "draw" and (chosen or self._draw.busy)
+        return drawing or document.hovered_class is not None
+
+    def draft(self, cursor: Position | None, *, looking: bool = True) -> Draft | None:
+        """The polyline under way, with its line to the cursor and where a click would be put;
+        without ``looking`` only if that is known already."""
+        document = self._document
+        if document.mode != "draw" or not document.editable:
+            return None
+        context = self._context()
+        if context.snap is not None and not looking:
+            context = replace(context, snap=self._snapper.remembered)
+        return draft_with_cursor(self._draw, context, cursor, self._held)
+
+    def hint(self) -> str:
+        """Return what the next click, Enter and Esc will do."""
+        document = self._document
+        return status_hint(
+            document.mode,
+            self._draw,
+            self._edit,
+            self._context() if document.frame is not None else None,
+            document.field,
+            blocked=document.frame_error,
+            over=self._over,
+            blind=not document.projection_visible,
+            upcoming=self.upcoming if self._draw.busy or self._one_click else None,
+            suggested=None if (best := document.ghosts.suggestion) is None else best.name,
+            ghosts=self._ghost_hint(),
+        )
+
+    def _ghost_hint(self) -> GhostHint:
+        ghosts = self._document.ghosts
+        current, count = ghosts.current, len(ghosts.painted)
+        if current is None:
+            return GhostHint(count, resumes=ghosts.resumes, coming=ghosts.walking)
+        found = ghosts.found(current.name)
+        points = len(found.points) if found is not None else None
+        return GhostHint(count, current.name, points)
+
+    # --- events ---------------------------------------------------------------------------
+
+    def hold(self, modifiers: Modifiers) -> None:
+        """A modifier key went down or up without the mouse moving."""
+        self._held = modifiers
+
+    def point_at(self, position: Position) -> None:
+        """Select what is under the cursor, for the menu there; chosen points stay chosen."""
+        self.on_ground = False
+        if self._draw.busy or (context := self._workable()) is None:
+            return
+        hit = self._edit.hover(position, context)
+        self.on_ground = hit is None
+        if hit is None:
+            self._document.select_point(None)
+            if self._document.mode == "edit":
+                self._document.select_class(None)
+            return
+        ref = (hit.class_name, hit.index)
+        if hit.kind == "point" and ref not in context.chosen_points:
+            self._document.select_point(*ref)
+        elif hit.kind == "segment":
+            self._document.select_point(None)
+            self._document.select_class(hit.class_name)
+
+    def press(self, position: Position, modifiers: Modifiers) -> None:
+        """The left button went down."""
+        self._held = modifiers
+        if self._begin_on(self._context()):
+            self._do(self._tool.press(position, modifiers, self._context()))
+
+    def move(self, position: Position, modifiers: Modifiers) -> None:
+        """The mouse moved, with or without a button."""
+        self._held, self._cursor = modifiers, position
+        if (context := self._workable()) is None:
+            return
+        if self._edit.busy:
+            self._do(self._edit.move(position, modifiers, context))
+        else:
+            self._look_under()
+
+    def release(self, position: Position, modifiers: Modifiers) -> None:
+        """The left button went up."""
+        if (context := self._workable()) is not None:
+            self._do(self._tool.release(position, modifiers, context))
+
+    def double_click(self, position: Position, modifiers: Modifiers) -> None:
+        """The second press of two quick ones."""
+        if (context := self._workable()) is not None:
+            self._do(self._tool.double_click(position, modifiers, context))
+
+    def ask_first(self, *takers: KeyTaker) -> None:
+        """Ask these, one after the other, whether a key means something else than to the tools."""
+        self._asked_first = takers
+
+    def taken_first(self, name: str, shift: bool) -> bool:
+        """Return whether a key, or "Undo", was meant for none of the tools, and is done with."""
+        return any(take(name, shift) for take in self._asked_first)
+
+    def key(self, name: str, *, shift: bool = False) -> bool:
+        """Enter, Backspace, Escape or Delete; whether it was of use."""
+        begun = self._draw.busy or self._edit.busy
+        if not begun and self.taken_first(name, shift):
+            return True
+        return self._ask(lambda context: self._answer(name, context, shift=shift), begun=begun)
+
+    def nudge(self, arrow: str, step: float) -> bool:
+        """Move the chosen points so many px; False if none is chosen."""
+        if self._draw.busy:
+            return False
+        return self._ask(lambda context: self._edit.nudge(arrow, step, context), begun=False)
+
+    def _ask(self, answer: Callable[[ToolContext], Reaction], *, begun: bool) -> bool:
+        """Do what a tool answers to a key; whether it does."""
+        if (context := self._workable()) is None:
+            return False
+        reaction = answer(context)
+        if reaction.edit is not None and not begun:
+            # The frame is taken only now, and its file may be newer: an idle tool keeps nothing of
+            # a key that edits, so it is asked again.
+            if not self._begin_on(context):
+                return True
+            reaction = answer(self._context())
+        self._do(reaction)
+        return reaction.handled
+
+    def _answer(self, name: str, context: ToolContext, *, shift: bool) -> Reaction:
+        reaction = self._tool.key(name, context, shift=shift)
+        if not reaction.handled and not self._draw.busy and name == "Delete":
+            # A point chosen in the table of scores can be removed while drawing too.
+            reaction = self._edit.key(name, context, shift=shift)
+        return reaction
+
+    def delete_element(self) -> None:
+        """Remove the selected element, also what is being clicked of it; say why nothing is."""
+        document, name = self._document, self._document.selected_class
+        if not self._begin_on(self._context()):
+            return
+        if dropped := len(self._draw.points):
+            self._do(self._draw.key("Escape", self._context()))  # not shown
+        reaction = self._edit.delete_element(self._context())
+        self._do(reaction)
+        if reaction.handled:
+            return
+        title = tr(document.field.title_of(name)) if name is not None else ""
+        document.say(why_not_deleted(title, dropped), "info")
+
+    def finish(self) -> None:
+        """The frame is about to be left: what is under way becomes an edit, a single click an
+        unconfirmed element; either is said."""
+        self._end_draft(keep_selection=False)
+        if self._edit.busy:
+            self._do(self._edit.finish(self._context()))
+
+    # --- inside ---------------------------------------------------------------------------
+
+    @property
+    def _tool(self) -> DrawTool | EditTool:
+        return self._draw if self._document.mode == "draw" else self._edit
+
+    def _context(self) -> ToolContext:
+        document = self._document
+        return ToolContext(
+            document.annotation,
+            document.picture_size or (2, 2),
+            self.view_scale,
+            document.selected_class,
+            document.selected_point,
+            document.selected_points,
+            self.curved,
+            self._snapper if self._snapper.wanted else None,
+            document.state.options.pinned,
+            document.state.options.two_clicks,
+            document.field.title_of,
+            self.spots,
+            unnamed_class(document.annotation) if document.state.options.draw_first else None,
+            document.state.selection.continues,
+        )
+
+    def _begin_on(self, seen: ToolContext) -> bool:
+        """Return whether a gesture may begin: the frame can be edited, no one else has it, and no
+        one changed what is chosen since it was ``seen``; that is to be checked first."""
+        document = self._document
+        if document.frame is None or not document.editable or not document.begin_edit():
+            return False
+        now, names = self._context(), {name for name, _ in seen.chosen_points}
+        if seen.selected_class is not None:
+            names.add(seen.selected_class)
+        changed = [name for name in sorted(names) if now.polyline(name) != seen.polyline(name)]
+        if not changed or self._draw.busy:  # what is being drawn goes on from whatever there is
+            return True
+        if now.chosen_points != seen.chosen_points:
+            document.select_class(None)  # the same key again must not mean the whole element
+        titles = ", ".join(tr(document.field.title_of(name)) for name in changed)
+        text = tr("{titles}: changed elsewhere, look again first", titles=titles)
+        document.say(text, "info")
+        return False
+
+    def _workable(self) -> ToolContext | None:
+        """Return what a gesture may look at; one that has begun ends even if its lock was lost."""
+        begun = self._draw.busy or self._edit.busy
+        return self._context() if self._document.editable or begun else None
+
+    def _look_before(self) -> None:
+        """What the last annotated frame has is likely to be seen in this one too."""
+        workspace, index = self._document.workspace, self._document.frame_index
+        self.seen_before = frozenset()
+        if workspace is not None and (found := annotated_before(workspace, index)) is not None:
+            self.seen_before = frozenset(found[1].annotated)
+
+    def _finish_for_another_class(self) -> None:
+        chosen = self._document.selected_class
+        if not self._draw.busy or chosen == self._draw.class_name:
+            return
+        if self._draw.unnamed and (chosen is None or self._draw.call(chosen)):
+            self.changed.emit()
+        else:
+            self._end_draft(keep_selection=True)
+
+    def _end_draft(self, *, keep_selection: bool) -> None:
+        if not self._draw.busy:
+            return
+        name, count = self._draw.class_name, len(self._draw.points)
+        before = self._document.annotation
+        edit = self._draw.finish(self._context()).edit
+        if edit is None or name is None:
+            return
+        drawn = edit.annotation.get(name)
+        waits = drawn is not None and len(drawn.points) == 1  # it is no element yet
+        if drawn is not None and waits:
+            edit = replace(edit, annotation=editing.add_unconfirmed(before, [drawn]))
+        self._commit(edit)
+        if not keep_selection:
+            self._document.select_class(name)
+        frame = self._document.state.frame_name or ""
+        title = tr(self._document.field.title_of(name))
+        self._document.say(waiting(title, frame) if waits else finished(title, count, frame))
+        self.changed.emit()
+
+    def _keep_clicks(self) -> None:
+        """Clicks under way are kept like an edit: as an element that waits for the user."""
+        kept, snapped = None, frozenset[PointKey]()
+        if self._draw.busy and (name := self._draw.class_name) is not None:
+            context = self._context()
+            points, snapped = self._draw.drawn(context)
+            if (before := context.annotation.get_unconfirmed(name)) is not None:
+                points = (*before.points, *points)
+            elif context.polyline(name) is not None:  # what is in the file has its name
+                name = unnamed_class(context.annotation)
+            kept = Polyline(name, points)
+        self._document.editing.keep_clicks(kept, snapped)
+
+    def _commit(self, edit: Edit) -> bool:
+        return self._document.commit_edit(edit.label, edit.annotation, edit.kind, edit.snapped)
+
+    def _look_under(self) -> None:
+        """What is under the cursor, which may have changed without a move of the mouse."""
+        document, context = self._document, self._workable()
+        looking = document.mode == "edit" or document.selected_class is None
+        if context is None or self._cursor is None or not looking:
+            self._hover(None)
+        elif not self._edit.busy:
+            self._hover(self._edit.hover(self._cursor, context))
+
+    def leave(self) -> None:
+        """The mouse left the picture."""
+        self._cursor = None
+        self._hover(None)
+
+    def _hover(self, hit: Hit | None) -> None:
+        if hit != self._over:
+            self._over = hit
+            self._document.hover_class(hit.class_name if hit is not None else None)
+
+    def _do(self, reaction: Reaction) -> None:
+        """What a tool answered, as one step."""
+        if reaction.handled:
+            with self._document.store.together():
+                self._take(reaction)
+
+    def _take(self, reaction: Reaction) -> None:
+        """In an order in which indices of points are valid."""
+        document = self._document
+        if reaction.message:
+            document.say(reaction.message, "info")
+        if reaction.explanation:
+            document.say(reaction.explanation, "info")
+            if not self._explained:
+                self.explained.emit(reaction.explanation)
+            self._explained = True
+        if reaction.cancelled:
+            document.editing.set_preview(None)
+        if reaction.preview is not None:
+            document.editing.set_preview(reaction.preview)
+        if reaction.edit is not None:
+            self._commit(reaction.edit)
+        if (chosen := reaction.select) is not None:
+            if chosen.class_name is None or chosen.point is None:
+                document.select_point(None)
+                document.select_class(chosen.class_name)
+            else:
+                document.select_point(chosen.class_name, chosen.point, chosen.points)
+        if reaction.finished and document.mode == "draw" and (name := self.upcoming) is not None:
+            document.select_class(name)
+        if reaction.to_name is not None:
+            self.lineFinished.emit(reaction.to_name)
+        if reaction.completed is not None:
+            document.selecting.note_finished(reaction.completed)
+        if reaction.preview is None:
+            self.changed.emit()

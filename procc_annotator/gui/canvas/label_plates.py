@@ -1,0 +1,187 @@
+"""Texts next to points of the picture, on plates that keep them readable on anything."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import lru_cache
+from typing import NamedTuple
+
+from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QGuiApplication, QPainter
+
+from procc_annotator.calibration.label_check.finding import Severity
+from procc_annotator.gui.canvas.finding_sign import paint_finding_sign
+from procc_annotator.gui.canvas.hand_signs import GAP, MAGNET, SWATCH, paint_magnet, paint_swatch
+from procc_annotator.interaction.overlay_figure import place_apart
+from procc_annotator.interaction.overlay_primitives import Box, CursorSigns, Labels
+
+LABEL_REACH = 300.0  # how far, in points, a text reaches beyond its point
+_GAP = 9.0
+_FONT_PIXELS = 12.0  # in points of the overlay, as all sizes here
+_SIGN = 15.0  # of a finding, before its text
+_PLATE = QColor(20, 20, 20, 190)
+
+
+class Plate(NamedTuple):
+    """A text, and the plate it stands on: left, top, right, bottom, device px."""
+
+    labels: Labels
+    row: int
+    place: Box
+
+    @property
+    def text(self) -> str:
+        return self.labels.texts[self.row]
+
+
+def anchored(groups: tuple[Labels, ...]) -> tuple[Labels, ...]:
+    """Without what is at the cursor: they stay what they are while it moves."""
+    return tuple([labels for labels in groups if not labels.carried])
+
+
+def carried(groups: tuple[Labels, ...]) -> tuple[Labels, ...]:
+    """Return what is at the cursor."""
+    return tuple([labels for labels in groups if labels.carried])
+
+
+@lru_cache(maxsize=16)  # painted again and again, part by part
+def arranged(
+    groups: tuple[Labels, ...],
+    at: tuple[float, float, float],
+    room: Box,
+    *,
+    unit: float = 1.0,
+    times: float = 1.0,
+) -> tuple[Plate, ...]:
+    """Return where texts go so that they do not cover each other; signs of findings stand where
+    they are, and so does what is at the cursor, which nothing gives way to. What needs painting
+    does not matter: a part that is painted anew fits the rest.
+
+    Args:
+        groups: texts and their points, picture px.
+        at: device px per picture px, and the device px of the first pixel's centre.
+        room: what can be seen, device px; texts of points in it stay inside.
+        unit: device px per point.
+        times: how large texts are of what they usually are.
+    """
+    letter = QFontMetricsF(_font(unit, times)).height()
+    seen = QRectF(QPointF(*room[:2]), QPointF(*room[2:]))
+    reach = LABEL_REACH * unit * times
+    near = seen.adjusted(-reach, -reach, reach, reach)
+    found: list[Plate] = []
+    for labels in groups:
+        for row, (x, y) in enumerate(labels.positions.tolist()):
+            point = QPointF(x * at[0] + at[1], y * at[0] + at[2])
+            if near.contains(point):
+                size = _size(labels, labels.texts[row], letter, unit, times)
+                box = place_label(point, size, seen, unit, below=labels.below)
+                found.append(Plate(labels, row, _box(box)))
+    taken = [plate.place for plate in found if plate.labels.sign]
+    for i, plate in enumerate(found):
+        if not (plate.labels.sign or plate.labels.carried):
+            taken.append(place_apart(plate.place, taken, room))
+            found[i] = plate._replace(place=taken[-1])
+    return tuple(found)
+
+
+def paint_plates(
+    painter: QPainter, plates: Sequence[Plate], area: QRectF, *, unit: float, times: float
+) -> None:
+    """Paint texts on plates, as far as they lie in what needs painting, device px."""
+    font = _font(unit, times)
+    painter.setFont(font)
+    letter = QFontMetricsF(font).height()
+    for plate in plates:
+        left, top, right, bottom = plate.place
+        box = QRectF(left, top, right - left, bottom - top)
+        if box.intersects(area):
+            _paint_label(painter, plate.labels, plate.text, box, unit, letter)
+
+
+def _font(unit: float, times: float) -> QFont:
+    font = QGuiApplication.font()
+    font.setPixelSize(max(1, round(_FONT_PIXELS * unit * times)))
+    return font
+
+
+def _size(labels: Labels, text: str, letter: float, unit: float, times: float) -> QSizeF:
+    """Of a plate: behind the text it keeps it readable on grass, lines and crowd alike."""
+    sign = _SIGN * unit if labels.sign else 0.0
+    wide = _width(text, unit, times) + (8 * unit if text else 4 * unit) + sign
+    wide += sum(_hand_room(labels.hand, letter))
+    return QSizeF(wide, max(letter, sign) + 2 * unit)
+
+
+@lru_cache(maxsize=2_000)
+def _width(text: str, unit: float, times: float) -> float:
+    return QFontMetricsF(_font(unit, times)).horizontalAdvance(text)
+
+
+def _hand_room(signs: CursorSigns | None, letter: float) -> tuple[float, float]:
+    """Return what the signs of the hand take before and behind a text, device px."""
+    if signs is None:
+        return 0.0, 0.0
+    return (SWATCH + GAP) * letter, (MAGNET + GAP) * letter if signs.snap else 0.0
+
+
+def _box(rectangle: QRectF) -> Box:
+    return rectangle.left(), rectangle.top(), rectangle.right(), rectangle.bottom()
+
+
+def _paint_label(
+    painter: QPainter, labels: Labels, text: str, plate: QRectF, unit: float, letter: float
+) -> None:
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(_PLATE)
+    painter.drawRoundedRect(plate, 3 * unit, 3 * unit)
+    if labels.sign:
+        sign = _SIGN * unit
+        box = QRectF(plate.left() + 2 * unit, plate.center().y() - sign / 2, sign, sign)
+        paint_finding_sign(painter, box, Severity(labels.sign))
+        plate.setLeft(box.right())
+    if (signs := labels.hand) is not None:
+        _paint_hand(painter, signs, plate, letter, 4 * unit)
+        before, behind = _hand_room(signs, letter)
+        plate.adjust(before, 0, -behind, 0)
+    painter.setPen(QColor(labels.colour))
+    painter.drawText(plate, Qt.AlignmentFlag.AlignCenter, text)
+
+
+def _paint_hand(
+    painter: QPainter, signs: CursorSigns, plate: QRectF, letter: float, margin: float
+) -> None:
+    side, middle = SWATCH * letter, plate.center().y()
+    swatch = QRectF(plate.left() + margin, middle - side / 2, side, side)
+    paint_swatch(painter, swatch, signs)
+    if signs.snap:
+        side = MAGNET * letter
+        magnet = QRectF(plate.right() - margin - side, middle - side / 2, side, side)
+        paint_magnet(painter, magnet, signs)
+
+
+def place_label(
+    point: QPointF, size: QSizeF, room: QRectF, unit: float, *, below: bool = False
+) -> QRectF:
+    """Return where the text of a point goes: right above it (or below it), or to its left or on the
+    other side where that is cut off. It comes into sight if any of the point's mark does.
+
+    Args:
+        point, size, room: of the point, the text, and what can be seen, in device px.
+        unit: device px per point.
+        below: which side is the usual one.
+    """
+    gap = _GAP * unit
+    wide, high = size.width(), size.height()
+    x, y = point.x(), point.y()
+    over, under = y + 2 * unit - gap - high, y + gap
+    left, top = x + gap, under - 2 * unit if below else over
+    first, last, upper, lower = room.left(), room.right(), room.top(), room.bottom()
+    if first - gap <= x <= last + gap and upper - gap <= y <= lower + gap:
+        if left + wide > last:
+            left = x - gap - wide
+        if top < upper:
+            top = under
+        elif below and top + high > lower:
+            top = over
+        left = max(first, left)
+    return QRectF(left, top, wide, high)

@@ -1,0 +1,345 @@
+"""An item over the picture: paints an overlay, and repaints only what changed."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from itertools import chain, repeat, zip_longest
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QPointF, QRectF, QSize, QSizeF, Qt
+from PySide6.QtGui import QPainter, QTransform
+from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
+
+from procc_annotator.gui.canvas.items import paint_overlay
+from procc_annotator.gui.canvas.label_plates import anchored, arranged
+from procc_annotator.gui.canvas.still import StillOverlay
+from procc_annotator.gui.theme import text_times
+from procc_annotator.interaction.overlay_primitives import (
+    EMPTY_OVERLAY,
+    Box,
+    CursorSigns,
+    Labels,
+    Overlay,
+    PointMarks,
+    Strokes,
+)
+
+_MARGIN = 14.0  # points: half a handle with its halo, a line's width
+_LETTER = 8.5  # points: generous bounds of a label's letter, and of how high and low it stands
+_WIDE_LETTER = 13.0  # of Japanese and Chinese
+_SIGNS = 40.0  # what may stand beside a text at the cursor
+_ABOVE = 28.0
+_BELOW = 32.0
+_IN_HAND = frozenset({"draft", "band", "whisker"})  # layers that nothing may hide
+_EVERYWHERE = QRectF(-1e6, -1e6, 2e6, 2e6)
+
+Positions = NDArray[np.floating]
+
+_NO_ROWS = np.empty((0, 4))
+_NO_PLACES = np.empty((0, 2))
+
+
+# A text next to its point: the point, picture px, the text, and its plate from the point, device
+# px.
+Beside = tuple[tuple[float, float], str, tuple[float, ...]]
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class _Seen:
+    """How the view looked when it was painted: where the picture lay, and what could be seen."""
+
+    world: QTransform
+    room: QRectF  # device px
+
+    def beside_points(self, groups: tuple[Labels, ...]) -> frozenset[Beside]:
+        """Return where texts are that give way to others."""
+        scale, room = self.world.m11(), self.room
+        at = scale, self.world.dx() + 0.5 * scale, self.world.dy() + 0.5 * scale
+        box = room.left(), room.top(), room.right(), room.bottom()
+        return _beside_points(anchored(groups), at, box, text_times())
+
+    def areas_of(self, texts: frozenset[Beside]) -> list[QRectF]:
+        """Return what they cover, scene coordinates."""
+        point = 1.0 / self.world.m11()
+        areas = []
+        for (x, y), _, moved in texts:
+            left, top, right, bottom = (point * edge for edge in moved)
+            box = QRectF(x + 0.5 + left, y + 0.5 + top, right - left, bottom - top)
+            areas.append(box.adjusted(-2 * point, -2 * point, 2 * point, 2 * point))
+        return areas
+
+
+@lru_cache(maxsize=8)
+def _beside_points(
+    groups: tuple[Labels, ...], at: tuple[float, float, float], room: Box, times: float
+) -> frozenset[Beside]:
+    scale, left, top = at
+    found = []
+    for plate in arranged(groups, at, room, times=times):
+        x, y = plate.labels.positions[plate.row].tolist()
+        point = (x * scale + left, y * scale + top) * 2
+        moved = tuple(round(p - a, 2) for p, a in zip(plate.place, point, strict=True))
+        found.append(((x, y), plate.text, moved))
+    return frozenset(found)
+
+
+class OverlayItem(QGraphicsItem):
+    """Everything drawn over the picture; scene coordinates are the picture's pixel squares."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setFlag(QGraphicsItem.GraphicsItemFlag.ItemUsesExtendedStyleOption)
+        self.setZValue(1)
+        self.overlay = EMPTY_OVERLAY
+        self.wireframes = EMPTY_OVERLAY  # over the overlay's lines, under marks and what is in hand
+        self.ghosts = EMPTY_OVERLAY  # below everything
+        self._layers: tuple[Overlay, ...] | None = None
+        self._still_ghosts = StillOverlay()
+        self._still = StillOverlay()
+        self.side: QRectF | None = None  # of the viewport, in points; None: all of it
+        self._area = QRectF()
+        self._painted_at: _Seen | None = None
+
+    def set_area(self, area: QRectF) -> None:
+        """Where anything may be painted (points may lie outside the picture)."""
+        self.prepareGeometryChange()
+        self._area = QRectF(area)
+
+    def set_overlay(self, overlay: Overlay, scale: float, *, everywhere: bool = False) -> None:
+        """Show another overlay; ``scale`` is screen px per picture px, for the reach of marks.
+
+        ``everywhere`` spares the comparison when the whole picture is painted anyway.
+        """
+        if everywhere:
+            self.overlay, self._layers = overlay, None
+            self.update()
+            return
+        if overlay is self.overlay:
+            return
+        changed = changed_areas(self.overlay, overlay, scale)
+        changed += self._given_way(self.overlay.labels, overlay.labels)
+        self.overlay, self._layers = overlay, None
+        scene = self.scene()
+        for area in changed:  # Qt would unite those of an item
+            if scene is not None:
+                scene.update(area & self._area)
+
+    def set_wireframes(self, wireframes: Overlay) -> None:
+        """Show what other sources see of the field."""
+        if wireframes is not self.wireframes:
+            self.wireframes, self._layers = wireframes, None
+            self.update()
+
+    def set_ghosts(self, ghosts: Overlay, scale: float) -> None:
+        """Show what is expected of elements not annotated yet; ``scale`` as for `set_overlay`."""
+        if ghosts is not self.ghosts:
+            area = _whole_area(self.ghosts, scale) | _whole_area(ghosts, scale)
+            self.ghosts, self._layers = ghosts, None
+            self.update(area & self._area)
+
+    def place_labels(self) -> None:
+        """View or side changed: texts may have to lie elsewhere next to their points.
+
+        The view moves what is painted along and paints only what comes into sight.
+        """
+        scene = self.scene()
+        if scene is None or not scene.views():
+            return
+        view, before = scene.views()[0], self._painted_at
+        self._painted_at = _Seen(view.viewportTransform(), self._room(view.viewport().size()))
+        for labels in (self.ghosts.labels, self.overlay.labels):
+            now = self._painted_at.beside_points(labels)
+            was = now if before is None else before.beside_points(labels)
+            for area in self._painted_at.areas_of(was ^ now):
+                self.update(area & self._area)
+
+    def _given_way(self, before: tuple[Labels, ...], after: tuple[Labels, ...]) -> list[QRectF]:
+        """Return where texts go that stay what they are, and come to, as others came or went."""
+        seen = self._painted_at
+        if seen is None or anchored(before) == anchored(after):
+            return []
+        return seen.areas_of(seen.beside_points(before) ^ seen.beside_points(after))
+
+    def _room(self, viewport: QSize) -> QRectF:
+        """Return what can be seen of this item, in points of the viewport."""
+        return self.side if self.side is not None else QRectF(QPointF(), QSizeF(viewport))
+
+    def boundingRect(self) -> QRectF:
+        return self._area
+
+    def paint(
+        self,
+        painter: QPainter,
+        option: QStyleOptionGraphicsItem,
+        widget: QWidget | None = None,
+    ) -> None:
+        world = painter.worldTransform()
+        clip = world.mapRect(option.exposedRect)
+        painter.save()
+        painter.resetTransform()
+        if self.side is not None:
+            clip &= self.side
+            painter.setClipRect(self.side, Qt.ClipOperation.IntersectClip)
+        if not clip.isEmpty() and widget is not None:
+            self._paint(painter, world, clip, widget.size())
+        painter.restore()
+
+    def _paint(self, painter: QPainter, world: QTransform, clip: QRectF, room: QSize) -> None:
+        scale, offset = world.m11(), (world.dx(), world.dy())
+        seen = self._room(room)
+        self._painted_at = _Seen(QTransform(world), seen)
+        for layer in self.layers:
+            if layer is self.ghosts or layer is self.wireframes:
+                still = self._still_ghosts if layer is self.ghosts else self._still
+                still.paint(
+                    painter, layer, scale=scale, offset=offset, clip=clip, room=room, seen=seen
+                )
+            else:
+                paint_overlay(
+                    painter, layer, scale=scale, offset=offset, clip=clip, room=seen,
+                    text_times=text_times(),
+                )  # fmt: skip
+
+    @property
+    def layers(self) -> tuple[Overlay, ...]:
+        """Return what is painted, first to last."""
+        if self._layers is None:
+            below, above = self.overlay, EMPTY_OVERLAY
+            if self.wireframes.strokes:
+                below, above = split_layers(self.overlay)
+            every = self.ghosts, below, self.wireframes, above
+            self._layers = tuple(layer for layer in every if layer is not EMPTY_OVERLAY)
+        return self._layers
+
+
+def split_layers(overlay: Overlay) -> tuple[Overlay, Overlay]:
+    """The lines that wireframes may hide, and what must not be hidden: marks, what is in hand."""
+    below = tuple(s for s in overlay.strokes if s.layer not in _IN_HAND)
+    in_hand = tuple(s for s in overlay.strokes if s.layer in _IN_HAND)
+    return Overlay(below, (), ()), Overlay(in_hand, overlay.marks, overlay.labels)
+
+
+def changed_areas(old: Overlay, new: Overlay, scale: float) -> list[QRectF]:
+    """Return what has to be painted again, in scene coordinates, place by place.
+
+    Groups that are the very same are not examined.
+    """
+    point = 1.0 / scale
+    areas: list[QRectF] = []
+    looked_at: set[tuple[int, int]] = set()  # lines of several looks, one over the other
+    groups = chain(zip_longest(old.strokes, new.strokes), zip_longest(old.marks, new.marks))
+    for was, now in [(was, now) for was, now in groups if was is not now]:
+        if _seen(was) or _seen(now):
+            rows, others, same_look = _rows(was), _rows(now), _look(was) == _look(now)
+            pair = id(rows), id(others)
+            if not same_look or pair not in looked_at:
+                looked_at.add(pair)
+                _add(areas, _changed(rows, others, same_look, _MARGIN * point))
+    for labels, after in zip_longest(old.labels, new.labels):
+        if labels is not after:
+            for place, text, _ in _texts(labels) ^ _texts(after):
+                _add(areas, _reach_of_label(place, text, point))
+    return areas
+
+
+def _add(areas: list[QRectF], area: QRectF) -> None:
+    """One more area; those that overlap become one."""
+    if area.isEmpty():
+        return
+    for i, other in enumerate(areas):
+        if other.intersects(area):
+            areas.pop(i)
+            _add(areas, other | area)
+            return
+    areas.append(area)
+
+
+def _seen(group: Strokes | PointMarks | None) -> bool:
+    return group is not None and group.box is not None
+
+
+def _look(group: Strokes | PointMarks | None) -> tuple[object, ...]:
+    if isinstance(group, Strokes):
+        return group.colour, group.width, group.dash
+    return () if group is None else (group.colour, group.size, group.shape)
+
+
+def _rows(group: Strokes | PointMarks | None) -> Positions:
+    if group is None:
+        return _NO_ROWS
+    return group.segments if isinstance(group, Strokes) else group.centres
+
+
+def _changed(was: Positions, now: Positions, same_look: bool, margin: float) -> QRectF:
+    """Return what some lines or points cover that are not painted as they were."""
+    if same_look and len(was) == len(now):
+        differs = (was != now).any(axis=1)
+        was, now = was[differs], now[differs]
+    elif same_look and len(was) and len(now):
+        was, now = _different_rows(was, now)
+    return _bounds(was, now, margin)
+
+
+def _texts(
+    labels: Labels | None,
+) -> set[tuple[tuple[float, float], str, CursorSigns | None]]:
+    """Each text with its place and what stands next to it."""
+    if labels is None:
+        return set()
+    places = map(tuple, labels.positions.tolist())
+    return set(zip(places, labels.texts, repeat(labels.hand)))
+
+
+def _whole_area(overlay: Overlay, scale: float) -> QRectF:
+    """All that an overlay covers, scene coordinates."""
+    point = 1.0 / scale
+    corners = [s.segments.reshape(-1, 2) for s in overlay.strokes]
+    outlines = [patch.outline for patch in overlay.patches]
+    places = np.concatenate([_NO_PLACES, *corners, *outlines, *(m.centres for m in overlay.marks)])
+    area = _bounds(places, _NO_PLACES, _MARGIN * point)
+    for labels in overlay.labels:
+        for place, text, _ in _texts(labels):
+            area |= _reach_of_label(place, text, point)
+    return area
+
+
+def _different_rows(was: Positions, now: Positions) -> tuple[Positions, Positions]:
+    """Return what is left of both when equal rows are taken off their beginnings and ends."""
+    common = min(len(was), len(now))
+    differs = (was[:common] != now[:common]).any(axis=1)
+    head = int(np.argmax(differs)) if differs.any() else common
+    rest = common - head
+    differs = (was[len(was) - rest :][::-1] != now[len(now) - rest :][::-1]).any(axis=1)
+    tail = int(np.argmax(differs)) if differs.any() else rest
+    return was[head : len(was) - tail], now[head : len(now) - tail]
+
+
+def _bounds(was: Positions, now: Positions, margin: float) -> QRectF:
+    both = was.reshape(-1).tolist() + now.reshape(-1).tolist()
+    if not both:
+        return QRectF()
+    if not math.isfinite(sum(both)):
+        return _EVERYWHERE
+    across, down = both[::2], both[1::2]
+    left, top = min(across) - margin, min(down) - margin
+    right, bottom = max(across) + margin, max(down) + margin
+    # Pixel centres are whole numbers in the overlay and halves in the scene.
+    return QRectF(left + 0.5, top + 0.5, right - left, bottom - top)
+
+
+def _reach_of_label(place: Sequence[float], text: str, point: float) -> QRectF:
+    """Return where a text may lie around its point, scene coordinates; ``point`` in picture px."""
+    x, y = place
+    reach, above, below = (points * point for points in _reach(text))
+    return QRectF(x - reach, y - above, 2 * reach, above + below)
+
+
+def _reach(text: str) -> tuple[float, float, float]:
+    """Return how far a text may reach aside, above and below its point, points."""
+    times = text_times()
+    letter = _LETTER if text.isascii() else _WIDE_LETTER
+    return (len(text) * letter + _SIGNS) * times + 20, _ABOVE * times, _BELOW * times

@@ -1,0 +1,191 @@
+"""Overlay pictures without a window: the painter of the canvas on pixels in memory, or in SVG."""
+
+from __future__ import annotations
+
+from base64 import b64encode
+
+import cv2
+import numpy as np
+from PySide6.QtCore import QBuffer, QByteArray, QCoreApplication, QIODevice, QRectF, QSize
+from PySide6.QtGui import QImage, QPainter
+from PySide6.QtSvg import QSvgGenerator
+from PySide6.QtWidgets import QApplication
+
+from procc_annotator.errors import SaveError
+from procc_annotator.gui.canvas.caption import paint_caption
+from procc_annotator.gui.canvas.items import paint_overlay
+from procc_annotator.gui.canvas.legend import LegendBand
+from procc_annotator.image.pixels import PixelArray
+from procc_annotator.interaction.legend import legend_of
+from procc_annotator.interaction.overlay import OverlayBuilder, OverlayContent
+from procc_annotator.report.overlay_scene import (
+    GROUND_BGRA,
+    OverlayLook,
+    Scene,
+    caption,
+    check_overlay_suffix,
+    check_pixels,
+    pixels_of,
+)
+from procc_annotator.translation import in_english
+
+_JPEG = (cv2.IMWRITE_JPEG_QUALITY, 88)
+
+
+class OverlayPictures:
+    """Called with a scene, gives the picture encoded as ``.png``, ``.jpg`` or ``.svg``.
+
+    Raises:
+        UsageError: another suffix.
+    """
+
+    def __init__(self, suffix: str, look: OverlayLook | None = None) -> None:
+        check_overlay_suffix(suffix)
+        self._suffix = suffix
+        self._look = look if look is not None else OverlayLook()
+        # Text needs an application object, though no display; it must outlive the painting.
+        self._application = QCoreApplication.instance() or QApplication(
+            ["procc-annotator", "-platform", "offscreen"]
+        )
+
+    def __call__(self, scene: Scene) -> bytes:
+        """The encoded picture.
+
+        Raises:
+            ImageError: the picture cannot be decoded.
+            UsageError: the result would be too large.
+        """
+        with in_english():
+            drawing = _Drawing(scene, self._look)
+            return drawing.svg() if self._suffix == ".svg" else drawing.raster(self._suffix)
+
+
+class _Drawing:
+    """A scene with its measures: where the picture, its overlay and its legend go."""
+
+    def __init__(self, scene: Scene, look: OverlayLook) -> None:
+        self._scene = scene
+        self._caption = caption(scene) if look.caption else ""
+        self._pixels = pixels_of(scene)
+        height, width = self._pixels.shape[:2]
+        self._scale, self._unit = look.scale_and_unit(width)
+        self._size = max(1, round(width * self._scale)), max(1, round(height * self._scale))
+        shown = OverlayContent(
+            annotation=scene.annotation,
+            size=scene.setup.size,
+            field=scene.setup.field,
+            measurement=scene.measurement,
+            score=scene.score,
+            picture_size=(width, height),
+            paint=scene.paint,
+        )
+        self._overlay = OverlayBuilder().build(shown)
+        self._band = None
+        if look.legend:
+            setup = scene.setup
+            entries = legend_of(
+                scene.annotation, setup.field, scene.measurement, scene.score, setup.size,
+                with_paint=scene.paint is not None,
+            )  # fmt: skip
+            heading = " – ".join(part for part in (scene.title, caption(scene)) if part)
+            self._band = LegendBand(heading, entries, self._size[0], self._legend_unit)
+
+    @property
+    def _legend_unit(self) -> float:
+        """Px per point of the legend, which must be read though the picture is made small."""
+        return float(max(self._unit, min(1.0, self._size[0] / 640)))
+
+    @property
+    def _whole(self) -> tuple[int, int]:
+        below = 0 if self._band is None else self._band.height
+        return self._size[0], self._size[1] + below
+
+    def raster(self, suffix: str) -> bytes:
+        """The picture as PNG or JPEG."""
+        width, height = self._whole
+        check_pixels(width, height)
+        canvas = np.zeros((height, width, 4), dtype=np.uint8)
+        canvas[: self._size[1]] = self._resized()
+        # Painting goes straight into the array, whose memory the image shares.
+        image = QImage(canvas.data, width, height, canvas.strides[0], QImage.Format.Format_RGB32)
+        painter = QPainter(image)
+        self._paint(painter)
+        painter.end()
+        options = _JPEG if suffix == ".jpg" else ()
+        done, encoded = cv2.imencode(suffix, canvas[:, :, :3], options)
+        if not done:
+            raise SaveError(f"{self._scene.title}: the overlay cannot be encoded as {suffix}")
+        return encoded.tobytes()
+
+    def svg(self) -> bytes:
+        """The picture as SVG: the pixels as they are, everything else as lines and text."""
+        width, height = self._whole
+        content = QByteArray()
+        buffer = QBuffer(content)
+        buffer.open(QIODevice.OpenModeFlag.WriteOnly)
+        generator = QSvgGenerator()
+        generator.setOutputDevice(buffer)
+        generator.setSize(QSize(width, height))
+        generator.setViewBox(QRectF(0, 0, width, height))
+        generator.setTitle(self._scene.title or "Overlay picture")
+        generator.setDescription(caption(self._scene) or "Annotation without a camera")
+        painter = QPainter(generator)
+        painter.setClipRect(QRectF(0, 0, width, height))
+        self._paint(painter)
+        painter.end()
+        buffer.close()
+        return _with_picture(bytes(content.data()), self._embedded(), width, height)
+
+    def _embedded(self) -> str:
+        """The picture below the strokes, as an SVG element."""
+        width, height = self._size
+        if self._scene.image_path is None:
+            blue, green, red, _ = GROUND_BGRA
+            return f'<rect width="{width}" height="{height}" fill="rgb({red},{green},{blue})"/>'
+        lossless = self._scene.image_path.suffix.lower() in (".png", ".bmp")
+        suffix, kind = (".png", "png") if lossless else (".jpg", "jpeg")
+        done, encoded = cv2.imencode(
+            suffix, self._pixels[:, :, :3], () if lossless else (cv2.IMWRITE_JPEG_QUALITY, 95)
+        )
+        if not done:
+            raise SaveError(f"{self._scene.title}: the picture cannot be put into an SVG")
+        data = b64encode(encoded.tobytes()).decode("ascii")
+        return (
+            f'<image width="{width}" height="{height}" preserveAspectRatio="none"'
+            f' xlink:href="data:image/{kind};base64,{data}"/>'
+        )
+
+    def _resized(self) -> PixelArray:
+        if self._size == (self._pixels.shape[1], self._pixels.shape[0]):
+            return self._pixels
+        method = cv2.INTER_AREA if self._scale < 1 else cv2.INTER_CUBIC
+        return np.asarray(cv2.resize(self._pixels, self._size, interpolation=method), np.uint8)
+
+    def _paint(self, painter: QPainter) -> None:
+        width, height = self._size
+        area = QRectF(0, 0, width, height)
+        painter.save()
+        painter.setClipRect(area)
+        paint_overlay(
+            painter, self._overlay, scale=self._scale, unit=self._unit, clip=area, room=area
+        )  # fmt: skip
+        painter.restore()
+        if self._band is None:
+            font_px = max(1, round(14 * self._unit))
+            paint_caption(painter, self._caption, area, self._unit, font_px)
+        else:
+            self._band.paint(painter, float(height))
+
+
+def _with_picture(svg: bytes, picture: str, width: int, height: int) -> bytes:
+    """Put the picture first, and say the size in px: Qt writes millimetres of its own resolution.
+
+    Qt would embed any picture as PNG, several times as large as the JPEG most frames are.
+    """
+    head, end, rest = svg.decode().partition("</defs>")
+    before, _, after = head.partition(' width="')
+    _, _, after = after.partition(' viewBox="')
+    sized = f'{before} width="{width}" height="{height}" viewBox="{after}'
+    # A reader without the font must not fall back to one with serifs, which is of another width.
+    drawn = rest.replace('" font-size="', ', sans-serif" font-size="')
+    return f"{sized}{end}\n{picture}{drawn}".encode()

@@ -1,0 +1,229 @@
+"""A movable divider over the picture, with the names of what is drawn on either side."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import (
+    QAccessible,
+    QColor,
+    QFontMetricsF,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+)
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+from procc_annotator.gui.canvas.pinned import Pinned
+from procc_annotator.gui.roles import give_role
+from procc_annotator.translation import tr
+
+_GRIP = QSize(26, 44)
+_ABOVE_BOTTOM = 16  # the grip stands low, where it hides the least
+_NEAREST_EDGE = 24  # of the divider to an edge of the view
+_STEP, _LARGE_STEP = 8, 64
+_PLATE = QColor(20, 20, 20, 205)
+_LIGHT, _RIM = QColor("#f4f4f4"), QColor("#101010")
+_TOP = 10
+_SIGNS = {Qt.Key.Key_Left: -1, Qt.Key.Key_Right: 1}
+
+
+class NamePlate(Pinned):
+    """The name of a source on a dark plate, behind a patch of its colour."""
+
+    def __init__(self, viewport: QWidget, name: str) -> None:
+        super().__init__(viewport, name)
+        self._text = ""
+        self._colour: QColor | None = None
+        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+
+    @property
+    def text(self) -> str:
+        """Return what it says."""
+        return self._text
+
+    def say(self, text: str, colour: str) -> None:
+        """Show another text."""
+        self._text, self._colour = text, QColor(colour)
+        self.setAccessibleName(text)
+        self.update()
+
+    def wanted_size(self) -> QSize:
+        """Room for the whole text."""
+        metrics = QFontMetricsF(self.font())
+        return QSize(
+            round(metrics.horizontalAdvance(self._text)) + 34, round(metrics.height()) + 10
+        )
+
+    def wanted_height(self, width: int) -> int:
+        """Room for the whole text, in as many lines as a width makes of it."""
+        room = QRectF(0, 0, width - 32, 0)
+        metrics = QFontMetricsF(self.font())
+        wrapped = metrics.boundingRect(room, Qt.TextFlag.TextWordWrap, self._text)
+        return round(wrapped.height()) + 10
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        area = QRectF(self.rect())
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(_PLATE)
+        painter.drawRoundedRect(area, 4, 4)
+        if self._colour is not None:
+            painter.setPen(QPen(_LIGHT, 1))
+            painter.setBrush(self._colour)
+            painter.drawRect(QRectF(8.5, area.center().y() - 5, 10, 10))
+        painter.setPen(_LIGHT)
+        room = area.adjusted(26, 0, -6, 0)
+        text = self._text
+        if room.height() < self.wanted_height(self.width()):
+            middle = Qt.TextElideMode.ElideMiddle
+            text = self.fontMetrics().elidedText(text, middle, int(room.width()))
+        where = Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft
+        painter.drawText(room, where | Qt.TextFlag.TextWordWrap, text)
+
+
+class _Line(Pinned):
+    """The divider itself: light between two dark lines."""
+
+    WIDTH = 4
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.fillRect(self.rect(), _RIM)
+        painter.fillRect(self.rect().adjusted(1, 0, -1, 0), _LIGHT)
+
+
+class DividerGrip(Pinned):
+    """What the divider is dragged by; the only part that takes the mouse."""
+
+    movedTo = Signal(float)  # x in the viewport
+
+    def __init__(self, viewport: QWidget) -> None:
+        super().__init__(viewport, "dividerGrip")
+        give_role(self, QAccessible.Role.Grip)
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents, False)
+        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        self.setCursor(Qt.CursorShape.SplitHCursor)
+        self.setToolTip(tr("Drag to move the divider (arrow keys do it too)"))
+        self.setAccessibleName(tr("Divider of the split view"))
+        self._held_at: float | None = None
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        event.accept()
+        if event.button() == Qt.MouseButton.LeftButton:
+            self._held_at = event.position().x() - self.width() / 2
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        event.accept()
+        if self._held_at is not None:
+            self.movedTo.emit(self.mapToParent(event.position()).x() - self._held_at)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        event.accept()
+        self._held_at = None
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        event.accept()
+
+    def event(self, event: QEvent) -> bool:
+        if (
+            isinstance(event, QKeyEvent)
+            and event.type() == QEvent.Type.ShortcutOverride
+            and event.key() in _SIGNS
+        ):
+            event.accept()  # elsewhere on the canvas the arrows move points
+            return True
+        return super().event(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        sign = _SIGNS.get(Qt.Key(event.key()))
+        if sign is None:
+            super().keyPressEvent(event)
+            return
+        event.accept()
+        large = event.modifiers() & Qt.KeyboardModifier.ShiftModifier
+        middle = self.x() + self.width() / 2
+        self.movedTo.emit(middle + sign * (_LARGE_STEP if large else _STEP))
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        area = QRectF(self.rect()).adjusted(1, 1, -1, -1)
+        painter.setPen(QPen(_LIGHT, 2 if self.hasFocus() else 1))
+        painter.setBrush(_PLATE)
+        painter.drawRoundedRect(area, 6, 6)
+        middle = area.center()
+        painter.setPen(QPen(_LIGHT, 1.6))
+        for sign in (-1, 1):
+            tip = middle.x() + sign * 8
+            back = middle.x() + sign * 4
+            painter.drawLine(tip, middle.y(), back, middle.y() - 4)  # type: ignore[call-overload]
+            painter.drawLine(tip, middle.y(), back, middle.y() + 4)  # type: ignore[call-overload]
+
+
+class SplitView(QObject):
+    """Line, grip and the two names; says where the divider is, and draws nothing of the picture."""
+
+    moved = Signal(float, float)  # from, to: x in the viewport
+
+    def __init__(self, viewport: QWidget) -> None:
+        super().__init__(viewport)
+        self._viewport = viewport
+        self._share = 0.5
+        self._shown = False
+        self.top = 0  # screen px that something else covers
+        self._line = _Line(viewport, "dividerLine")
+        self.grip = DividerGrip(viewport)
+        self.left = NamePlate(viewport, "splitLeft")
+        self.right = NamePlate(viewport, "splitRight")
+        self.grip.movedTo.connect(self.move_to)
+
+    @property
+    def x(self) -> float:
+        """Return where the divider is in the viewport; it keeps its share of the width."""
+        return round(self._share * self._viewport.width())
+
+    @property
+    def shown(self) -> bool:
+        """Return whether the picture is divided."""
+        return self._shown
+
+    def move_to(self, x: float) -> None:
+        """Put the divider somewhere else, not out of reach."""
+        before, width = self.x, self._viewport.width()
+        edge = min(_NEAREST_EDGE, width / 2)
+        self._share = min(max(x, edge), width - edge) / max(1, width)
+        self.place()
+        if self._shown and self.x != before:
+            self.moved.emit(before, self.x)
+
+    def show_names(self, left: tuple[str, str], right: tuple[str, str]) -> None:
+        """Divide the picture; each side's text and colour stand at its top."""
+        self.left.say(*left)
+        self.right.say(*right)
+        self._shown = True
+        self.place()
+        for part in (self._line, self.left, self.right, self.grip):
+            part.show()
+            part.raise_()
+
+    def hide(self) -> None:
+        """One picture again."""
+        self._shown = False
+        for part in (self._line, self.left, self.right, self.grip):
+            part.hide()
+
+    def place(self) -> None:
+        """Arrange everything in the viewport as it is now."""
+        x, size = round(self.x), self._viewport.size()
+        self._line.put(QRect(x - _Line.WIDTH // 2, 0, _Line.WIDTH, size.height()))
+        top = max(0, size.height() - _ABOVE_BOTTOM - _GRIP.height())
+        self.grip.put(QRect(QPoint(x - _GRIP.width() // 2, top), _GRIP))
+        wanted, room = self.left.wanted_size(), x - 16
+        width = max(0, min(wanted.width(), room))
+        self.left.put(QRect(x - 8 - width, _TOP + self.top, width, wanted.height()))
+        wanted, room = self.right.wanted_size(), size.width() - x - 16
+        width = max(0, min(wanted.width(), room))
+        self.right.put(QRect(x + 8, _TOP + self.top, width, wanted.height()))

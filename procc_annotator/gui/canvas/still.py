@@ -1,0 +1,66 @@
+"""Painting what seldom changes: anew while the view moves, from a picture of it when it rests."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QRectF, QSize, Qt
+from PySide6.QtGui import QPainter, QPixmap
+
+from procc_annotator.gui.canvas.items import paint_overlay
+from procc_annotator.gui.theme import text_times
+from procc_annotator.interaction.overlay_primitives import Overlay
+
+
+class StillOverlay:
+    """An overlay that is painted again and again at the same place, under something that moves.
+
+    The first time at a place it is painted line by line; the second time into a picture of the
+    whole view, which from then on costs next to nothing.
+    """
+
+    def __init__(self) -> None:
+        self._painted: tuple[object, ...] = ()
+        self._picture: QPixmap | None = None
+
+    def paint(
+        self,
+        painter: QPainter,
+        overlay: Overlay,
+        *,
+        scale: float,
+        offset: tuple[float, float],
+        clip: QRectF,
+        room: QSize,
+        seen: QRectF | None = None,
+    ) -> None:
+        """Paint an overlay.
+
+        Args:
+            painter: in coordinates of the view.
+            overlay, scale, offset, clip: as for `paint_overlay`.
+            room: size of the view.
+            seen: where in the view the overlay can be seen; texts stay inside. None for all of it.
+        """
+        ratio = painter.device().devicePixelRatioF()
+        times = text_times()
+        asked = overlay, scale, offset, room, seen, ratio, times
+        if asked != self._painted:
+            self._painted, self._picture = asked, None
+            paint_overlay(
+                painter, overlay, scale=scale, offset=offset, clip=clip, room=seen,
+                text_times=times,
+            )  # fmt: skip
+            return
+        if self._picture is None:
+            self._picture = QPixmap(room * ratio)
+            self._picture.setDevicePixelRatio(ratio)
+            self._picture.fill(Qt.GlobalColor.transparent)
+            own = QPainter(self._picture)
+            whole = QRectF(0, 0, room.width(), room.height())
+            paint_overlay(
+                own, overlay, scale=scale, offset=offset, clip=whole, room=seen, text_times=times
+            )
+            own.end()
+        painter.save()
+        painter.setClipRect(clip, Qt.ClipOperation.IntersectClip)
+        painter.drawPixmap(0, 0, self._picture)
+        painter.restore()

@@ -1,0 +1,340 @@
+"""Working through ghosts: the next one, accept it, say that it cannot be seen, accept all."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from PySide6.QtCore import QObject
+
+from procc_annotator.calibration.prediction.ghosts import Ghost
+from procc_annotator.dataset.frames import Frame
+from procc_annotator.gui.canvas.canvas import Canvas
+from procc_annotator.gui.canvas.view import ViewPlace
+from procc_annotator.gui.commands.elements.ghost_accepting import GhostAccepting
+from procc_annotator.gui.settings import Settings
+from procc_annotator.gui.state.document import Document
+from procc_annotator.interaction import palette as tones
+from procc_annotator.interaction.overlay_predictions import ghost_extent, nearest_ghost
+from procc_annotator.interaction.overlay_primitives import EMPTY_OVERLAY
+from procc_annotator.translation import tr, tr_count, word
+
+_CHOOSE_FIRST = word("go to a ghost (Tab) or choose an element first")
+
+
+@dataclass(frozen=True)
+class _Before:
+    """What the walk began from."""
+
+    place: ViewPlace
+    selected: str | None
+    frame: Frame | None
+
+
+class GhostTasks(QObject):
+    """Commands on the document's ghosts, and the flight of the canvas from one to the next."""
+
+    def __init__(
+        self, document: Document, canvas: Canvas, settings: Settings, parent: QObject
+    ) -> None:
+        super().__init__(parent)
+        self._document = document
+        self._ghosts = document.ghosts
+        self._canvas = canvas
+        self.accepting = GhostAccepting(document, canvas, settings, self)
+        self._before: _Before | None = None
+        self._shown: str | None = None  # the class of the ghost the view went to
+        self._choosing = False
+        canvas.editor.changed.connect(self._leave_for_drawing)
+        self._ghosts.changed.connect(self._follow)
+        self._ghosts.ended.connect(lambda: self._say(tr("that was the last ghost")))
+        self.accepting.accepted.connect(self._go_on)
+        document.selectionChanged.connect(self._follow_selection)
+        document.frameChanged.connect(self._forget)
+
+    # --- the walk -------------------------------------------------------------------------
+
+    def go(self, step: int) -> None:
+        """Go to the next ghost (1) or the one before (-1) and have it fill the view."""
+        if self._canvas.editor.drawing:
+            self._say(tr("finish what is being drawn first (Enter), or cancel it (Esc)"))
+            return
+        self.accepting.finish()
+        if why_none := self._why_none():
+            self._say(why_none)
+            return
+        was_walking = self._ghosts.walking
+        if self._ghosts.step(step) is None and was_walking:
+            self._say(_passed_end(len(self._ghosts.known), last=step > 0))
+
+    def to_panels(self) -> None:
+        """Tab stays with the ghosts: take the keyboard from the picture to what comes after it."""
+        self._canvas.focusNextPrevChild(True)
+
+    def _why_none(self) -> str:
+        """Why there is no ghost to go to or to accept; empty if there is one."""
+        foresight, insight = self._document.foresight, self._ghosts.insight
+        if self._document.frame is None:
+            return tr("open a folder of pictures first")
+        if off := self._why_off():
+            return off
+        if insight is None:
+            coming = tr("the camera is being fitted: ghosts come in a moment")
+            return coming if foresight.working else tr("no ghosts: no camera could be fitted")
+        if insight.fit.camera is None and self._document.proposals.working:
+            return tr("no ghosts: the camera is looked for in the picture")
+        if insight.fit.camera is None and not self._document.annotation.annotated:
+            return self._why_not_found()
+        if insight.fit.camera is None:
+            why = insight.fit.failure or tr("no camera fits yet")
+            return tr("no ghosts: {why}", why=why)
+        if not self._ghosts.known:
+            return tr("no ghosts: what else is in sight is annotated, or not known well enough")
+        return ""
+
+    def _why_not_found(self) -> str:
+        """Nothing is annotated, and no camera was found without that."""
+        document = self._document
+        if document.proposals.here is None:
+            return tr("no ghosts: annotate three or four elements, a camera follows from them")
+        if document.sequence.value is None:
+            return tr("no camera was found in this picture: draw three or four elements")
+        return tr(
+            "no camera was found in this picture: draw three or four elements, or follow the shot"
+            " (T)"
+        )
+
+    def _why_off(self) -> str:
+        """Why no ghosts are shown, whatever the clicks say; empty if they are."""
+        live_fit = self._document.live_fit
+        if barred := self._document.blind_lock.no_fit:
+            return tr("no ghosts: {why}", why=barred)
+        if not live_fit.allowed:
+            return tr("no ghosts in blind mode, until the frame is committed (Ctrl+Enter)")
+        if not self._document.foresight.wanted:
+            return tr("no ghosts: the live fit is off (Ctrl+T)")
+        if not self._ghosts.wanted:
+            return tr("no ghosts: they are switched off (Element > Ghosts > Show ghosts)")
+        if self._canvas.drawing.hidden:
+            return tr("overlays are hidden: no ghost can be seen (Ctrl+H, or let go of X)")
+        return ""
+
+    def at_cursor(self) -> str | None:
+        """The class of the ghost under the cursor."""
+        at, canvas = self._canvas.cursor_px, self._canvas
+        if at is None or canvas.overlay_item.ghosts is EMPTY_OVERLAY:
+            return None
+        reach = tones.PICK_RADIUS_PX / canvas.view_scale
+        return nearest_ghost(self._ghosts.known, at, reach)
+
+    def look_at(self, name: str) -> None:
+        """Go to the ghost of a class."""
+        self._ghosts.go_to(name)
+
+    def accept_named(self, name: str) -> None:
+        """Accept the ghost of a class without going there."""
+        ghost = self._ghosts.named(name)
+        if ghost is not None:
+            self.accepting.find_and_accept(ghost)
+
+    def _follow(self) -> None:
+        """Another ghost is current, or none: take the view along."""
+        ghosts = self._ghosts
+        current = ghosts.current
+        if current is not None and current.name != self._shown:
+            self._show(current)
+        elif not ghosts.walking:
+            self._end()
+
+    def _show(self, ghost: Ghost) -> None:
+        document = self._document
+        if self._before is None:
+            self._before = _Before(
+                self._canvas.place,
+                document.selected_class,
+                document.frame,
+            )
+        self._shown = ghost.name
+        self._choose(ghost.name)
+        self._canvas.show_area(*ghost_extent(ghost))
+
+    def _choose(self, name: str | None) -> None:
+        self._choosing = True
+        self._document.select_class(name)
+        self._choosing = False
+
+    def _end(self) -> None:
+        """Back to where the walk began, unless it was left for something else."""
+        before, self._before, self._shown = self._before, None, None
+        if before is not None:
+            self._canvas.show_place(before.place)
+            self._choose(self._chosen_before(before))
+
+    def _chosen_before(self, before: _Before | None) -> str | None:
+        """The element that was chosen before the walk."""
+        if before is None or before.frame != self._document.frame:
+            return None
+        return before.selected
+
+    def _go_on(self, accepted: tuple[str, ...]) -> None:
+        """Ghosts are elements now: they are done."""
+        document, walking = self._document, self._ghosts.walking
+        if document.selected_class in accepted:
+            self._choose(self._chosen_before(self._before))
+        if walking and len(accepted) == 1 and not document.state.options.auto_advance:
+            self._leave_here()  # otherwise the walk goes on: this ghost is none any more
+
+    def _leave_here(self) -> None:
+        """The walk is over and the view stays: something else is being done here."""
+        self._before = None
+        self._ghosts.leave()
+
+    def _leave_for_drawing(self) -> None:
+        if not self._canvas.editor.drawing:
+            return
+        if self._document.selected_class in self.accepting.waiting:
+            self.accepting.drop(tr("it is being drawn by hand"))
+        if self._ghosts.walking:
+            self._leave_here()
+
+    def _follow_selection(self) -> None:
+        """Anyone who chooses another element means that one."""
+        chosen = self._document.selected_class
+        if self._choosing or not self._ghosts.walking or chosen in (None, self._shown):
+            return
+        if self._ghosts.named(chosen) is not None:
+            self._shown = chosen  # the hand is where it is: the view stays
+            self._ghosts.go_to(chosen or "")
+        else:
+            self._leave_here()
+
+    def _forget(self) -> None:
+        """Another frame is on screen, with a view of its own."""
+        self._before = self._shown = None
+
+    # --- keys -----------------------------------------------------------------------------
+
+    def key(self, name: str, shift: bool) -> bool:
+        """Take Enter, Shift+Enter, Escape or Undo while nothing is drawn; False if it is not meant
+        for ghosts."""
+        document, ghosts = self._document, self._ghosts
+        if name in ("Escape", "Undo") and self.accepting.busy:
+            self.accepting.drop(tr("taken back") if name == "Undo" else "")
+            return True
+        if name == "Escape" and ghosts.walking:
+            ghosts.leave()
+            return True
+        if name != "Enter":
+            return False
+        if shift and document.frame is not None:
+            selected, waiting = document.selected_class, document.annotation.unconfirmed
+            if any(polyline.class_name == selected for polyline in waiting):
+                return False  # it confirms that element
+            if ghosts.painted or not waiting:
+                self.accept_all()  # says why there are none
+                return True
+        if ghosts.walking:
+            self.accept()
+            return True
+        return False
+
+    # --- accepting ------------------------------------------------------------------------
+
+    def accept(self) -> None:
+        """Make the current ghost an element, as soon as its points are found."""
+        current = self._ghosts.current
+        if why_none := self._why_none():
+            self._say(why_none)
+        elif current is None:
+            self._say(tr("go to a ghost first (Tab)"))
+        else:
+            self.accepting.find_and_accept(current)
+
+    def accept_all(self) -> None:
+        """Make all ghosts elements whose lines are seen well enough; one step of undo."""
+        if why_none := self._why_none():
+            self._say(why_none)
+        else:
+            self.accepting.accept_all()
+
+    def accept_and_go_on(self) -> None:
+        """Accept all ghosts and show the next frame: going through a shot, one key a frame. A frame
+        that has none left because it is annotated is passed over."""
+        document = self._document
+        if self._why_none() and document.annotation.annotated and not self._why_off():
+            document.next_frame()
+        elif why_none := self._why_none():
+            self._say(why_none)
+        else:
+            self.accepting.accept_all(then=document.next_frame)
+
+    # --- not visible here -----------------------------------------------------------------
+
+    def say_not_visible(self) -> None:
+        """The current ghost, or the chosen element, cannot be seen in this frame; once more takes
+        it back."""
+        document = self._document
+        current = self._ghosts.current
+        if self._ghosts.walking and current is None:
+            self._say(self._why_none())  # what was chosen before the walk is not meant
+            return
+        name = current.name if current is not None else document.selected_class
+        if document.frame is None or name is None:
+            off = self._why_off()
+            self._say(tr("{off}; choose an element first", off=off) if off else tr(_CHOOSE_FIRST))
+            return
+        hidden = name in document.review.not_visible(document.frame.name)
+        self.set_not_visible(name, not hidden)
+
+    def set_not_visible(self, name: str, hidden: bool) -> None:
+        """Say that an element cannot be seen in this frame, or that it can after all."""
+        document, title = self._document, self._title(name)
+        if document.frame is None or not document.begin_edit():
+            return  # somebody else has the frame, or nobody can edit it: that is said
+        if hidden and name in document.annotation.annotated:  # maybe only since just now
+            self._say(tr("{title} is annotated here: delete it first (Ctrl+Delete)", title=title))
+            return
+        document.review.set_not_visible(document.frame.name, name, hidden)
+        self._say(
+            tr("{title} is not visible here; Ctrl+. takes it back", title=title)
+            if hidden
+            else tr("{title} may be visible here again", title=title)
+        )
+
+    def take_back_not_visible(self) -> None:
+        """Take back what was said last of this frame."""
+        said = self.not_visible()
+        if said:
+            self.set_not_visible(said[-1], False)
+        else:
+            self._say(tr("no element of this frame was said to be not visible"))
+
+    def not_visible(self) -> tuple[str, ...]:
+        """The elements said to be not visible in this frame, the latest last."""
+        frame, database = self._document.frame, self._document.review.database
+        if frame is None or database is None:
+            return ()
+        marks = database.is_marked_not_visible(frame.name)
+        return tuple(sorted(marks, key=lambda name: marks[name].time))
+
+    # --- inside ---------------------------------------------------------------------------
+
+    def _title(self, name: str) -> str:
+        return tr(self._document.field.title_of(name))
+
+    def _say(self, text: str) -> None:
+        self._document.say(text)
+
+
+def _passed_end(left: int, *, last: bool) -> str:
+    """Return what is said at the end of a walk, forward or back."""
+    if last:
+        return tr_count(
+            left,
+            "that was the last ghost; {n} ghost left, Tab begins again",
+            "that was the last ghost; {n} ghosts left, Tab begins again",
+        )
+    return tr_count(
+        left,
+        "that was the first ghost; {n} ghost left, Tab begins again",
+        "that was the first ghost; {n} ghosts left, Tab begins again",
+    )

@@ -1,0 +1,154 @@
+"""Opening what there is to work on: folders, pictures, videos, cameras, a second annotator."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import QFileDialog, QWidget
+
+from procc_annotator.dataset.layout import copy_sample, has_pictures
+from procc_annotator.errors import InputError
+from procc_annotator.field.model import Field
+from procc_annotator.gui.commands.files.video_opening import VideoOpening, keep_video_frame
+from procc_annotator.gui.latest import Latest
+from procc_annotator.gui.settings import CAMERAS, FOLDER, RECENT, SECOND, Setting, Settings
+from procc_annotator.gui.state.document import Document
+from procc_annotator.image.headers import PICTURE_SUFFIXES, VIDEO_SUFFIXES
+from procc_annotator.translation import tr
+
+_CAMERA_SUFFIXES = (".json", ".homographyMatrix", ".txt", ".npy", ".zip")
+
+
+def sample_folder() -> Path | None:
+    """The sample frames that come with the program; a package of others may have left them out."""
+    package = Path(__file__).resolve().parents[3]
+    folders = (package / "_sample_data", package.parent / "sample_data")  # installed, or a checkout
+    return next((folder for folder in folders if folder.is_dir()), None)
+
+
+class OpeningTask(QObject):
+    """Asks what to open, opens it, and remembers it."""
+
+    secondChosen = Signal(Path)  # the folder of a second annotator
+
+    def __init__(self, document: Document, settings: Settings, window: QWidget) -> None:
+        super().__init__(window)
+        self._document = document
+        self._settings = settings
+        self._window = window
+        self._copying = Latest(self, lambda why: document.say(why, "warning"))
+        self.video = VideoOpening(document, window, self._remember)
+
+    def open_path(
+        self, path: Path, annotations: Path | None = None, field: Field | None = None
+    ) -> bool:
+        """Open a folder or picture and remember it, or ask which frames of a video to open; a
+        ``field`` is the dataset's from then on."""
+        if _is_video(path):
+            self.video.ask(path, field)
+            return True
+        opened = self._document.open_path(path, annotations)
+        if field is not None:
+            self._document.field_choice.take(field)
+        if opened:
+            self._remember(path)
+        elif not path.exists():
+            self._settings.take_out(RECENT, path)
+        return opened
+
+    def drop(self, paths: Sequence[Path]) -> None:
+        """Open what was dropped: pictures, folders of them and videos; the rest are cameras."""
+        for path in paths:
+            if _holds_pictures(path) or _is_video(path):
+                self.open_path(path)
+            else:
+                self._document.load_cameras(path)
+
+    def open_folder(self) -> None:
+        """Ask for a folder of pictures."""
+        if (chosen := self._ask_folder(tr("Open a folder of pictures"), FOLDER)) is not None:
+            self.open_path(chosen)
+
+    def open_picture(self) -> None:
+        """Ask for one picture."""
+        kind = tr("Pictures"), sorted(PICTURE_SUFFIXES)
+        if (chosen := self._ask_file(tr("Open a picture"), FOLDER, *kind)) is not None:
+            self.open_path(chosen)
+
+    def open_video(self) -> None:
+        """Ask for a video."""
+        kind = tr("Videos"), sorted(VIDEO_SUFFIXES)
+        if (chosen := self._ask_file(tr("Open a video"), FOLDER, *kind)) is not None:
+            self.open_path(chosen)
+
+    def keep_frame(self) -> None:
+        """Write the video frame on screen as a picture."""
+        keep_video_frame(self._document)
+
+    def open_second(self) -> None:
+        """Ask for the folder of a second annotator."""
+        if (chosen := self._ask_folder(tr("Open a second annotator's folder"), SECOND)) is not None:
+            self.secondChosen.emit(chosen)
+
+    def open_sample(self) -> None:
+        """Open the user's own copy of the frames that come with the program."""
+        folder = sample_folder()
+        if folder is None:
+            self._document.say(tr("the sample comes with the source, not here"), "warning")
+        else:
+            self._copying.start(lambda _: copy_sample(folder), self._open_copy)
+
+    def _open_copy(self, folder: Path) -> None:
+        if self.open_path(folder):
+            self._document.say(
+                tr(
+                    "your own copy, in {folder}; load its cameras from the menu Camera",
+                    folder=folder,
+                )
+            )
+
+    def load_cameras(self) -> None:
+        """Ask for a folder of cameras."""
+        self._load(self._ask_folder(tr("Load a folder of cameras"), CAMERAS))
+
+    def load_camera_file(self) -> None:
+        """Ask for one camera file or a zip."""
+        self._load(self._ask_file(tr("Load cameras"), CAMERAS, tr("Cameras"), _CAMERA_SUFFIXES))
+
+    # --- inside ---
+
+    def _load(self, chosen: Path | None) -> None:
+        if chosen is not None and self._document.load_cameras(chosen):
+            self._settings.set(CAMERAS, str(chosen))
+
+    def _remember(self, path: Path) -> None:
+        self._settings.put_first(RECENT, path.resolve())
+        self._settings.set(FOLDER, str(path if path.is_dir() else path.parent))
+
+    def _ask_folder(self, title: str, beside: Setting[str]) -> Path | None:
+        start = self._settings.get(beside)
+        chosen = QFileDialog.getExistingDirectory(self._window, title, start)
+        return Path(chosen) if chosen else None
+
+    def _ask_file(
+        self, title: str, beside: Setting[str], what: str, suffixes: Sequence[str]
+    ) -> Path | None:
+        patterns = " ".join(f"*{suffix}" for suffix in suffixes)
+        start = self._settings.get(beside)
+        chosen, _ = QFileDialog.getOpenFileName(self._window, title, start, f"{what} ({patterns})")
+        return Path(chosen) if chosen else None
+
+
+def _is_video(path: Path) -> bool:
+    return path.suffix.lower() in VIDEO_SUFFIXES and path.is_file()
+
+
+def _holds_pictures(path: Path) -> bool:
+    if path.suffix.lower() in PICTURE_SUFFIXES:
+        return True
+    try:
+        return path.is_dir() and has_pictures(path)
+    except InputError:
+        return False

@@ -1,0 +1,168 @@
+"""Save the picture on screen with its overlay: PNG, JPEG or SVG, at any scale, with a legend."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QDialog,
+    QDialogButtonBox,
+    QFormLayout,
+    QLabel,
+    QWidget,
+)
+
+from procc_annotator.errors import ProccError
+from procc_annotator.formats.atomic import write_atomic
+from procc_annotator.gui.canvas.overlay_picture import OverlayPictures
+from procc_annotator.gui.decimal_box import DecimalBox
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.writing import ask_where, write
+from procc_annotator.report.overlay_scene import (
+    MAX_SCALE,
+    MIN_SCALE,
+    MOST_PIXELS,
+    SUFFIXES,
+    OverlayLook,
+    Scene,
+)
+from procc_annotator.translation import tr, word
+
+_KINDS = {
+    ".png": word("PNG: pixels, nothing is lost"),
+    ".jpg": word("JPEG: pixels, small"),
+    ".svg": word("SVG: lines and text stay sharp"),
+}
+
+_RESULT = word("{width} x {height} px, without the legend")
+_TOO_LARGE = word("{width} x {height} px, too large: choose a smaller scale or SVG")
+
+
+class OverlayDialog(QDialog):
+    """Asks for the kind, the scale and the legend.
+
+    Args:
+        size: (width, height) px of the picture.
+    """
+
+    def __init__(self, size: tuple[int, int], parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("overlayDialog")
+        self.setWindowTitle(tr("Save overlay picture"))
+        self._size = size
+        self.kind = QComboBox()
+        for suffix in SUFFIXES:
+            self.kind.addItem(tr(_KINDS[suffix]), suffix)
+        self.scale = DecimalBox()
+        self.scale.setRange(MIN_SCALE, MAX_SCALE)
+        self.scale.setSingleStep(0.5)
+        self.scale.setValue(1.0)
+        self.scale.setToolTip(
+            tr("Px of the result per px of the picture; lines and text grow with it")
+        )
+        self.result_size = QLabel()
+        self.legend = QCheckBox(tr("Explain colours, dashes and marks below the picture"))
+        self.legend.setChecked(True)
+        form = QFormLayout(self)
+        form.addRow(tr("&Kind"), self.kind)
+        form.addRow(tr("&Scale"), self.scale)
+        form.addRow(tr("Result"), self.result_size)
+        form.addRow(tr("&Legend"), self.legend)
+        buttons = QDialogButtonBox(
+            QDialogButtonBox.StandardButton.Save | QDialogButtonBox.StandardButton.Cancel
+        )
+        buttons.accepted.connect(self.accept)
+        buttons.rejected.connect(self.reject)
+        form.addRow(buttons)
+        self._save = buttons.button(QDialogButtonBox.StandardButton.Save)
+        self.scale.valueChanged.connect(self._show_size)
+        self.kind.currentIndexChanged.connect(self._show_size)
+        self._show_size()
+
+    @property
+    def suffix(self) -> str:
+        """The chosen kind."""
+        return str(self.kind.currentData())
+
+    @property
+    def look(self) -> OverlayLook:
+        """The chosen look."""
+        return OverlayLook(self.scale.value(), self.legend.isChecked())
+
+    def _show_size(self) -> None:
+        width, height = (round(side * self.scale.value()) for side in self._size)
+        painted = self.suffix != ".svg"  # an SVG has no pixels of its own
+        too_large = painted and width * height > MOST_PIXELS
+        words = _TOO_LARGE if too_large else _RESULT
+        self.result_size.setText(tr(words, width=width, height=height))
+        self._save.setEnabled(not too_large)
+
+
+class OverlaySaving:
+    """What is on screen as a file; in blind mode without the projection, as on screen."""
+
+    def __init__(self, document: Document, parent: QWidget) -> None:
+        self._document = document
+        self._parent = parent
+
+    def ask(self) -> None:
+        """Ask how and where, and write."""
+        document = self._document
+        frame, size = document.frame, document.picture_size
+        if frame is None or size is None:
+            document.say(tr("open a picture first"), "warning")
+            return
+        dialog = OverlayDialog(size, self._parent)
+        accepted = dialog.exec() == QDialog.DialogCode.Accepted
+        suffix, look = dialog.suffix, dialog.look
+        dialog.deleteLater()
+        if not accepted:
+            return
+        name = f"{frame.name.replace('/', '_')}_overlay{suffix}"
+        kind = tr("Picture (*{suffix})", suffix=suffix)
+        path = ask_where(document, self._parent, tr("Save overlay picture"), name, kind)
+        if path is not None:
+            self.write(path, look)
+
+    def write(self, path: Path, look: OverlayLook) -> bool:
+        """Write the frame on screen in the background; the suffix says which kind.
+
+        Returns:
+            Whether writing began. What came of it is a message of the document.
+        """
+        document = self._document
+        frame = document.frame
+        if frame is None:
+            return False
+        if path.resolve() == frame.image_path.resolve():
+            document.say(
+                tr("{path}: is the picture itself, choose another name", path=path),
+                "error",
+                "save_overlay",
+            )
+            return False
+        scene = Scene(
+            frame.image_path,
+            document.annotation,
+            document.setup,
+            document.measurement,
+            document.score,
+            frame.name,
+            "" if document.active_source is None else document.active_source.name,
+            document.painted_width.value,
+        )
+        try:
+            draw = OverlayPictures(path.suffix.lower(), look)
+        except ProccError as error:
+            document.say(str(error), "error", "save_overlay")
+            return False
+        document.say(tr("writing the overlay picture {path} …", path=path))
+        write(
+            document,
+            lambda _: write_atomic(path, draw(scene)),
+            lambda _: tr("overlay picture written to {path}", path=path),
+            again="save_overlay",
+        )
+        return True

@@ -1,0 +1,319 @@
+"""Earlier versions of a frame's annotation: what they hold, how they look, and one to restore."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from datetime import datetime
+
+from PySide6.QtCore import (
+    QAbstractListModel,
+    QModelIndex,
+    QRect,
+    QSize,
+    Qt,
+)
+from PySide6.QtGui import QFont, QFontMetrics, QPainter
+from PySide6.QtWidgets import (
+    QDialog,
+    QDialogButtonBox,
+    QHBoxLayout,
+    QListView,
+    QStackedWidget,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.errors import ProccError
+from procc_annotator.field.model import Field
+from procc_annotator.gui.canvas.annotation_preview import AnnotationPreview
+from procc_annotator.gui.panels.parts import empty_state, note_label, show_note
+from procc_annotator.gui.panels.rows import Index
+from procc_annotator.gui.panels.states import class_title
+from procc_annotator.gui.theme import blend, paint_row
+from procc_annotator.image.pixels import PixelArray
+from procc_annotator.translation import tr, tr_count, word
+
+_LIST_WIDTH = 350
+_PAD = 7
+_MOST_NAMES = 4
+_NO_VERSION = word("There is no earlier version of this frame.")
+
+_ROOT = QModelIndex()
+
+
+@dataclass(frozen=True, slots=True)
+class VersionRow:
+    """One kept version: who made it, when (seconds since 1970) and on what occasion."""
+
+    id: str
+    author: str
+    time: float
+    reason: str
+
+
+class VersionsDialog(QDialog):
+    """Choose an earlier version; ``chosen_id`` is its id once the dialog was accepted."""
+
+    def __init__(
+        self,
+        parent: QWidget | None,
+        versions: Sequence[VersionRow],
+        preview: Callable[[str], FrameAnnotation],
+        picture: PixelArray | None,
+        field: Field,
+        size: tuple[int, int],
+        *,
+        current: FrameAnnotation | None = None,
+    ) -> None:
+        """Build the dialog.
+
+        Args:
+            parent: the window.
+            versions: in any order; shown newest first.
+            preview: reads a version by its id, once and only when it is examined; may raise a
+                ProccError, which is shown in place of the version.
+            picture: (H, W, 4) BGRA of the frame, or None if it cannot be shown.
+            field: names and colours.
+            size: (width, height) of the picture, px; counts when there is no picture.
+            current: the annotation as it is now; by default that of the newest version.
+        """
+        super().__init__(parent)
+        self.setObjectName("versionsDialog")
+        self.setWindowTitle(tr("Earlier versions"))
+        self.chosen_id: str | None = None
+        self._field = field
+        self.model = VersionsModel(versions, preview, current)
+        self.list = QListView()
+        self.list.setObjectName("versionsList")
+        self.list.setModel(self.model)
+        self.list.setItemDelegate(_VersionDelegate(self.list))
+        self.list.setUniformItemSizes(True)
+        self.list.setFixedWidth(_LIST_WIDTH)
+        self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.preview = AnnotationPreview(picture, field, size)
+        self.note = note_label("versionsNote")
+        self.buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+        self.restore = self.buttons.addButton(tr("Restore"), QDialogButtonBox.ButtonRole.AcceptRole)
+        self.restore.setObjectName("versionsRestore")
+        self.buttons.accepted.connect(self.accept)
+        self.buttons.rejected.connect(self.reject)
+        self._arrange()
+        self.restore.setDefault(True)  # a dialog takes no notice before the button is in it
+        self.list.selectionModel().currentChanged.connect(self._show)
+        self.list.setCurrentIndex(self.model.index(0))
+        self._show()
+        self.list.setFocus()  # the arrows go through the versions at once
+        self.resize(900, 600)
+
+    def accept(self) -> None:
+        """Close and remember the version that is shown, unless it cannot be restored."""
+        if self.restore.isEnabled():
+            self.chosen_id = self.model.rows[self.list.currentIndex().row()].id
+            super().accept()
+
+    def _arrange(self) -> None:
+        right = QVBoxLayout()
+        right.setSpacing(8)
+        right.addWidget(self.preview, 1)
+        right.addWidget(self.note)
+        content = QWidget()
+        across = QHBoxLayout(content)
+        across.setContentsMargins(0, 0, 0, 0)
+        across.setSpacing(10)
+        across.addWidget(self.list)
+        across.addLayout(right, 1)
+        self.pages = QStackedWidget()
+        self.pages.addWidget(content)
+        self.pages.addWidget(empty_state(tr(_NO_VERSION), "versionsEmpty"))
+        self.pages.setCurrentIndex(0 if self.model.rows else 1)
+        layout = QVBoxLayout(self)
+        layout.addWidget(self.pages, 1)
+        layout.addWidget(self.buttons)
+
+    def _show(self) -> None:
+        row = self.list.currentIndex().row()
+        version = self.model.annotation(row) if row >= 0 else None
+        current = self.model.current
+        if isinstance(version, FrameAnnotation):
+            self.preview.set_annotation(version)
+            self.restore.setEnabled(version.polylines != _polylines(current))
+            show_note(self.note, comparison(version, current, self._field))
+        else:
+            self.preview.set_annotation(FrameAnnotation())
+            self.restore.setEnabled(False)
+            show_note(self.note, str(version or ""))
+
+
+class VersionsModel(QAbstractListModel):
+    """Versions, newest first; what a row holds is read when the row comes into view."""
+
+    def __init__(
+        self,
+        versions: Sequence[VersionRow],
+        preview: Callable[[str], FrameAnnotation],
+        current: FrameAnnotation | None,
+    ) -> None:
+        super().__init__()
+        self.rows = sorted(versions, key=lambda v: (v.time, v.id), reverse=True)
+        self._preview = preview
+        self._read: dict[int, FrameAnnotation | ProccError] = {}
+        self._current = current
+
+    @property
+    def current(self) -> FrameAnnotation | None:
+        """Return what versions are compared with; None if it is not known."""
+        if self._current is None and self.rows:
+            newest = self.annotation(0)
+            return newest if isinstance(newest, FrameAnnotation) else None
+        return self._current
+
+    def annotation(self, row: int) -> FrameAnnotation | ProccError:
+        """The annotation of a row, or why it cannot be read."""
+        if row not in self._read:
+            try:
+                self._read[row] = self._preview(self.rows[row].id)
+            except ProccError as error:
+                self._read[row] = error
+        return self._read[row]
+
+    def rowCount(self, parent: Index = _ROOT) -> int:
+        return 0 if parent.isValid() else len(self.rows)
+
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> str | None:
+        row = index.row()
+        if role == Qt.ItemDataRole.DisplayRole:
+            return "\n".join(self.lines(row))
+        if role == Qt.ItemDataRole.ToolTipRole:
+            return tr(self.rows[row].reason)
+        return None
+
+    def lines(self, row: int) -> tuple[str, str, str, str]:
+        """Time, author, reason and content of a row, in words."""
+        version, annotation = self.rows[row], self.annotation(row)
+        when = datetime.fromtimestamp(version.time).strftime(
+            tr("%d %b %Y, %H:%M:%S", "a moment; the month as %b is English, as %m a number")
+        )
+        content = tr("cannot be read")
+        if isinstance(annotation, FrameAnnotation):
+            content = content_words(annotation)
+            if self.current is not None:
+                content += f"  ({difference_words(annotation, self.current)})"
+        return when, version.author, tr(version.reason), content
+
+
+def content_words(annotation: FrameAnnotation) -> str:
+    """Return how much is annotated: "12 elements, 84 points"."""
+    elements, points = _counts(annotation)
+    if not elements:
+        return tr("empty", "a version")
+    return f"{_elements(elements)}, {_points(points)}"
+
+
+def _elements(count: int) -> str:
+    return tr_count(count, "{n} element", "{n} elements")
+
+
+def _points(count: int) -> str:
+    return tr_count(count, "{n} point", "{n} points")
+
+
+def difference_words(version: FrameAnnotation, current: FrameAnnotation) -> str:
+    """Return what restoring a version would add and take away: "+2 elements, −5 points"."""
+    if version.polylines == current.polylines:
+        return tr("as now")
+    changes = [
+        f"{'+' if more > 0 else '−'}{so_many(abs(more))}"
+        for more, so_many in zip(
+            (a - b for a, b in zip(_counts(version), _counts(current), strict=True)),
+            (_elements, _points),
+            strict=True,
+        )
+        if more
+    ]
+    if changes:
+        return ", ".join(changes)
+    return (
+        tr("other elements")
+        if set(version.annotated) != set(current.annotated)
+        else tr("points moved")
+    )
+
+
+def comparison(version: FrameAnnotation, current: FrameAnnotation | None, field: Field) -> str:
+    """A version against what is there now, with the names of the elements that differ."""
+    if current is None:
+        return content_words(version)
+    if version.polylines == current.polylines:
+        return tr("This is what the frame holds now.")
+    was, now = (
+        {p.class_name: p.points for p in a.polylines if p.points} for a in (version, current)
+    )
+    names = [n for n in {**now, **was} if was.get(n) != now.get(n)]
+    if not names:
+        return tr("Compared with now: the same points in another order of elements.")
+    titles = [class_title(field, n) for n in names[:_MOST_NAMES]]
+    if len(names) > _MOST_NAMES:
+        titles.append(tr("{n} more", n=len(names) - _MOST_NAMES))
+    words = difference_words(version, current)
+    return tr(
+        "Compared with now: {changes}. What differs: {elements}.",
+        changes=words,
+        elements=", ".join(titles),
+    )
+
+
+def _polylines(annotation: FrameAnnotation | None) -> object:
+    return annotation.polylines if annotation is not None else None
+
+
+def _counts(annotation: FrameAnnotation) -> tuple[int, int]:
+    return len(annotation.annotated), sum(len(p.points) for p in annotation)
+
+
+class _VersionDelegate(QStyledItemDelegate):
+    """Three lines: time and author, reason, content."""
+
+    def sizeHint(self, option: QStyleOptionViewItem, index: Index) -> QSize:
+        metrics: QFontMetrics = option.fontMetrics
+        return QSize(_LIST_WIDTH - 20, 3 * metrics.height() + 4 + 2 * _PAD)
+
+    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
+        model = index.model()
+        if not isinstance(model, VersionsModel):
+            return
+        when, author, reason, content = model.lines(index.row())
+        rect: QRect = option.rect
+        painter.save()
+        base, text = paint_row(painter, option)
+        box = rect.adjusted(_PAD + 2, _PAD, -_PAD - 2, -_PAD)
+        bold = QFont(option.font)
+        bold.setBold(True)
+        quiet = blend(text, base, 0.3)
+        line = (box.height() - 4) // 3
+        for i, (words, font, colour) in enumerate(
+            ((when, bold, text), (reason, option.font, text), (content, option.font, quiet))
+        ):
+            painter.setFont(font)
+            painter.setPen(colour)
+            row = QRect(box.left(), box.top() + i * (line + 2), box.width(), line)
+            _draw_line(painter, row, words)
+            if i == 0:
+                row.setLeft(row.left() + painter.fontMetrics().horizontalAdvance(words) + 12)
+                painter.setFont(option.font)
+                painter.setPen(quiet)
+                _draw_line(painter, row, author, Qt.AlignmentFlag.AlignRight)
+        painter.restore()
+
+
+def _draw_line(
+    painter: QPainter,
+    row: QRect,
+    words: str,
+    side: Qt.AlignmentFlag = Qt.AlignmentFlag.AlignLeft,
+) -> None:
+    shown = painter.fontMetrics().elidedText(words, Qt.TextElideMode.ElideRight, row.width())
+    painter.drawText(row, side | Qt.AlignmentFlag.AlignVCenter, shown)

@@ -1,0 +1,326 @@
+"""Accepting a stretch of the track: its sure frames are annotated along it, in one action."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+from PySide6.QtCore import QObject, Signal
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.assist.ghost_points import accept_all, find_points
+from procc_annotator.calibration.prediction.ghosts import find_ghosts
+from procc_annotator.calibration.tracking.track import TrackedFrame
+from procc_annotator.dataset.computed_cameras import review_reason
+from procc_annotator.dataset.frames import Frame
+from procc_annotator.dataset.records import OriginKind
+from procc_annotator.dataset.sequence import FrameSequence
+from procc_annotator.errors import ImageError
+from procc_annotator.field.load import field_for_frame
+from procc_annotator.field.model import Field
+from procc_annotator.gui.latest import Latest
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.editing.batch_edits import EditedFrames, ManyEdits, edit_frame
+from procc_annotator.gui.worker import JobControl
+from procc_annotator.image.pixels import PixelArray
+from procc_annotator.translation import tr, tr_count, translatable, word
+
+_NOTHING = FrameAnnotation(())
+_ANNOTATED = word("it is annotated by now")
+_EDITED = word("it was edited since")
+_NONE_SURE = word(
+    "no frame to accept: follow the shot first (T); doubtful and annotated frames are left out"
+)
+_BLIND = word("blind mode: nothing is accepted that was not clicked")
+
+
+@dataclass(frozen=True, eq=False)
+class _Stretch:
+    """The frames that are meant, as they were when a person asked.
+
+    Attributes:
+        sequence: of all frames.
+        indices: of these.
+        tracked: number -> what is known of its camera.
+        annotated: indices of frames that are left as they are.
+        frames: the dataset's.
+        revealed: names of the frames whose cameras may be used; None: all.
+        not_visible: the classes that cannot be seen in a frame; for any thread.
+        field: the elements.
+        least: how much of a line is to be seen.
+    """
+
+    sequence: FrameSequence
+    indices: range
+    tracked: Mapping[int, TrackedFrame]
+    annotated: Collection[int]
+    frames: Sequence[Frame]
+    revealed: Collection[str] | None
+    not_visible: Callable[[str], frozenset[str]]
+    field: Field
+    least: float
+
+    def sure(self) -> Iterator[tuple[int, TrackedFrame]]:
+        """Index and camera of the frames that are sure and have no annotation."""
+        numbers = self.sequence.numbers
+        for index in self.indices:
+            frame = self.tracked.get(int(numbers[index]))
+            if index in self.annotated or frame is None or frame.fit is None:
+                continue
+            shown = self.revealed is None or self.frames[index].name in self.revealed
+            if shown and not review_reason(frame):
+                yield index, frame
+
+
+class StretchAccepting(QObject):
+    """One stretch at a time. What is annotated already is never written over; each frame keeps its
+    own history, and can be taken back alone.
+
+    Attributes:
+        marked: the stretch that a person marked on the strip; else the shot on screen is meant.
+    """
+
+    changed = Signal()  # how far it is, or that it ended
+
+    def __init__(
+        self, document: Document, least_support: Callable[[], float], parent: QObject
+    ) -> None:
+        super().__init__(parent)
+        self._document, self._least_support = document, least_support
+        self.marked: Callable[[], tuple[int, int] | None] = lambda: None
+        self._looking = Latest(self, self._fail)
+        self._far = (0, 0)
+        self._found: dict[int, FrameAnnotation] = {}
+        self._put: dict[int, FrameAnnotation] = {}  # what frames held once they were edited
+        self._accepted: dict[int, FrameAnnotation] = {}  # what was accepted last, by index
+        self._at = -1  # the frame on screen by then; -1 once somebody went on
+        self._here = _NOTHING  # what it held by then
+        self._edits = ManyEdits(
+            document.store, document.signals, document.editing, document.auditing, self
+        )
+        self._then: Callable[[EditedFrames], None] = self._tell_accepted
+        self._edits.finished.connect(lambda outcome: self._then(outcome))
+        document.datasetChanged.connect(self.forget)
+        document.shot_track.forgotten.connect(self._stop_looking)
+        document.frameChanged.connect(self._go_on)
+
+    @property
+    def running(self) -> bool:
+        """Return whether points are looked for, or edits are being made."""
+        return self._looking.running or self._edits.running
+
+    def words(self) -> str:
+        """Return how far it is."""
+        if not self._looking.running:
+            return ""
+        done, total = self._far
+        if not total:
+            return tr("looking for paint along the track")
+        return tr(
+            "looking for paint along the track: {done} of {total} frames", done=done, total=total
+        )
+
+    def accept(self) -> None:
+        """Annotate the sure frames along the track."""
+        document, workspace = self._document, self._document.workspace
+        if self.running or workspace is None:
+            return
+        if not document.proposals.allowed:
+            document.say(tr(_BLIND))
+            return
+        document.aboutToLeave.emit()
+        stretch = self._stretch()
+        if stretch is None:
+            document.say(tr(_NONE_SURE))
+            return
+        self._far = (0, 0)
+        self._looking.start(partial(_look, stretch), self._take, progress=self._advance)
+        self.changed.emit()
+
+    def take_back(self) -> None:
+        """Frames that were accepted last and not edited since are as they were before."""
+        document = self._document
+        if self.running or not self._accepted:
+            document.say(tr("nothing was accepted that could be taken back"))
+            return
+        document.aboutToLeave.emit()
+        self._found, self._accepted = self._accepted, {}
+        self._then = self._tell_taken_back
+        self._edits.start(tuple(self._found), self._empty_frame)
+
+    def key(self, name: str, _shift: bool) -> bool:
+        """Take Undo right after a stretch was accepted, and Escape while it is looked for."""
+        if name in ("Escape", "Undo") and self._looking.running:
+            self._stop_looking()
+            self._document.say(tr("taken back: no frame is accepted"))
+            return True
+        if name != "Undo" or self._at != self._document.frame_index or not self._accepted:
+            return False
+        if self._document.annotation != self._here:
+            return False  # something was done here since: that is meant
+        self.take_back()
+        return True
+
+    # --- which frames -------------------------------------------------------------------------
+
+    def _stretch(self) -> _Stretch | None:
+        """Return what is asked for; None where nothing was followed."""
+        document, sequence = self._document, self._document.sequence.value
+        workspace, shot_track = document.workspace, self._document.shot_track
+        if sequence is None or workspace is None or not shot_track.tracked:
+            return None
+        here, marked = int(sequence.numbers[document.frame_index]), self.marked()
+        meant = shot_track.shot_of(here) if marked is None else range(marked[0], marked[1] + 1)
+        begin, end = np.searchsorted(sequence.numbers, (meant.start, meant.stop)).tolist()
+        return _Stretch(
+            sequence,
+            range(begin, end),
+            dict(shot_track.tracked),
+            document.annotated_frames.indices,
+            workspace.frames,
+            document.revealed_frames,
+            document.review.not_visible,
+            document.field,
+            self._least_support(),
+        )
+
+    # --- points -------------------------------------------------------------------------------
+
+    def _advance(self, done: int, total: int) -> None:
+        self._far = (done, total)
+        self.changed.emit()
+
+    def _take(self, found: dict[int, FrameAnnotation] | None) -> None:
+        self.changed.emit()
+        if found is None:
+            self._document.say(tr(_NONE_SURE))
+            return
+        if not found:
+            self._document.say(tr("no frame was accepted: too little of their lines is seen"))
+            return
+        self._found, self._put, self._then = found, {}, self._tell_accepted
+        self._at, self._here = self._document.frame_index, self._document.annotation
+        self._edits.start(tuple(found), self._put_frame)
+
+    def _fail(self, text: str) -> None:
+        self.changed.emit()
+        self._document.say(tr("no frame was accepted: {why}", why=text), "warning")
+
+    def _stop_looking(self) -> None:
+        if self._looking.cancel():
+            self.changed.emit()
+
+    # --- edits --------------------------------------------------------------------------------
+
+    def _put_frame(self, index: int) -> str:
+        workspace = self._document.workspace
+        assert workspace is not None
+        if not self._document.proposals.allowed_in(workspace.frames[index].name):
+            return tr(_BLIND)
+
+        def change(before: FrameAnnotation) -> FrameAnnotation | str:
+            if before.annotated or before.unconfirmed:
+                return tr(_ANNOTATED)
+            found = self._found[index]
+            for polyline in found.polylines:
+                before = before.with_polyline(polyline)
+            self._put[index] = before
+            return before
+
+        return self._edit(index, change, translatable("accept the track"))
+
+    def _empty_frame(self, index: int) -> str:
+        def change(before: FrameAnnotation) -> FrameAnnotation | str:
+            if before.polylines != self._found[index].polylines:
+                return tr(_EDITED)
+            for polyline in before.polylines:
+                before = before.without(polyline.class_name)
+            return before
+
+        return self._edit(index, change, translatable("take back the track"))
+
+    def _edit(
+        self, index: int, change: Callable[[FrameAnnotation], FrameAnnotation | str], label: str
+    ) -> str:
+        document = self._document
+        return edit_frame(
+            document.store, document.editing, index, change, label, OriginKind.ACCEPTED
+        )
+
+    def _tell_accepted(self, outcome: EditedFrames) -> None:
+        document = self._document
+        self._accepted = {i: self._put[i] for i in outcome.edited}
+        self._here = self._accepted.get(self._at, self._here)
+        words = tr_count(
+            len(outcome.edited),
+            "accepted {n:,} frame along the track",
+            "accepted {n:,} frames along the track",
+        )
+        back = tr("Ctrl+Z takes them back")
+        document.say("; ".join((words, *_why(outcome), back)))
+        self.changed.emit()
+
+    def _tell_taken_back(self, outcome: EditedFrames) -> None:
+        words = tr_count(
+            len(outcome.edited),
+            "taken back: {n:,} frame accepted along the track",
+            "taken back: {n:,} frames accepted along the track",
+        )
+        self._document.say("; ".join((words, *_why(outcome))))
+        self.changed.emit()
+
+    def _go_on(self) -> None:
+        """A person looks at another frame: from now on undo means that one, unless the stretch is
+        accepted just now."""
+        self._at = self._document.frame_index if self._edits.running else -1
+        self._here = self._document.annotation
+
+    def forget(self) -> None:
+        """Accept no more and say nothing: the dataset or the window closes."""
+        self._stop_looking()
+        self._edits.forget()
+        self._accepted = {}
+        self._at = -1
+
+
+def _why(outcome: EditedFrames) -> list[str]:
+    """Return what is said of frames that were left as they were, or could not be saved."""
+    whys = dict.fromkeys(why for _, why in (*outcome.left, *outcome.unsaved))
+    left = len(outcome.left) + len(outcome.unsaved)
+    if not left:
+        return []
+    why = ", ".join(whys)
+    return [tr_count(left, "{n:,} frame left: {why}", "{n:,} frames left: {why}", why=why)]
+
+
+def _look(stretch: _Stretch, control: JobControl) -> dict[int, FrameAnnotation] | None:
+    """In a thread: what each frame is to hold, by index, of those where paint was seen; None where
+    no frame is sure."""
+    chosen = list(stretch.sure())
+    if not chosen:
+        return None
+    found = {}
+    with stretch.sequence.open_pictures() as pictures:
+        for done, (index, frame) in enumerate(chosen):
+            control.progress_or_stop(done, len(chosen))
+            try:
+                picture = pictures(frame.number)
+            except ImageError:
+                continue  # told when that frame is opened
+            annotation = _annotated(picture, stretch, stretch.frames[index].name, frame)
+            if annotation.annotated:
+                found[index] = annotation
+    return found
+
+
+def _annotated(
+    picture: PixelArray, stretch: _Stretch, name: str, frame: TrackedFrame
+) -> FrameAnnotation:
+    """The elements whose paint is seen where the track shows them."""
+    assert frame.fit is not None
+    size, field = (picture.shape[1], picture.shape[0]), field_for_frame(stretch.field, name)
+    ghosts = find_ghosts(_NOTHING, field, frame.fit, without=stretch.not_visible(name))
+    found = [find_points(ghost, picture, field, size) for ghost in ghosts]
+    return accept_all(_NOTHING, found, stretch.least).annotation

@@ -1,0 +1,132 @@
+"""Follows what other windows and programs write: annotation and camera files."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from PySide6.QtCore import QObject
+
+from procc_annotator.dataset.camera_set import CameraSet
+from procc_annotator.dataset.saving import Stamp
+from procc_annotator.errors import ProccError
+from procc_annotator.gui.latest import Latest
+from procc_annotator.gui.state.camera_sources import CameraSource
+from procc_annotator.gui.state.editing.editor import Editing
+from procc_annotator.gui.state.file_watch import FileWatch
+from procc_annotator.gui.state.saying import say
+from procc_annotator.gui.state.scoring.camera_sources import Sources
+from procc_annotator.gui.state.scoring.dataset_scores import Auditing
+from procc_annotator.gui.state.signals import Signals
+from procc_annotator.gui.state.store import Store
+from procc_annotator.gui.worker import JobControl
+from procc_annotator.translation import tr
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class _Newer:
+    """Cameras of a source as they are on disk by now, or why they cannot be read."""
+
+    source: CameraSource
+    before: CameraSet
+    cameras: CameraSet | None
+    frames: frozenset[str]
+    problem: str = ""
+
+
+class OutsideChanges(QObject):
+    """Looks at the files of the set when a person asks, and watches that of the frame on screen."""
+
+    def __init__(
+        self, store: Store, signals: Signals, editing: Editing, sources: Sources, auditing: Auditing
+    ) -> None:
+        super().__init__(store)
+        self._store, self._signals = store, signals
+        self._editing, self._sources, self._auditing = editing, sources, auditing
+        self._looking = Latest(self, self._say_failed)
+        self._again = False
+        self._watch = FileWatch(self)
+        self._watch.changed.connect(editing.look_at_frame)
+
+    def watch_file(self, path: Path | None) -> None:
+        """Another frame is on screen, with this annotation file."""
+        self._watch.watch(path)
+
+    def look(self) -> None:
+        """See which files were written since they were read, in the background, and follow them;
+        where cameras are written, read them anew."""
+        self._editing.look_at_frame()
+        if self._looking.running:
+            self._again = True
+            return
+        workspace = self._store.state.workspace
+        if workspace is None:
+            return
+        sources = [(s, s.files) for s in self._store.state.sources if s.files is not None]
+
+        def work(control: JobControl) -> tuple[dict[int, Stamp], list[_Newer]]:
+            stopped = lambda: control.cancelled  # noqa: E731
+            looked = [
+                _look_at(source, cameras, workspace.index, stopped) for source, cameras in sources
+            ]
+            return workspace.changed_outside(stopped), [found for found in looked if found]
+
+        def done(found: tuple[dict[int, Stamp], list[_Newer]]) -> None:
+            if workspace is self._store.state.workspace:
+                for newer in found[1]:
+                    self._take_cameras(newer)
+                self._take(found[0])
+            self._look_again()
+
+        self._looking.start(work, done)
+
+    def close(self) -> None:
+        """Look no more."""
+        self._watch.watch(None)
+        self._again = False
+        self._looking.cancel()
+
+    # --- inside ---
+
+    def _say_failed(self, text: str) -> None:
+        say(self._store, text, "error")
+
+    def _look_again(self) -> None:
+        again, self._again = self._again, False
+        if again:
+            self.look()
+
+    def _take_cameras(self, newer: _Newer) -> None:
+        source = newer.source
+        if source not in self._store.state.sources or source.camera_set is not newer.before:
+            return  # removed, or loaded again meanwhile
+        if newer.cameras is None:
+            told = tr("cameras of {name} changed: {why}", name=source.name, why=newer.problem)
+            say(self._store, told, "warning")
+            return
+        self._sources.add_source(newer.cameras, active=False, changed=newer.frames)
+        say(self._store, tr("cameras of {name} changed on disk: read again", name=source.name))
+
+    def _take(self, changed: Mapping[int, Stamp]) -> None:
+        state = self._store.state
+        workspace, here = state.workspace, state.frame_index
+        if workspace is None or not changed:
+            return
+        unsaved = set(workspace.dirty_frames())
+        workspace.follow({i: stamp for i, stamp in changed.items() if i != here})
+        self._editing.look_at_frame()
+        others = [i for i in changed if i != here and i not in unsaved]
+        if others:
+            self._auditing.frames_edited([workspace.frames[i].name for i in others])
+            self._signals.framesEdited.emit(others)
+
+
+def _look_at(
+    source: CameraSource, cameras: CameraSet, frames: Iterable[str], stopped: Callable[[], bool]
+) -> _Newer | None:
+    try:
+        found = cameras.look_again(frames, stopped)
+    except (ProccError, OSError) as error:
+        return _Newer(source, cameras, None, frozenset(), str(error))
+    return None if found is None else _Newer(source, cameras, *found)

@@ -1,0 +1,416 @@
+"""Where the camera that is judged shows the paint of the field's lines, worked out next to."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from PySide6.QtCore import QObject, Signal
+
+from procc_annotator.calibration.prediction.uncertainty import (
+    GroundUncertainty,
+    map_ground_uncertainty,
+)
+from procc_annotator.calibration.result import FitResult
+from procc_annotator.camera.backprojection import ground_from_px
+from procc_annotator.camera.base import Camera, CameraOrProjections, ElementProjections
+from procc_annotator.errors import UsageError
+from procc_annotator.field.model import Field
+from procc_annotator.gui.state.blind_lock import BlindLock
+from procc_annotator.gui.state.derived import Derived, Inputs, Where
+from procc_annotator.gui.state.map_shapes import (
+    MapShapes,
+    map_shapes,
+    shapes_in_picture,
+    shapes_on_field,
+)
+from procc_annotator.gui.state.prediction.camera_choice import Foresight
+from procc_annotator.gui.state.prediction.live_fit import LiveFit
+from procc_annotator.gui.state.saying import say
+from procc_annotator.gui.state.scoring.frame_cameras import SourceFrames
+from procc_annotator.gui.state.scoring.frame_score import Judge
+from procc_annotator.gui.state.signals import Signals
+from procc_annotator.gui.state.store import Store
+from procc_annotator.interaction.camera_view import UNCERTAINTY, VisibleField, visible_field
+from procc_annotator.metrics.error_maps import (
+    Disagreement,
+    bilinear_value,
+    disagreement,
+    filled_contours,
+)
+from procc_annotator.metrics.projection import ProjectedField, project_markings
+from procc_annotator.metrics.setup import EvaluationSetup
+from procc_annotator.translation import tr
+
+_SAME_M = 1e-6
+
+
+@dataclass(frozen=True, eq=False)
+class Compared:
+    """Two sources compared in the frame on screen.
+
+    Attributes:
+        names: of the active and of the compared source.
+        values: the disagreement, px of the evaluation size and metres.
+        picture: its shapes, px of the evaluation size.
+        field: its shapes, metres on the ground as the active source sees it.
+    """
+
+    names: tuple[str, str]
+    values: Disagreement
+    picture: MapShapes
+    field: MapShapes
+
+    @property
+    def same(self) -> bool:
+        """Return whether both mean the same point by every pixel."""
+        largest = self.values.statistics.metres.maximum
+        return largest is not None and largest < _SAME_M
+
+    def at(self, x: float, y: float) -> tuple[float, float] | None:
+        """Metres and pixels between the two at a place of the picture, px of the evaluation size;
+        between the samples in proportion, None where one of them does not count."""
+        grid = self.values.xs_px, self.values.ys_px
+        metres = bilinear_value(self.values.metres, *grid, x, y)
+        pixels = bilinear_value(self.values.pixels, *grid, x, y)
+        return None if metres is None or pixels is None else (metres, pixels)
+
+
+class DisagreementWatch(Derived[Compared]):
+    """The disagreement in the frame on screen, once a person wants to see it."""
+
+    def __init__(self, store: Store, signals: Signals, source_frames: SourceFrames) -> None:
+        super().__init__(
+            self._made_of,
+            compare_cameras,
+            Where.BESIDE,
+            store,
+            wanted=False,
+            after=(
+                signals.frameChanged,
+                signals.scoreChanged,
+                signals.camerasChanged,
+                source_frames.changed,
+            ),
+        )
+        self._store, self._source_frames = store, source_frames
+
+    @property
+    def problem(self) -> str:
+        """Why there is nothing to be shown, or little, although a person wants to see it."""
+        if problem := super().problem:
+            return problem
+        found = self.value
+        if found is not None and found.values.statistics.metres.maximum is None:
+            return tr("The two see no part of the field in common in this frame.")
+        if found is not None and found.same:
+            return tr("Both cameras are the same in this frame.")
+        return ""
+
+    def _made_of(self) -> Inputs | str | None:
+        state = self._store.state
+        a, b = state.active, state.compared
+        if not state.projection_visible:
+            return tr("Blind: hidden until this frame is committed.")
+        if state.frame is None:
+            return tr("Open a folder of pictures first.")
+        if a is None and len(state.sources) > 1:
+            return tr("No source is judged: choose one first.")
+        if a is None or b is None:
+            return tr("Two sources of cameras are needed: load another one.")
+        shown = [self._source_frames.of(source) for source in (a, b)]
+        cameras = [each.camera for each in shown if each is not None]
+        if len(cameras) < 2:
+            return None  # they are being read
+        names, setup = (a.name, b.name), state.setup
+        if why := _why_not(names, cameras):
+            return why
+        return names, *cameras, state.sized_field, setup.size
+
+
+def _why_not(names: tuple[str, str], cameras: Sequence[CameraOrProjections | None]) -> str:
+    """Why two cameras cannot be compared; empty where they can."""
+    named = list(zip(names, cameras, strict=True))
+    without = [name for name, camera in named if camera is None]
+    if without:
+        return tr("{names}: no camera for this frame.", names=_both(without))
+    projections = [name for name, camera in named if isinstance(camera, ElementProjections)]
+    if not projections:
+        return ""
+    if len(projections) == 1:
+        return tr(
+            "{name} shares only where the elements are shown, no camera: there is no ground to"
+            " compare.",
+            name=projections[0],
+        )
+    return tr(
+        "{names} share only where the elements are shown, no camera: there is no ground to"
+        " compare.",
+        names=_both(projections),
+    )
+
+
+def _both(names: Sequence[str]) -> str:
+    return names[0] if len(names) == 1 else tr("{a} and {b}", a=names[0], b=names[1])
+
+
+def compare_cameras(
+    names: tuple[str, str], a: Camera, b: Camera, field: Field, size: tuple[int, int]
+) -> Compared:
+    """Compare two cameras of a frame, px of ``size``; safe from any thread.
+
+    Raises:
+        UsageError: one of them shares only projections.
+    """
+    values = disagreement(a, b, field, size)
+    _ = values.statistics  # kept with the values; worked out here, not where it is shown
+    return Compared(names, values, shapes_in_picture(values), shapes_on_field(values))
+
+
+_KEPT = 8
+
+
+class MapSight(QObject):
+    """Follows the camera that ghosts go by, else the one that is judged.
+
+    While the next one is worked out the sight before stays, so that the map does not flicker with
+    every click. A frame without a camera has nothing in sight; its map stays turned as it was, for
+    cameras of one set stand on one side. In blind mode nothing of it is reported.
+    """
+
+    changed = Signal()
+
+    def __init__(self, store: Store, signals: Signals, foresight: Foresight, judge: Judge) -> None:
+        super().__init__(store)
+        self._store, self._foresight, self._judge = store, foresight, judge
+        self._wanted = True
+        self._sight: VisibleField | None = None
+        self._sure = True
+        self._turns = 0
+        self._told: tuple[object, ...] = ()
+        self._found = Derived(self._made_of, _look_at, Where.BESIDE, self, kept=_KEPT)
+        self._found.changed.connect(self._take)
+        signals.datasetChanged.connect(self._begin_anew)
+        signals.fieldChanged.connect(self._begin_anew)
+        for signal in (signals.frameChanged, signals.scoreChanged, signals.camerasChanged):
+            signal.connect(self._found.look_later)
+        foresight.changed.connect(self._look)
+        signals.blindChanged.connect(self._look)
+
+    @property
+    def wanted(self) -> bool:
+        """Return whether the map follows the camera."""
+        return self._wanted
+
+    def set_wanted(self, wanted: bool) -> None:
+        """Turn the map to the side of the camera, or leave the main camera's side below."""
+        if wanted != self._wanted:
+            self._wanted = wanted
+            self._look()
+
+    @property
+    def shown(self) -> VisibleField | None:
+        """Return what is in sight in the frame on screen; None where no camera is known, or may
+        be."""
+        return self._sight if self._allowed else None
+
+    @property
+    def turns(self) -> int:
+        """Quarter turns of the map, see `FieldSight.turns`."""
+        return self._turns if self._allowed else 0
+
+    @property
+    def half(self) -> int:
+        """The half that is in sight alone, see `FieldSight.half`; 0 also by a doubtful camera."""
+        return 0 if self.shown is None or not self._sure else self.shown.half
+
+    def close(self) -> None:
+        """Work nothing out any more."""
+        self._found.close()
+
+    # --- inside ---
+
+    @property
+    def _allowed(self) -> bool:
+        return self._wanted and self._store.state.projection_visible
+
+    def _made_of(self) -> Inputs | None:
+        state = self._store.state
+        if not self._allowed or state.frame is None:
+            return None
+        insight = self._foresight.insight
+        if insight is not None and insight.fit.camera is not None:
+            return state.sized_field, insight.fit.camera, insight.fit.size
+        camera = self._judge.camera
+        if camera is None or isinstance(camera, ElementProjections):
+            return None
+        return state.sized_field, camera, state.setup.size
+
+    def _look(self, *_: object) -> None:
+        self._found.look()
+        self._take()
+
+    def _begin_anew(self) -> None:
+        self._sight, self._turns = None, 0
+        self._found.forget()
+        self._look()
+
+    def _take(self, *_: object) -> None:
+        if not (self._found.working or self._foresight.working):
+            self._sight = self._found.value
+            self._sure = not (self._foresight.stands_in and self._foresight.doubt)
+            if self._sight is not None:
+                self._turns = self._sight.turns
+        now = self.shown, self.turns, self.half
+        if now != self._told:
+            self._told = now
+            self.changed.emit()
+
+
+def _look_at(*inputs: object) -> VisibleField | None:
+    try:
+        return visible_field(*inputs)  # type: ignore[arg-type]
+    except UsageError:  # a field that hangs in the air has no ground to turn
+        return None
+
+
+@dataclass(frozen=True, eq=False)
+class KnownGround:
+    """How surely one fit knows the ground.
+
+    Attributes:
+        values: the map and its figures.
+        picture: its shapes, px of the fit's picture.
+        field: its shapes, metres on the ground.
+    """
+
+    values: GroundUncertainty
+    picture: MapShapes
+    field: MapShapes
+
+    def at(self, x: float, y: float) -> float | None:
+        """Standard deviation of the ground point at a place of the picture, metres: between the
+        samples in proportion.
+
+        Args:
+            x, y: px of the fit's picture.
+
+        Returns:
+            None off the field and above the horizon.
+        """
+        known = self.values
+        if known.fit.camera is None:
+            return None
+        ground_x, ground_y = ground_from_px(known.fit.camera, np.array([[x, y]]))[0].tolist()
+        return bilinear_value(known.sd_m, known.xs_m, known.ys_m, ground_x, ground_y)
+
+
+def know_ground(fit: FitResult, field: Field) -> KnownGround:
+    """The map of a fit with its shapes; safe from any thread.
+
+    Raises:
+        UsageError: the fit has no camera.
+    """
+    values = map_ground_uncertainty(fit, field)
+    _ = values.statistics  # kept with the values; worked out here, not where it is shown
+    x, y = np.meshgrid(values.xs_m, values.ys_m)
+    in_sight = filled_contours(values.distance_to_border_px, x, y, (0.0, math.inf))[0]
+    px = values.points_px
+    return KnownGround(
+        values,
+        map_shapes(UNCERTAINTY, values.sd_m, px[..., 0], px[..., 1]),
+        map_shapes(UNCERTAINTY, values.sd_m, x, y, in_sight),
+    )
+
+
+class UncertaintyWatch(Derived[KnownGround]):
+    """The map of the live fit, once a person wants to see it."""
+
+    def __init__(
+        self,
+        store: Store,
+        signals: Signals,
+        live_fit: LiveFit,
+        blind_lock: BlindLock,
+        disagreement: DisagreementWatch,
+    ) -> None:
+        super().__init__(
+            self._made_of,
+            know_ground,
+            Where.BESIDE,
+            store,
+            wanted=False,
+            after=(
+                live_fit.changed,
+                signals.annotationChanged,  # never shown of the fit before an edit
+                signals.frameChanged,
+                signals.modeChanged,
+            ),
+        )
+        self._store, self._live_fit = store, live_fit
+        self._blind_lock, self._disagreement = blind_lock, disagreement
+        disagreement.changed.connect(self._give_way)
+
+    @property
+    def problem(self) -> str:
+        """Why there is nothing to be shown, or little, although a person wants to see it."""
+        if problem := super().problem:
+            return problem
+        found = self.value
+        nothing = found is not None and found.values.statistics.median is None
+        return tr("The fitted camera sees no part of the field.") if nothing else ""
+
+    def set_wanted(self, wanted: bool) -> None:
+        """Whether a person wants to see it; it takes the place of the disagreement."""
+        if wanted:
+            self._disagreement.set_wanted(False)
+        super().set_wanted(wanted)
+
+    def _made_of(self) -> Inputs | str | None:
+        state, live = self._store.state, self._live_fit
+        if state.frame is None:
+            return tr("Open a folder of pictures first.")
+        if barred := self._blind_lock.no_fit:
+            return f"{barred[0].upper()}{barred[1:]}."
+        if not live.allowed:
+            return tr("Blind: hidden until this frame is committed.")
+        if not live.wanted:
+            return tr(
+                "The live fit is off, so there is no uncertainty map (Ctrl+T switches it on)."
+            )
+        fit = live.result
+        if fit is None:
+            if live.working:
+                return None
+            return tr("There is no fit of this frame, so no uncertainty map.")
+        if fit.camera is None:
+            return tr("No camera yet, so no uncertainty map: {why}.", why=fit.failure)
+        return fit, state.sized_field
+
+    def _give_way(self) -> None:
+        if self._disagreement.wanted:
+            self.set_wanted(False)
+
+
+class PaintedWidth(Derived[ProjectedField]):
+    """The borders of painted lines, once a person wants to see them."""
+
+    def __init__(self, store: Store, signals: Signals, judge: Judge) -> None:
+        super().__init__(self._made_of, _project, Where.BESIDE, store, wanted=False)
+        self._store, self._judge = store, judge
+        self.failed.connect(self._say)
+        signals.scoreChanged.connect(self.try_again)
+        signals.frameChanged.connect(self.try_again)
+
+    def _made_of(self) -> Inputs | None:
+        camera = self._judge.camera
+        return None if camera is None else (camera, self._judge.frame_setup)
+
+    def _say(self, text: str) -> None:
+        say(self._store, tr("the painted width cannot be drawn: {why}", why=text), "warning")
+
+
+def _project(camera: CameraOrProjections, setup: EvaluationSetup) -> ProjectedField | None:
+    return project_markings(camera, setup)

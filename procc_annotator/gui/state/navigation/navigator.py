@@ -1,0 +1,227 @@
+"""From frame to frame: what is shown when one is come to."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import QObject
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.dataset.workspace import Workspace
+from procc_annotator.errors import ImageError, InputError
+from procc_annotator.gui.latest import Latest
+from procc_annotator.gui.soon import soon
+from procc_annotator.gui.state.editing.editor import Editing, held
+from procc_annotator.gui.state.editing.outside_changes import OutsideChanges
+from procc_annotator.gui.state.saying import say
+from procc_annotator.gui.state.scoring.dataset_scores import Auditing
+from procc_annotator.gui.state.second import SecondAnnotator
+from procc_annotator.gui.state.selection import class_that_fits
+from procc_annotator.gui.state.signals import Signals
+from procc_annotator.gui.state.state import ChosenElement
+from procc_annotator.gui.state.store import Store
+from procc_annotator.image.decoding import FrameCache, decode_half_size
+from procc_annotator.image.pixels import PixelArray
+from procc_annotator.translation import tr
+
+
+class FrameWalk(QObject):
+    """Goes to frames; what is under way on the one on screen is finished first."""
+
+    def __init__(
+        self,
+        store: Store,
+        signals: Signals,
+        cache: FrameCache,
+        editing: Editing,
+        auditing: Auditing,
+        second: SecondAnnotator,
+        outside: OutsideChanges,
+    ) -> None:
+        super().__init__(store)
+        self._store, self._signals, self._cache = store, signals, cache
+        self._editing, self._auditing = editing, auditing
+        self._second, self._outside = second, outside
+        # The whole picture, once half its size was painted: who walks on before spares it.
+        self._whole = Latest(self, self._fail_whole, at_once=True, wait_ms=0)
+        self._bringing = Latest(self, self._say, at_once=True)  # the picture of a frame to come to
+        self._aim = -1  # the frame that is come to once its picture is there
+        self._soon = soon(self, self._foresee)
+
+    def go_to(self, index: int) -> None:
+        """Show another frame; what is under way on this one is finished first."""
+        workspace = self._store.state.workspace
+        if workspace is None or index == self._store.state.frame_index:
+            return
+        if not 0 <= index < len(workspace.frames):
+            return
+        self.leave()
+        changed = workspace.look_again(index)
+        arrived = self.arrival(workspace, index)
+        self._store.set(**arrived)
+        if changed:
+            self._auditing.frame_edited()
+            if index not in workspace.dirty_frames():
+                self._editing.saver.save(index)  # nothing to save: a conflict is decided
+            self._signals.framesEdited.emit([index])
+        name = workspace.frames[index].name
+        if any(s.files and s.files.written_since(name) for s in self._store.state.sources):
+            self._outside.look()
+
+    def come_to(self, index: int) -> None:
+        """As `go_to`, once the picture is decoded, so that a user who pages along many frames
+        waits for none of them: of those asked for meanwhile only the last is come to."""
+        workspace = self._store.state.workspace
+        if workspace is None or not 0 <= index < len(workspace.frames):
+            return
+        if index == self._store.state.frame_index:
+            self.stay()
+            return
+        self._aim = index
+        if self._bringing.running:
+            return
+        path = workspace.frames[index].image_path
+        if self._cache.peek(path) is not None:
+            self.go_to(index)
+            return
+        self._bringing.start(
+            lambda _: self._cache.get_ready(path),
+            lambda _: self._come(index),
+            failed=lambda _: self._come(index),  # the frame says itself that it cannot be read
+        )
+
+    def stay(self) -> None:
+        """Give up the frame that is still to be come to: a person went elsewhere, or stays."""
+        self._aim = -1
+        self._bringing.cancel()
+
+    @property
+    def coming(self) -> bool:
+        """Return whether a frame is still to be come to."""
+        return self._bringing.running
+
+    def _come(self, index: int) -> None:
+        """A picture is there; another one may have been asked for meanwhile."""
+        aim = self._aim
+        self.go_to(index)
+        if aim != index:
+            self.come_to(aim)
+
+    def next_frame(self) -> None:
+        """Show the next frame, if there is one."""
+        self.go_to(self._store.state.frame_index + 1)
+
+    def previous_frame(self) -> None:
+        """Show the previous frame, if there is one."""
+        self.go_to(self._store.state.frame_index - 1)
+
+    def go_to_unannotated(self, step: int) -> None:
+        """Show the nearest frame without annotation before (-1) or after (1) this one."""
+        workspace = self._store.state.workspace
+        if workspace is None:
+            return
+        index = self._store.state.frame_index + step
+        while 0 <= index < len(workspace.frames):
+            if _is_unannotated(workspace, index):
+                self.go_to(index)
+                return
+            index += step
+        if step > 0:
+            say(self._store, tr("every frame after this one is annotated"))
+        else:
+            say(self._store, tr("every frame before this one is annotated"))
+
+    def leave(self) -> None:
+        """The frame on screen is left, and may be another window's: what is under way is finished,
+        up to the disk."""
+        self._signals.aboutToLeave.emit()
+        self._editing.saver.settle(self._store.state.frame_index)
+        self._auditing.settle()
+
+    def arrival(self, workspace: Workspace, index: int) -> dict[str, object]:
+        """Return what the state is to hold of a frame that is come to; -1 for none."""
+        frame = workspace.frames[index] if index >= 0 else None
+        name = frame.name if frame is not None else None
+        self._whole.cancel()
+        self.stay()
+        self._outside.watch_file(None if frame is None else frame.annotation_path)
+        self._editing.review.enter(name)
+        self._editing.presence.enter(name)
+        self._second.show(name)
+        found: dict[str, object] = {
+            "workspace": workspace,
+            "selection": ChosenElement(),
+            "hovered_class": None,
+            "frame_index": index,
+            "preview": None,
+            "picture": None,
+            "half": None,
+            "picture_error": "",
+            "holder": self._editing.presence.holder,
+        }
+        if frame is None:
+            return {**found, "annotation": FrameAnnotation(), "damage": "", "counts": False}
+        try:
+            found |= self._look_at(frame.image_path)
+        except ImageError as error:
+            found["picture_error"] = str(error)
+        self._cache.prefetch(())  # what waited is not next any more
+        self._soon.start()
+        found |= held(workspace, index)
+        state, annotation = self._store.state, found["annotation"]
+        if workspace is state.workspace and isinstance(annotation, FrameAnnotation):
+            # In the next frame of a dataset the same element is often the next one to draw.
+            kept = class_that_fits(state.selection.class_name, state.field, annotation)
+            found["selection"] = ChosenElement(kept)
+        return found
+
+    def see_whole(self) -> None:
+        """Wait for the whole picture where only half its size is shown yet."""
+        self._whole.finish()
+
+    # --- inside ---
+
+    def _look_at(self, path: Path) -> dict[str, object]:
+        """The picture; where that is to be decoded, a large one is examined in half its size
+        first.
+
+        Raises:
+            ImageError: it is not a readable picture.
+        """
+        half = decode_half_size(path) if self._cache.peek(path) is None else None
+        if half is None:
+            return {"picture": self._cache.get(path)}
+        self._whole.start(lambda _: self._cache.get_ready(path), self._take_whole)
+        return {"half": half}
+
+    def _say(self, text: str) -> None:
+        say(self._store, text, "warning")
+
+    def _take_whole(self, picture: PixelArray) -> None:
+        self._end_first_look(picture=picture)
+
+    def _fail_whole(self, text: str) -> None:
+        self._end_first_look(picture_error=text)
+
+    def _end_first_look(self, **found: object) -> None:
+        self._store.set(**found, half=None)
+        self._foresee()
+
+    def _foresee(self) -> None:
+        """These may be on screen next; a whole picture that is still to come goes before them."""
+        state = self._store.state
+        if state.workspace is None or state.frame is None:
+            return
+        frames, index = state.workspace.frames, state.frame_index
+        around = (index + step for step in (0, 1, -1))
+        here, *soon = [frames[i] for i in around if 0 <= i < len(frames)]
+        self._cache.prefetch([frame.image_path for frame in soon] if state.half is None else ())
+        self._editing.review.foresee(frame.name for frame in (here, *soon))
+
+
+def _is_unannotated(workspace: Workspace, index: int) -> bool:
+    """Return whether a frame has no annotation yet; an unreadable one has."""
+    try:
+        return not workspace.annotated_count(index)
+    except InputError:
+        return False

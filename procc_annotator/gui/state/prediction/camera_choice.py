@@ -1,0 +1,135 @@
+"""What the elements that are missing in the frame on screen follow from.
+
+That is the camera fitted to the clicks. As long as these give none, or agree with a camera that was
+found without clicks and knows more elements, that one stands in for it: the camera of the track if
+the shot was followed, else the proposed one. A dragged camera comes before all of them, until
+something is annotated after it.
+"""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QObject, Signal
+
+from procc_annotator.assist.frame_analysis import FrameAnalysis, ghosts_without_clicks
+from procc_annotator.calibration.result import FitResult
+from procc_annotator.calibration.single_image.proposal import SURE
+from procc_annotator.dataset.computed_cameras import review_reason
+from procc_annotator.gui.state.derived import Derived, Inputs, Where
+from procc_annotator.gui.state.prediction.live_fit import LiveFit
+from procc_annotator.gui.state.prediction.proposals import Corrections, Proposals
+from procc_annotator.gui.state.prediction.shot_track import ShotTrack
+from procc_annotator.gui.state.review_state import ReviewState
+from procc_annotator.gui.state.signals import Signals
+from procc_annotator.gui.state.store import Store
+
+_KEPT = 8
+
+
+class Foresight(QObject):
+    """The insight that ghosts go by."""
+
+    changed = Signal()
+
+    def __init__(
+        self,
+        store: Store,
+        signals: Signals,
+        live_fit: LiveFit,
+        review: ReviewState,
+        track: ShotTrack,
+        proposals: Proposals,
+        corrections: Corrections,
+    ) -> None:
+        super().__init__(store)
+        self._store, self._live_fit, self._review = store, live_fit, review
+        self._track, self._proposals, self._corrections = track, proposals, corrections
+        self._stand_in = Derived(
+            self._made_of, ghosts_without_clicks, Where.BESIDE, self, kept=_KEPT, stoppable=True
+        )
+        self._stand_in.changed.connect(self.changed)
+        for signal in (signals.frameChanged, signals.annotationChanged):
+            signal.connect(self._stand_in.look_later)
+        for signal in (
+            live_fit.changed,
+            review.notVisibleChanged,
+            track.changed,
+            track.followed,
+            proposals.changed,
+            corrections.changed,
+            signals.modeChanged,
+        ):
+            signal.connect(self._look)
+
+    @property
+    def allowed(self) -> bool:
+        """Return whether it may be shown: blind mode is for clicks that nothing has influenced."""
+        return self._live_fit.allowed
+
+    @property
+    def wanted(self) -> bool:
+        """Return whether there is a camera to go by, or a person wants one."""
+        return self._live_fit.wanted or self.found is not None
+
+    @property
+    def working(self) -> bool:
+        """Return whether more may be known in a moment."""
+        return self._live_fit.working or self._stand_in.working
+
+    @property
+    def found(self) -> FitResult | None:
+        """The camera of the frame on screen that was found without clicks, or dragged."""
+        if not self._proposals.allowed or self._store.state.frame is None:
+            return None
+        if (corrected := self._corrections.here) is not None:
+            return corrected.fit
+        if (followed := self._track.fit_here) is not None:
+            return followed
+        proposal = self._proposals.here
+        return None if proposal is None or proposal.fit.camera is None else proposal.fit
+
+    @property
+    def insight(self) -> FrameAnalysis | None:
+        """Return what the camera says; None while that is worked out, or to be hidden."""
+        stand_in = self._stand_in.value
+        if stand_in is not None and stand_in.fit.camera is not None:
+            return stand_in
+        return self._live_fit.insight if not self._stand_in.working else None
+
+    @property
+    def doubt(self) -> str:
+        """Why the camera that stands in should be examined first; empty where it is sure."""
+        if (corrected := self._corrections.here) is not None:
+            return corrected.why_not
+        if (frame := self._track.here) is not None and self._track.fit_here is not None:
+            return review_reason(frame)
+        proposal = self._proposals.here
+        return "" if proposal is None or proposal.state == SURE else proposal.reason
+
+    @property
+    def stands_in(self) -> bool:
+        """Return whether what is shown follows from a camera that was found without clicks."""
+        insight = self.insight
+        return insight is not None and not insight.from_clicks
+
+    def close(self) -> None:
+        """Work nothing out any more."""
+        self._stand_in.close()
+
+    # --- inside ---
+
+    def _made_of(self) -> Inputs | None:
+        """Clicks that give a camera are compared with the camera that was found without them."""
+        found, state = self.found, self._store.state
+        if found is None or state.frame_name is None:
+            return None
+        fitted = None
+        if state.annotation.annotated and self._live_fit.wanted and not self._corrections.rules:
+            fitted = self._live_fit.insight
+            if fitted is None:
+                return None
+        hidden = self._review.not_visible(state.frame_name)
+        return state.annotation, state.sized_field, found, hidden, fitted
+
+    def _look(self, *_: object) -> None:
+        self._stand_in.look()
+        self.changed.emit()

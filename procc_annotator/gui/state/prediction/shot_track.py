@@ -1,0 +1,172 @@
+"""The track through the open sequence: the cameras of its frames, as far as they were followed."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Mapping
+
+from PySide6.QtCore import QObject, Signal
+
+from procc_annotator.calibration.result import FitResult
+from procc_annotator.calibration.tracking.track import Track, TrackedFrame
+from procc_annotator.dataset.computed_cameras import TrackedCameras
+from procc_annotator.field.model import Element, Field
+from procc_annotator.gui.state.camera_sources import CameraSource
+from procc_annotator.gui.state.scoring.camera_sources import Sources
+from procc_annotator.gui.state.sequences import SequenceWatch
+from procc_annotator.gui.state.signals import Signals
+from procc_annotator.gui.state.store import Store
+from procc_annotator.interaction.palette import TRACK
+
+
+class ShotTrack(QObject):
+    """What was followed, by number in the sequence; as a camera source, by frame name.
+
+    Attributes:
+        tracked: number -> the frame.
+        cuts: the first frame of each shot that was met, but the first of the sequence.
+        source: as a row of the list of sources, once a frame of the dataset has a camera.
+    """
+
+    changed = Signal()  # other frames are known, or none
+    followed = Signal(object)  # these frames came while a shot is followed
+    forgotten = Signal()  # nothing of what is under way is wanted either
+
+    def __init__(
+        self, store: Store, signals: Signals, sequence: SequenceWatch, sources: Sources
+    ) -> None:
+        super().__init__(store)
+        self._store, self._sequence, self._sources = store, sequence, sources
+        self.tracked: dict[int, TrackedFrame] = {}
+        self.cuts: tuple[int, ...] = ()
+        self._shown: dict[int, TrackedFrame] = {}  # what the source shows
+        self._cameras = TrackedCameras()
+        self.source = CameraSource(self._cameras, TRACK, visible=False)
+        self._elements = _own_elements(store.state.field)
+        signals.datasetChanged.connect(self._begin_anew)
+        signals.fieldChanged.connect(self._leave_other_field)
+
+    @property
+    def here(self) -> TrackedFrame | None:
+        """Return what is known of the frame on screen."""
+        sequence, index = self._sequence.value, self._store.state.frame_index
+        if sequence is None or not 0 <= index < len(sequence.numbers):
+            return None
+        return self.tracked.get(int(sequence.numbers[index]))
+
+    @property
+    def fit_here(self) -> FitResult | None:
+        """The camera of the frame on screen, as a fit; None without one."""
+        frame = self.here
+        fit = frame.fit if frame is not None else None
+        return fit if fit is not None and fit.camera is not None else None
+
+    def put(self, frames: Iterable[TrackedFrame]) -> None:
+        """Frames were followed; more are to come."""
+        frames = tuple(frames)
+        self.tracked |= {frame.number: frame for frame in frames}
+        self.followed.emit(frames)
+
+    def correct(self, frame: TrackedFrame) -> None:
+        """One frame is known otherwise."""
+        self.tracked[frame.number] = frame
+        self._show([frame.number])
+        self.changed.emit()
+
+    def replace(self, frames: Mapping[int, TrackedFrame], cuts: Iterable[int]) -> None:
+        """This is all that is known from now on."""
+        self.tracked, self.cuts = dict(frames), tuple(sorted(cuts))
+        shown = self._shown
+        other = [n for n, frame in self.tracked.items() if shown.get(n) is not frame]
+        self._show([*other, *(shown.keys() - self.tracked.keys())])
+        self.changed.emit()
+
+    def take(self, track: Track, *, is_shot: bool = False) -> None:
+        """Frames were followed to their end: what was known of them before goes.
+
+        Args:
+            is_shot: whether they end where another camera's picture begins.
+        """
+        if not track.frames:
+            return
+        first, last = track.frames[0].number, track.frames[-1].number
+        cuts = {cut for cut in self.cuts if not first < cut <= last}
+        cuts |= {begin for begin, _ in track.shots[1:]}
+        sequence = self._sequence.value
+        if is_shot and sequence is not None:
+            cuts |= {end for end in (first, last + 1) if sequence.first < end <= sequence.last}
+        others = {n: frame for n, frame in self.tracked.items() if not first <= n <= last}
+        self.replace(others | {frame.number: frame for frame in track.frames}, cuts)
+
+    def keep(self) -> None:
+        """No more frames are to come; those that came are what is known."""
+        self.replace(self.tracked, self.cuts)
+
+    def between_anchors(self, number: int) -> range | None:
+        """The frames around one from the anchor before it to the one after it, or to where the
+        shot ends; None where it was not followed."""
+        if number not in self.tracked:
+            return None
+        ends = []
+        for step in (-1, 1):
+            at = number
+            while at + step in self.tracked and max(at, at + step) not in self.cuts:
+                at += step
+                if self.tracked[at].state == "anchor":
+                    break
+            ends.append(at)
+        return range(ends[0], ends[1] + 1)
+
+    def shot_of(self, number: int) -> range:
+        """The frames of the sequence around one, up to the cuts that are known."""
+        sequence = self._sequence.value
+        first = sequence.first if sequence is not None else number
+        past = sequence.last + 1 if sequence is not None else number + 1
+        first = max((cut for cut in self.cuts if cut <= number), default=first)
+        return range(first, min((cut for cut in self.cuts if cut > number), default=past))
+
+    def forget(self) -> None:
+        """Nothing is known any more."""
+        self.forgotten.emit()
+        self.replace({}, ())
+
+    # --- inside ---
+
+    def _begin_anew(self) -> None:
+        self._leave()
+        self.source.clear()
+        self.forget()
+
+    def _leave_other_field(self) -> None:
+        """Cameras were found on the paint of another field, unless only landmarks differ."""
+        before, self._elements = self._elements, _own_elements(self._store.state.field)
+        if self._elements != before:
+            self.forget()
+
+    def _show(self, numbers: Collection[int]) -> None:
+        """The source holds the cameras of the dataset's frames; of these they are others now."""
+        sequence, workspace = self._sequence.value, self._store.state.workspace
+        self._shown = dict(self.tracked)
+        by_name: dict[str, TrackedFrame | None] = {}
+        if sequence is not None and workspace is not None:
+            index_of, frames, tracked = sequence.index_of, workspace.frames, self.tracked
+            by_name = {frames[index_of[n]].name: tracked.get(n) for n in numbers if n in index_of}
+        cameras = self._cameras.updated(by_name) if self.tracked else TrackedCameras()
+        self.source.forget(by_name)
+        self.source.camera_set = self._cameras = cameras
+        if self.source not in self._store.state.sources:
+            if cameras.frames:
+                self._sources.join_source(self.source, active=False)
+        elif cameras.frames:
+            self._sources.show_source_again(self.source)
+        else:
+            self._leave()
+
+    def _leave(self) -> None:
+        if self.source in self._store.state.sources:
+            self._sources.remove_camera_set(self._store.state.sources.index(self.source))
+
+
+def _own_elements(field: Field) -> tuple[Element, ...]:
+    """Return what of a field is painted, whatever landmarks its dataset has."""
+    landmarks = {mark.name for mark in field.landmarks}
+    return tuple(element for element in field.elements if element.name not in landmarks)

@@ -1,0 +1,242 @@
+"""Opens, names, chooses and forgets camera sources: commands of the store."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+from pathlib import Path
+
+from PySide6.QtCore import QObject
+
+from procc_annotator.dataset.camera_set import CameraSet
+from procc_annotator.dataset.records import FaultParty, Verdict, place_of
+from procc_annotator.errors import ProccError
+from procc_annotator.gui.state.camera_sources import (
+    CameraSource,
+    free_colour,
+    free_name,
+    same_files,
+    where_else,
+)
+from procc_annotator.gui.state.review_state import ReviewState
+from procc_annotator.gui.state.saying import say
+from procc_annotator.gui.state.scoring.dataset_scores import Auditing, SetScores
+from procc_annotator.gui.state.store import Store
+from procc_annotator.translation import tr
+
+
+class KeptVerdicts:
+    """What is kept of sources from files; fits change with the clicks."""
+
+    def __init__(self, store: Store, review: ReviewState) -> None:
+        self._store, self._review = store, review
+
+    def shown_verdict(self, name: str) -> FaultParty | None:
+        """Return whose fault a frame's score is under the active source; None while blind mode
+        hides what is known of the camera there."""
+        source = self._store.state.active
+        if source is None or not self._store.state.reveals(name):
+            return None
+        verdict = self.verdict(name, source)
+        return None if verdict is None else verdict.fault
+
+    def verdict(self, name: str, source: CameraSource) -> Verdict | None:
+        """Return whose fault a frame's score is under a source, also where blind mode hides it;
+        None for fits."""
+        if source.files is None:
+            return None
+        return self._review.verdict(name, source.name, self.place(source))
+
+    def set_verdict(
+        self, name: str, source: CameraSource, fault: FaultParty | None, comment: str = ""
+    ) -> None:
+        """Say whose fault a frame's score is under a source from files; None takes it back."""
+        if source.files is not None:
+            self._review.set_verdict(name, source.name, self.place(source), fault, comment)
+
+    def rename_source(self, source: CameraSource, before: str) -> None:
+        """A source has another name: its verdicts go along."""
+        if place := self.place(source):
+            self._review.rename_source(place, before, source.name)
+
+    def place(self, source: CameraSource) -> str:
+        """Return what verdicts know a source by, whatever it is called; empty without a dataset or
+        files."""
+        cameras, workspace = source.files, self._store.state.workspace
+        if workspace is None or cameras is None:
+            return ""
+        return place_of(cameras.path, cameras.format, workspace.folder)
+
+
+class Sources(QObject):
+    """The camera sources that the frames are judged against, those of fits behind the others."""
+
+    def __init__(
+        self, store: Store, auditing: Auditing, set_scores: SetScores, verdicts: KeptVerdicts
+    ) -> None:
+        super().__init__(store)
+        self._store, self._auditing = store, auditing
+        self._set_scores, self._verdicts = set_scores, verdicts
+
+    # --- which there are ----------------------------------------------------------------------
+
+    def load_cameras(self, path: Path, fmt: str = "auto", name: str | None = None) -> bool:
+        """Add a folder, archive or file of cameras and make it the active source.
+
+        What is loaded already is read again from the disk.
+        """
+        try:
+            cameras = CameraSet.open(path, fmt, name)
+        except (ProccError, OSError) as error:
+            say(self._store, str(error), "error")
+            return False
+        if not cameras.frames or self._only_below(cameras):
+            told = tr(
+                "{path}: no cameras in it ({what_to_do})", path=path, what_to_do=where_else(path)
+            )
+            say(self._store, told, "error")
+            return False
+        source = self.add_source(cameras)
+        if name is not None:
+            self.rename_source(source, name)
+        remarks = [*cameras.notices, *self._no_match(cameras)]
+        if remarks:
+            say(self._store, "; ".join(remarks), "warning")
+        return True
+
+    def _only_below(self, cameras: CameraSet) -> bool:
+        """Return whether all cameras lie in folders of it, and none by the place of a frame:
+        sets of
+        their own."""
+        return self._none_matches(cameras) and all("/" in name for name in cameras.frames)
+
+    def _none_matches(self, cameras: CameraSet) -> bool:
+        workspace = self._store.state.workspace
+        frames = workspace.frames if workspace is not None else ()
+        return bool(frames) and not any(frame.name in cameras.frames for frame in frames)
+
+    def _no_match(self, cameras: CameraSet) -> Iterator[str]:
+        """Return what to say of cameras that belong to no frame of the dataset."""
+        workspace = self._store.state.workspace
+        if workspace is not None and self._none_matches(cameras):
+            frames = workspace.frames
+            yield tr(
+                "{path}: no camera has the name of a frame (cameras are named like {camera!r},"
+                " frames like {frame!r})",
+                path=cameras.path,
+                camera=next(iter(cameras.frames)),
+                frame=frames[0].name,
+            )
+
+    def add_source(
+        self,
+        cameras: CameraSet,
+        *,
+        colour: str | None = None,
+        visible: bool = True,
+        active: bool = True,
+        changed: Collection[str] | None = None,
+    ) -> CameraSource:
+        """Add cameras that were opened already; the same ones loaded before are replaced.
+
+        Args:
+            changed: frames whose cameras are others than those loaded before; None: all.
+        """
+        sources = list(self._store.state.sources)
+        source = next((s for s in sources if same_files(s.files, cameras)), None)
+        if source is not None:
+            self._set_scores.cancel()  # what it found is of the cameras before
+            cameras.name = source.name
+            source.camera_set = cameras
+            if changed is None:
+                self._set_scores.forget([source])
+            else:
+                source.forget(changed)
+        else:
+            cameras.name = free_name(cameras.name, sources)
+            source = CameraSource(cameras, colour or free_colour(sources), visible=visible)
+            sources.insert(sum(s.files is not None for s in sources), source)
+        self._list(sources, source if active else self._store.state.active)
+        return source
+
+    def join_source(self, source: CameraSource, *, active: bool) -> None:
+        """Put a source of fits behind the others."""
+        sources = (*self._store.state.sources, source)
+        self._list(sources, source if active else self._store.state.active)
+
+    def remove_camera_set(self, index: int) -> None:
+        """Forget a source (its files stay)."""
+        sources = list(self._store.state.sources)
+        removed, active = sources.pop(index), self._store.state.active
+        if removed is active:
+            from_files = [source for source in sources if source.files is not None]
+            active = from_files[min(index, len(from_files) - 1)] if from_files else None
+        self._list(sources, active)
+
+    def clear_sources(self) -> None:
+        """Forget all sources."""
+        self._list((), None)
+        self._store.set(compared_choice=(None, False))
+
+    # --- which is judged ----------------------------------------------------------------------
+
+    def set_active_camera(self, index: int) -> None:
+        """Judge against this source; -1 for none. What is known of the set is not computed anew."""
+        sources = self._store.state.sources
+        self._list(sources, sources[index] if 0 <= index < len(sources) else None)
+
+    def compare_with(self, source: CameraSource | None) -> None:
+        """Hold the active source against this one, until another is chosen; None: against the one
+        that was active before."""
+        self._store.set(compared_choice=(source, source is not None))
+
+    def swap_sources(self) -> None:
+        """Judge against the compared source, and compare with the one that was active."""
+        if (other := self._store.state.compared) is not None:
+            self._list(self._store.state.sources, other)
+
+    # --- how they are shown -------------------------------------------------------------------
+
+    def rename_source(self, source: CameraSource, name: str) -> None:
+        """Call a source something else; no two have the same name. Its verdicts go along."""
+        name, before = " ".join(name.split()), source.name
+        if source.files is not None and name and name != before:
+            others = [s for s in self._store.state.sources if s is not source]
+            source.files.name = free_name(name, others)
+            self._verdicts.rename_source(source, before)
+            self._show_looks()
+
+    def set_source_colour(self, source: CameraSource, colour: str) -> None:
+        """Show a source in another colour."""
+        source.colour = colour
+        self._show_looks()
+
+    def set_source_visible(self, source: CameraSource, visible: bool) -> None:
+        """Whether a source is drawn next to the active one."""
+        source.visible = visible
+        self._show_looks()
+
+    def show_source_again(self, source: CameraSource) -> None:
+        """A source of fits has another camera for the frame on screen, or none any more."""
+        if source in self._store.state.sources:
+            self._show_looks()
+            self._auditing.fitted(source)
+
+    # --- inside -------------------------------------------------------------------------------
+
+    def _show_looks(self) -> None:
+        self._store.set(looks=tuple(source.look for source in self._store.state.sources))
+
+    def _list(self, sources: Sequence[CameraSource], active: CameraSource | None) -> None:
+        """List these sources and judge against one of them."""
+        state = self._store.state
+        choice, before = state.compared_choice, state.active
+        # Two that are compared change places; a person's choice of a third one stays.
+        stays = choice[1] and state.compared is not active
+        if before is not None and before is not active and not stays:
+            choice = (before, choice[1])
+        self._store.set(
+            sources=tuple(sources),
+            looks=tuple(source.look for source in sources),
+            active=active,
+            compared_choice=choice,
+        )

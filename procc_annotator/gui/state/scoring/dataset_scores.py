@@ -1,0 +1,453 @@
+"""Keeps in step with the state what is looked up of the frame and audited of the set."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+from time import monotonic
+
+import numpy as np
+from PySide6.QtCore import QObject, Signal
+
+from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.batch.audit import TAU_GRID, FrameAudit, audit_frame
+from procc_annotator.dataset.camera_set import FrameCameras
+from procc_annotator.errors import CameraError, InputError
+from procc_annotator.formats.cameras.fit_record import NOT_FITTED, FitCounts
+from procc_annotator.formats.cameras.loaded_camera import NAME_THE_FORMAT, field_mismatch
+from procc_annotator.gui.latest import Latest
+from procc_annotator.gui.soon import soon
+from procc_annotator.gui.state.camera_sources import CameraSource
+from procc_annotator.gui.state.saying import say
+from procc_annotator.gui.state.scoring.frame_cameras import SourceFrame, SourceFrames
+from procc_annotator.gui.state.scoring.frame_score import Judge
+from procc_annotator.gui.state.signals import Signals
+from procc_annotator.gui.state.state import State, same
+from procc_annotator.gui.state.store import Store
+from procc_annotator.gui.worker import JobControl
+from procc_annotator.metrics.measurement import Measurement, measure_projected
+from procc_annotator.metrics.projection import clipped_projection_error, project_field
+from procc_annotator.metrics.setup import EvaluationSetup
+
+_TELL_AFTER_S = 0.25
+_TELL_PLOTS_AFTER_S = 1.0
+
+ReadAnnotation = Callable[[], FrameAnnotation | None]
+
+
+class FrameScores(Mapping[str, float]):
+    """Frame name -> JaC at one threshold; a view, built without copying."""
+
+    def __init__(
+        self,
+        audits: Mapping[str, FrameAudit],
+        tau: float,
+        allowed: Callable[[str], bool] | None = None,
+    ) -> None:
+        self._audits = audits
+        self._column = int(np.argmin(np.abs(TAU_GRID - tau)))
+        self._allowed = allowed
+
+    @property
+    def allowed(self) -> Callable[[str], bool] | None:
+        """Which frames may be shown; None: all."""
+        return self._allowed
+
+    def __getitem__(self, name: str) -> float:
+        if self._allowed is not None and not self._allowed(name):
+            raise KeyError(name)
+        return float(self._audits[name].jac[self._column])
+
+    def __iter__(self) -> Iterator[str]:
+        allowed = self._allowed
+        return iter(n for n in self._audits if allowed is None or allowed(n))
+
+    def __len__(self) -> int:
+        return sum(1 for _ in self)
+
+
+def scores_of(state: State) -> FrameScores:
+    """Frame name -> JaC at the threshold, of frames scored so far (while blind: committed ones)."""
+    audits = state.active.audits if state.active is not None else {}
+    return FrameScores(audits, state.tau, state.reveals if state.blind else None)
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class _Outcome:
+    """What became of one frame under one source."""
+
+    source: CameraSource
+    frame: str
+    audit: FrameAudit | None
+    problem: str
+
+
+class SetScores(QObject):
+    """Audits the frames of all sources, one source after the other."""
+
+    changed = Signal(object, str)  # source, and a frame's name, or "" for many
+    progressed = Signal(int, int)
+    failed = Signal(str)
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._set_work = Latest(self, self._fail)
+        self._frame_work: dict[str, Latest] = {}
+        self._touched: set[tuple[CameraSource, str]] = set()  # judged anew since the start
+        self._untold: dict[CameraSource, float] = {}  # since when
+
+    @property
+    def running(self) -> bool:
+        """Return whether the set is being audited."""
+        return self._set_work.running
+
+    def cancel(self) -> None:
+        """Stop auditing; what was found so far stays."""
+        if self._set_work.cut_short():
+            self._end()
+
+    def close(self) -> None:
+        """Stop everything that is under way."""
+        self.cancel()
+        for work in self._frame_work.values():
+            work.cancel()
+        self._frame_work.clear()
+
+    def forget(self, sources: Sequence[CameraSource]) -> None:
+        """Drop all that is known of these sources, and what is under way: the terms changed."""
+        self.close()
+        for source in sources:
+            source.clear()
+            self.changed.emit(source, "")
+
+    def start(
+        self,
+        sources: Sequence[CameraSource],
+        readers: Mapping[str, ReadAnnotation],
+        setup: EvaluationSetup,
+        tau: float,
+    ) -> None:
+        """Audit in the background what was not examined yet.
+
+        Args:
+            sources: in the order they are to be done.
+            readers: frame name -> how to read its annotation, from any thread; None where a frame
+                belongs to no figure of the set.
+            setup: the terms; sources audited under others must have been cleared.
+            tau: px, decides between plain and mirrored labels.
+        """
+        self.cancel()
+        self._touched.clear()
+        wanted = [(source, source.camera_set, source.to_look_at(readers)) for source in sources]
+        total = sum(len(names) for _, _, names in wanted)
+        if not total:
+            return
+
+        def work(control: JobControl) -> None:
+            done, told = 0, monotonic()
+            for source, cameras, names in wanted:
+                for name in names:
+                    if control.cancelled:
+                        return
+                    audit, problem = _audit(name, readers[name], cameras, setup, tau)
+                    control.hand_over(_Outcome(source, name, audit, problem))
+                    done += 1
+                    if monotonic() - told > _TELL_AFTER_S:
+                        control.progress(done, total)
+                        told = monotonic()
+
+        self._set_work.start(
+            work, lambda _: self._end(), progress=self._progressed, parts=self._take
+        )
+
+    def put(
+        self, source: CameraSource, frame: str, shown: SourceFrame, measurement: Measurement | None,
+        tau: float, fitted: FitCounts = NOT_FITTED,
+    ) -> None:  # fmt: skip
+        """Take over how a source does in the frame on screen after an edit.
+
+        Args:
+            fitted: whether its camera was fitted to these very clicks.
+        """
+        self._touched.add((source, frame))
+        known, problem = frame in source.audits, source.problems.get(frame, "")
+        audit = None
+        if measurement is not None and shown.camera is not None:
+            audit = audit_frame(frame, shown.camera, shown.model, measurement, tau, fitted=fitted)
+        source.take(frame, audit, shown.error)
+        if known or audit is not None or shown.error != problem:
+            self.changed.emit(source, frame)
+
+    def audit_again(
+        self,
+        frame: str,
+        annotation: FrameAnnotation | None,
+        shown: Sequence[tuple[CameraSource, SourceFrame | None]],
+        setup: EvaluationSetup,
+        tau: float,
+    ) -> None:
+        """Audit one frame after an edit with some sources, in the background.
+
+        Args:
+            frame: its name.
+            annotation: what is in it now; None if it belongs to no figure of the set.
+            shown: what the sources show of it, as far as known.
+        """
+        self._touched.update((source, frame) for source, _ in shown)
+        if (earlier := self._frame_work.pop(frame, None)) is not None:
+            earlier.cancel()
+        if not shown:
+            return
+        read: ReadAnnotation = lambda: annotation  # noqa: E731
+        asked = [(source, source.camera_set, known) for source, known in shown]
+
+        def work(control: JobControl) -> list[_Outcome]:
+            return [
+                _Outcome(source, frame, *_audit(frame, read, cameras, setup, tau, known))
+                for source, cameras, known in asked
+            ]
+
+        def done(outcomes: list[_Outcome]) -> None:
+            self._frame_work.pop(frame, None)
+            now = {source for source, cameras, _ in asked if source.camera_set is cameras}
+            for outcome in outcomes:
+                if outcome.source not in now:
+                    continue  # its cameras are others by now
+                outcome.source.take(frame, outcome.audit, outcome.problem)
+                self.changed.emit(outcome.source, frame)
+
+        self._frame_work[frame] = Latest(self, self.failed.emit, urgent=True)
+        self._frame_work[frame].start(work, done)
+
+    # --- inside ---
+
+    def _progressed(self, done: int, total: int) -> None:
+        now = monotonic()
+        if any(now - since > _TELL_PLOTS_AFTER_S for since in self._untold.values()):
+            self._tell_changed()
+        self.progressed.emit(done, total)
+
+    def _take(self, outcomes: list[_Outcome]) -> None:
+        now = monotonic()
+        for outcome in outcomes:
+            if (outcome.source, outcome.frame) not in self._touched:
+                outcome.source.take(outcome.frame, outcome.audit, outcome.problem)
+                self._untold.setdefault(outcome.source, now)
+
+    def _tell_changed(self) -> None:
+        untold, self._untold = self._untold, {}
+        for source in untold:
+            self.changed.emit(source, "")
+
+    def _end(self) -> None:
+        self._tell_changed()
+        self.progressed.emit(0, 0)
+
+    def _fail(self, text: str) -> None:
+        self._end()
+        self.failed.emit(text)
+
+
+def _audit(
+    frame: str,
+    read: ReadAnnotation,
+    cameras: FrameCameras,
+    setup: EvaluationSetup,
+    tau: float,
+    known: SourceFrame | None = None,
+) -> tuple[FrameAudit | None, str]:
+    """One frame under one source, and why its camera cannot be used."""
+    projected = known.projected if known is not None else None
+    setup = setup.of_frame(frame)
+    try:
+        found = cameras.camera(frame, setup.size)
+    except CameraError as error:
+        return None, str(error)
+    if found is None:
+        return None, ""
+    if problem := field_mismatch(found.assumed_field, setup.field):
+        return None, f"{frame}: {problem} ({NAME_THE_FORMAT})"
+    if problem := clipped_projection_error(found.camera, setup):
+        return None, f"{frame}: {problem}"
+    try:
+        annotation = read()
+    except InputError:  # told when somebody opens this frame; the rest of the set goes on
+        return None, ""
+    if annotation is None:
+        return None, ""
+    if projected is None:
+        projected = project_field(found.camera, setup)
+    measurement = measure_projected(annotation, projected, setup)
+    fitted = FitCounts.of(found.fitted_on, annotation)
+    audit = audit_frame(frame, found.camera, found.model, measurement, tau, fitted=fitted)
+    return audit, ""
+
+
+_FORGOTTEN_ONE_BY_ONE = 400  # more are forgotten together with all others, which takes no time
+
+
+class Auditing(QObject):
+    """Has the sources looked up and audited again where dataset, frame, terms or cameras differ."""
+
+    def __init__(
+        self,
+        store: Store,
+        signals: Signals,
+        judge: Judge,
+        source_frames: SourceFrames,
+        set_scores: SetScores,
+    ) -> None:
+        super().__init__(store)
+        self._store, self._signals, self._judge = store, signals, judge
+        self._source_frames, self._set_scores = source_frames, set_scores
+        self._edited = False  # the frame on screen, since it was judged
+        self._refitted: dict[CameraSource, None] = {}  # to the frame on screen, since then
+        self._soon = soon(self, self.settle)
+        source_frames.set_setup(store.state.setup)
+        set_scores.changed.connect(self._tell)
+        set_scores.failed.connect(self._say_failed)
+
+    def follow(self, old: State, new: State) -> None:
+        """The state is another one: what was looked up and audited under others is forgotten."""
+        if new.setup is not old.setup:
+            self._source_frames.set_setup(new.setup)
+        if new.setup is not old.setup or new.workspace is not old.workspace:
+            self._set_scores.forget(new.sources)
+        if not same(_looked_up(old), _looked_up(new)):
+            self._look_up(new)
+        if not same(_audited(old), _audited(new)):
+            self._start(new)
+
+    # --- what was edited ----------------------------------------------------------------------
+
+    def frame_edited(self) -> None:
+        """The annotation on screen is another one: once it was painted every source from files is
+        judged anew against it; fits are once they are made."""
+        self._edited = True
+        self._soon.start()
+
+    def fitted(self, source: CameraSource) -> None:
+        """A source of fits has another camera for the frame on screen, or none any more: it is
+        judged once that was painted."""
+        self._refitted[source] = None
+        self._soon.start()
+
+    @property
+    def waiting(self) -> bool:
+        """Return whether something of the frame on screen is not judged anew yet."""
+        return self._soon.isActive()
+
+    def settle(self) -> None:
+        """What waits for the paint is done now: it came, or the frame on screen is left."""
+        self._soon.stop()
+        edited, self._edited = self._edited, False
+        refitted, self._refitted = self._refitted, {}
+        if edited:
+            self._judge_files()
+        for source in refitted:
+            self._judge_fit(source)
+
+    def close(self) -> None:
+        """Look up and audit nothing any more."""
+        self._soon.stop()
+        self._set_scores.close()
+        self._source_frames.close()
+
+    def frames_edited(self, names: Collection[str]) -> None:
+        """Annotations of frames that are not on screen are others now: audit these anew."""
+        self._set_scores.cancel()  # what it found there is of the annotations before
+        sources = self._store.state.sources
+        if len(names) > _FORGOTTEN_ONE_BY_ONE:
+            self._set_scores.forget(sources)
+        else:
+            for source in sources:
+                source.forget(names)
+        self._start(self._store.state)
+        for source in sources:
+            self._signals.sourceAuditsChanged.emit(source)
+        self._signals.frameScoresChanged.emit("")
+
+    # --- inside -------------------------------------------------------------------------------
+
+    def _judge_files(self) -> None:
+        state = self._store.state
+        name, active = state.frame_name, state.active
+        if name is None:
+            return
+        if active is not None and active.files is not None:
+            measured = self._measured if state.counts else None
+            shown = self._judge.shown
+            fitted = FitCounts.of(shown.fitted_on, state.annotation)
+            self._set_scores.put(active, name, shown, measured, state.tau, fitted)
+        others = [
+            (s, self._source_frames.of(s))
+            for s in state.sources
+            if s.files is not None and s is not active
+        ]
+        now = state.annotation if state.counts else None
+        self._set_scores.audit_again(name, now, others, state.setup, state.tau)
+
+    def _judge_fit(self, source: CameraSource) -> None:
+        state = self._store.state
+        name, cameras = state.frame_name, state.cameras_of(source)
+        if name is None or cameras is None:
+            return
+        shown = self._source_frames.look_up(cameras, name, state.setup)
+        measurement = None
+        if shown.projected is not None and state.annotation.annotated:
+            if source is state.active:
+                measurement = self._measured
+            else:
+                terms = self._judge.frame_setup
+                measurement = measure_projected(state.annotation, shown.projected, terms)
+        self._set_scores.put(source, name, shown, measurement, state.tau)
+        self._source_frames.changed.emit()
+
+    @property
+    def _measured(self) -> Measurement | None:
+        """Of the finished annotation, whatever gesture is under way."""
+        state, projected = self._store.state, self._judge.shown.projected
+        if projected is None or state.preview is None:
+            return self._judge.judged[0]
+        return measure_projected(state.annotation, projected, self._judge.frame_setup)
+
+    def _look_up(self, state: State) -> None:
+        """Have the frame on screen, and those next to it, looked up in every source."""
+        frames = state.workspace.frames if state.workspace is not None else ()
+        around = (state.frame_index + 1, state.frame_index - 1)
+        beside = [frames[i].name for i in around if 0 <= i < len(frames)]
+        name = state.frame_name
+        self._source_frames.show(state.sources, name, beside if name is not None else ())
+
+    def _start(self, state: State) -> None:
+        """Audit what is not audited yet in the background, the active source first."""
+        workspace = state.workspace
+        if workspace is None:
+            self._set_scores.cancel()
+            return
+        readers: dict[str, Callable[[], FrameAnnotation | None]] = {
+            frame.name: partial(workspace.annotation_to_score, i)
+            for i, frame in enumerate(workspace.frames)
+        }
+        ordered = sorted(state.sources, key=lambda source: source is not state.active)
+        self._set_scores.start(ordered, readers, state.setup, state.tau)
+
+    def _tell(self, source: CameraSource, frame: str) -> None:
+        if source in self._store.state.sources:
+            self._signals.sourceAuditsChanged.emit(source)
+        if source is self._store.state.active:
+            self._signals.frameScoresChanged.emit(frame)
+
+    def _say_failed(self, text: str) -> None:
+        say(self._store, text, "error")
+
+
+def _looked_up(state: State) -> tuple[object, ...]:
+    cameras = tuple(look.cameras for look in state.looks)
+    return state.workspace, state.frame_index, state.setup, cameras
+
+
+def _audited(state: State) -> tuple[object, ...]:
+    from_files = tuple(k.cameras for k in state.looks if k.source.files is not None)
+    return state.workspace, state.setup, state.sources, from_files

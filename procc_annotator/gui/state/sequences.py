@@ -1,0 +1,117 @@
+"""Whether the frames of the open dataset follow one another, found out next to."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+
+from PySide6.QtCore import QObject, Signal
+
+from procc_annotator.dataset.sequence import FrameSequence, sequence_of
+from procc_annotator.dataset.workspace import Workspace
+from procc_annotator.errors import InputError
+from procc_annotator.gui.state.derived import Derived, Inputs, Where
+from procc_annotator.gui.state.signals import Signals
+from procc_annotator.gui.state.store import Store
+
+
+class AnnotatedIndices(QObject):
+    """Their indices, once a person wants them. A frame that cannot be read counts as annotated:
+    no one may write over it."""
+
+    changed = Signal()
+
+    def __init__(self, store: Store, signals: Signals) -> None:
+        super().__init__(store)
+        self._store = store
+        self._edited: dict[int, bool] = {}  # since they were read
+        self._read = Derived(
+            self._made_of, _read_all, Where.BESIDE, self, wanted=False, stoppable=True, urgent=False
+        )
+        self._read.changed.connect(self.changed)
+        signals.datasetChanged.connect(self._begin_anew)
+        signals.annotationChanged.connect(self._note_here)
+        signals.frameChanged.connect(self._note_here)
+        signals.framesEdited.connect(self._note)
+
+    def set_wanted(self, wanted: bool) -> None:
+        """Whether a person wants them from now on."""
+        self._read.set_wanted(wanted)
+
+    @property
+    def indices(self) -> frozenset[int]:
+        """Those known so far."""
+        found = set(self._read.value or ())
+        found -= {index for index, annotated in self._edited.items() if not annotated}
+        return frozenset(found.union(i for i, annotated in self._edited.items() if annotated))
+
+    def close(self) -> None:
+        """Read nothing any more."""
+        self._read.close()
+
+    # --- inside ---
+
+    def _made_of(self) -> Inputs | None:
+        workspace = self._store.state.workspace
+        return None if workspace is None else (workspace,)
+
+    def _begin_anew(self) -> None:
+        self._edited.clear()
+        self._read.look()
+
+    def _note_here(self) -> None:
+        state = self._store.state
+        if state.frame is not None:
+            self._take({state.frame_index: bool(state.annotation.annotated or state.damage)})
+
+    def _note(self, indices: Iterable[int]) -> None:
+        workspace = self._store.state.workspace
+        if workspace is not None:
+            self._take({index: is_annotated(workspace, index) for index in indices})
+
+    def _take(self, edited: dict[int, bool]) -> None:
+        if edited.items() <= self._edited.items():  # as after most clicks
+            return
+        before = self.indices
+        self._edited |= edited
+        if any((index in before) != annotated for index, annotated in edited.items()):
+            self.changed.emit()
+
+
+def is_annotated(workspace: Workspace, index: int) -> bool:
+    """Return whether a frame has an annotation, even one that cannot be read."""
+    try:
+        return workspace.annotated_count(index) > 0
+    except InputError:
+        return True
+
+
+def _read_all(workspace: Workspace, *, go_on: Callable[[], None]) -> frozenset[int]:
+    found = set()
+    for index in range(len(workspace.frames)):
+        go_on()
+        if is_annotated(workspace, index):
+            found.add(index)
+    return frozenset(found)
+
+
+class SequenceWatch(Derived[FrameSequence]):
+    """The video or the consecutive pictures that the dataset's frames are of; None for others."""
+
+    def __init__(self, store: Store, signals: Signals) -> None:
+        super().__init__(
+            self._made_of,
+            _look,
+            Where.BESIDE,
+            store,
+            stoppable=True,
+            after=(signals.datasetChanged,),
+        )
+        self._store = store
+
+    def _made_of(self) -> Inputs | None:
+        workspace = self._store.state.workspace
+        return None if workspace is None else (workspace,)
+
+
+def _look(workspace: Workspace, *, go_on: Callable[[], None]) -> FrameSequence | None:
+    return sequence_of(workspace.frames, go_on)
