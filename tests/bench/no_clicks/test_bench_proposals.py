@@ -131,6 +131,8 @@ def test_clips(benchmark: Any, shared_data: Path, known: bool) -> None:
     rows = benchmark.pedantic(run, rounds=1)
     total = Tally().plus(rows.values())
     print(f"| all | {total.row()} |\nsure and wrong: {', '.join(total.wrong) or 'none'}")
+    assert total.right >= 0.9 * total.frames
+    assert len(total.wrong) <= 0.01 * total.sure
 
 
 @pytest.mark.parametrize("name", ARENAS)
