@@ -18,7 +18,7 @@ ROOT = Path(__file__).resolve().parent.parent.parent
 
 
 @pytest.mark.parametrize("has_pip", [True, False])
-def test_the_line_is_for_this_very_python(monkeypatch: pytest.MonkeyPatch, has_pip: bool) -> None:
+def test_the_line_is_for_this_very_python(monkeypatch, has_pip) -> None:
     monkeypatch.setattr(sys, "executable", "/a b/python")
     monkeypatch.setattr(importlib.util, "find_spec", lambda name: object() if has_pip else None)
     said = messages.install_hint("dask").partition(": ")[2]
@@ -28,7 +28,7 @@ def test_the_line_is_for_this_very_python(monkeypatch: pytest.MonkeyPatch, has_p
     assert shlex.split(said) == [*begin, "procc-annotator[dask]"]
 
 
-def test_the_standalone_folder_says_that_it_cannot(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_standalone_folder_says_that_it_cannot(monkeypatch) -> None:
     monkeypatch.setattr(sys, "frozen", True, raising=False)
     assert "the standalone folder goes without a Dask cluster" in messages.install_hint("dask")
 
@@ -43,7 +43,7 @@ def test_the_extras_are_those_of_the_project() -> None:
         assert library not in base
 
 
-def test_messages_name_it(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_messages_name_it(monkeypatch) -> None:
     monkeypatch.setitem(sys.modules, "distributed", None)
     with (
         pytest.raises(ProccError, match=r"procc-annotator\[dask\]"),

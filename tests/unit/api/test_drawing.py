@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import subprocess
 import sys
-from pathlib import Path
 
 import cv2
 import numpy as np
@@ -24,7 +23,7 @@ from procc_annotator import (
 )
 
 
-def test_an_overlay_is_a_picture(sample_data: Path) -> None:
+def test_an_overlay_is_a_picture(sample_data) -> None:
     picture = cv2.imread(str(sample_data / "00002.jpg"))
     annotation = load_annotation(sample_data / "00002.json")
     camera = load_camera(sample_data / "cameras" / "bad" / "camera_00002.json")
@@ -39,7 +38,7 @@ def test_an_overlay_is_a_picture(sample_data: Path) -> None:
     assert half.shape == (picture.shape[0] // 2, picture.shape[1] // 2, 3)
 
 
-def test_a_camera_of_another_size_is_drawn_in_its_place(sample_data: Path) -> None:
+def test_a_camera_of_another_size_is_drawn_in_its_place(sample_data) -> None:
     picture = cv2.imread(str(sample_data / "00002.jpg"))
     height, width = picture.shape[:2]
     annotation = load_annotation(sample_data / "00002.json")
@@ -51,7 +50,7 @@ def test_a_camera_of_another_size_is_drawn_in_its_place(sample_data: Path) -> No
     assert (told != draw_overlay(picture, None, small.camera)).any()
 
 
-def test_what_cannot_be_drawn(tmp_path: Path) -> None:
+def test_what_cannot_be_drawn(tmp_path) -> None:
     with pytest.raises(ImageError, match=r"no\.jpg"):
         draw_overlay(tmp_path / "no.jpg")
     with pytest.raises(UsageError, match="expected a picture"):
@@ -63,7 +62,7 @@ def test_what_cannot_be_drawn(tmp_path: Path) -> None:
         draw_overlay(picture, scale=0)
 
 
-def test_pieces_of_the_field_in_a_picture(sample_data: Path) -> None:
+def test_pieces_of_the_field_in_a_picture(sample_data) -> None:
     annotation = load_annotation(sample_data / "00002.json")
     fit = fit_camera(annotation)
     pieces = project_field(fit)
@@ -78,7 +77,7 @@ def test_pieces_of_the_field_in_a_picture(sample_data: Path) -> None:
             assert (points <= (959 + 1e-6, 539 + 1e-6)).all()
 
 
-def test_mistakes_are_found(sample_data: Path) -> None:
+def test_mistakes_are_found(sample_data) -> None:
     annotation = load_annotation(sample_data / "00002.json")
     assert not [f for f in check_labels(annotation) if f.severity == "error"]
     lines = annotation.to_dict()
@@ -90,7 +89,7 @@ def test_mistakes_are_found(sample_data: Path) -> None:
     assert found[0].reason
 
 
-def test_nothing_of_it_needs_qt(sample_data: Path) -> None:
+def test_nothing_of_it_needs_qt(sample_data) -> None:
     code = (
         "import sys\n"
         "for name in ('PySide6', 'pyqtgraph'): sys.modules[name] = None\n"

@@ -43,7 +43,7 @@ def test_type_checkers_are_told_the_same_names_from_the_same_places() -> None:
 
 
 @pytest.mark.parametrize("name", FUNCTIONS)
-def test_a_function_says_what_it_takes_gives_and_raises(name: str) -> None:
+def test_a_function_says_what_it_takes_gives_and_raises(name) -> None:
     function = getattr(procc_annotator, name)
     text = inspect.getdoc(function) or ""
     parts = re.split(r"^(Args|Returns|Raises):$", text, flags=re.M)
@@ -57,7 +57,7 @@ def test_a_function_says_what_it_takes_gives_and_raises(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", CLASSES)
-def test_a_class_says_what_it_holds(name: str) -> None:
+def test_a_class_says_what_it_holds(name) -> None:
     kind = getattr(procc_annotator, name)
     text = inspect.getdoc(kind) or ""
     assert text.strip(), name

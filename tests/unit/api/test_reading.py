@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import shutil
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -28,7 +27,7 @@ from procc_annotator.report.conversion import convert_annotations
 from procc_annotator.report.conversion_output import ConversionRequest
 
 
-def test_a_dataset_is_its_field_its_annotations_and_its_pictures(sample_data: Path) -> None:
+def test_a_dataset_is_its_field_its_annotations_and_its_pictures(sample_data) -> None:
     dataset = load_dataset(sample_data)
     assert dataset.field.name == "soccer"
     assert list(dataset.pictures) == [f"{n:05}" for n in range(1, 15)]
@@ -41,7 +40,7 @@ def test_a_dataset_is_its_field_its_annotations_and_its_pictures(sample_data: Pa
     assert load_dataset(sample_data / "ice_hockey", "soccer").field.name == "soccer"
 
 
-def test_annotations_may_lie_in_a_folder_of_their_own(sample_data: Path, tmp_path: Path) -> None:
+def test_annotations_may_lie_in_a_folder_of_their_own(sample_data, tmp_path) -> None:
     inner = tmp_path / "annotations"
     inner.mkdir()
     shutil.copy(sample_data / "00002.json", inner)
@@ -56,7 +55,7 @@ def test_annotations_may_lie_in_a_folder_of_their_own(sample_data: Path, tmp_pat
         load_dataset(tmp_path)
 
 
-def test_frames_of_a_tree_are_called_by_their_paths(sample_data: Path, tmp_path: Path) -> None:
+def test_frames_of_a_tree_are_called_by_their_paths(sample_data, tmp_path) -> None:
     for match in ("a/img1", "b/img1"):
         (tmp_path / match).mkdir(parents=True)
         shutil.copy(sample_data / "00002.json", tmp_path / match)
@@ -69,7 +68,7 @@ def test_frames_of_a_tree_are_called_by_their_paths(sample_data: Path, tmp_path:
     assert dataset.size_of(names[0]) == (1280, 720)
 
 
-def test_a_dataset_knows_the_sizes_of_its_pictures(sample_data: Path, tmp_path: Path) -> None:
+def test_a_dataset_knows_the_sizes_of_its_pictures(sample_data, tmp_path) -> None:
     shutil.copy(sample_data / "00005.jpg", tmp_path)  # not annotated
     told = json.loads((sample_data / "00002.json").read_text())
     told |= {"image_width": 1920, "image_height": 1080}
@@ -82,9 +81,7 @@ def test_a_dataset_knows_the_sizes_of_its_pictures(sample_data: Path, tmp_path: 
 
 
 @pytest.mark.parametrize("fmt", ["labelme", "cvat", "coco", "soccernet-v3", "soccernet-gsr"])
-def test_every_format_is_read_as_the_commands_do(
-    sample_data: Path, tmp_path: Path, fmt: str
-) -> None:
+def test_every_format_is_read_as_the_commands_do(sample_data, tmp_path, fmt) -> None:
     """Sizes that a file leaves out are those of the pictures around it."""
     own = load_annotations(sample_data)
     convert_annotations(sample_data, tmp_path / "out", ConversionRequest(fmt), load_field())
@@ -96,7 +93,7 @@ def test_every_format_is_read_as_the_commands_do(
         }
 
 
-def test_a_second_annotation_of_a_frame_is_told(tmp_path: Path) -> None:
+def test_a_second_annotation_of_a_frame_is_told(tmp_path) -> None:
     shape = '<polyline label="Middle line" points="0.0,0.0;10.0,10.0" occluded="0"></polyline>'
     images = "".join(
         f'<image id="{n}" name="1.{suffix}" width="960" height="540">{shape}</image>'
@@ -112,13 +109,13 @@ def test_a_second_annotation_of_a_frame_is_told(tmp_path: Path) -> None:
         load_annotations(tmp_path)
 
 
-def test_a_real_set_of_another_program_is_read(shared_data: Path) -> None:
+def test_a_real_set_of_another_program_is_read(shared_data) -> None:
     found = load_annotations(shared_data / "foreign" / "tennis_cvat_test.xml", "tennis")
     assert len(found) == 23
     assert load_dataset(shared_data / "foreign" / "tennis_cvat_test.xml").sizes["01"][0] > 100
 
 
-def test_damaged_annotations_are_raised_or_told(sample_data: Path, tmp_path: Path) -> None:
+def test_damaged_annotations_are_raised_or_told(sample_data, tmp_path) -> None:
     shutil.copy(sample_data / "00002.json", tmp_path)
     (tmp_path / "00003.json").write_text('{"Middle line": [{"x": 0.5}]}')
     with pytest.raises(AnnotationError, match=r"00003.json: Middle line\[0\]"):
@@ -130,7 +127,7 @@ def test_damaged_annotations_are_raised_or_told(sample_data: Path, tmp_path: Pat
     assert "the coordinate 'y'" in str(problem)
 
 
-def test_cameras_know_the_picture_size_of_their_files(sample_data: Path, tmp_path: Path) -> None:
+def test_cameras_know_the_picture_size_of_their_files(sample_data, tmp_path) -> None:
     cameras = load_cameras(sample_data / "cameras" / "homography")
     assert {camera.model for camera in cameras.values()} == {"homography"}
     assert {camera.size for camera in cameras.values()} == {(1280, 720)}
@@ -151,7 +148,7 @@ def test_cameras_know_the_picture_size_of_their_files(sample_data: Path, tmp_pat
         load_camera(sample_data / "cameras" / "homography")
 
 
-def test_an_annotation_from_and_to_plain_values(sample_data: Path) -> None:
+def test_an_annotation_from_and_to_plain_values(sample_data) -> None:
     content = json.loads((sample_data / "00002.json").read_text())
     annotation = FrameAnnotation.from_dict(content)
     assert annotation == load_annotation(sample_data / "00002.json")
@@ -183,7 +180,7 @@ def test_plain_values_that_are_no_annotation(wrong, says) -> None:
         FrameAnnotation.from_dict(wrong)
 
 
-def test_names_of_others_are_told_by_a_map(sample_data: Path, tmp_path: Path) -> None:
+def test_names_of_others_are_told_by_a_map(sample_data, tmp_path) -> None:
     own = load_annotation(sample_data / "00002.json")
     content = {f"x {p.class_name}": [{"x": q.u, "y": q.v} for q in p.points] for p in own}
     (tmp_path / "00002.json").write_text(json.dumps(content))
@@ -197,7 +194,7 @@ def test_names_of_others_are_told_by_a_map(sample_data: Path, tmp_path: Path) ->
     assert load_dataset(tmp_path).annotations["00002"] == own
 
 
-def test_a_bare_homography_is_of_one_sport(tmp_path: Path) -> None:
+def test_a_bare_homography_is_of_one_sport(tmp_path) -> None:
     np.save(tmp_path / "1.npy", np.diag([0.1, 0.1, 1.0]))
     camera = load_camera(tmp_path / "1.npy")
     annotation = FrameAnnotation.from_dict({"Baseline left": [(0.1, 0.2), (0.3, 0.4)]})

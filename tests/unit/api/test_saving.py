@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -35,7 +34,7 @@ GROUND = np.random.default_rng(5).uniform((-60, -40, 0), (60, 40, 0), (50, 3))
     [("soccernet", "camera_1.json"), ("opencv", "1.yml"), ("krt", "1.json"),
      ("wc14", "1.homographyMatrix"), ("carwc", "1.npy"), ("world", "1.txt")],
 )  # fmt: skip
-def test_what_is_written_is_read_again(tmp_path: Path, format: str, name: str) -> None:
+def test_what_is_written_is_read_again(tmp_path, format, name) -> None:
     lost = save_camera(CAMERA, tmp_path / name, format=format, size=SIZE)
     read = load_camera(tmp_path / name, format="auto" if format in ("soccernet", "krt") else format)
     again = read.camera
@@ -47,9 +46,7 @@ def test_what_is_written_is_read_again(tmp_path: Path, format: str, name: str) -
     assert ("everything off the ground" in lost) == (read.model == "homography")
 
 
-def test_a_fit_is_written_with_its_size_and_the_clicks_it_explains(
-    sample_data: Path, tmp_path: Path
-) -> None:
+def test_a_fit_is_written_with_its_size_and_the_clicks_it_explains(sample_data, tmp_path) -> None:
     annotation = load_annotation(sample_data / "00002.json")
     fit = fit_camera(annotation, size=(1280, 720))
     assert save_camera(fit, tmp_path / "camera_00002.json", fitted_to=annotation) == ()
@@ -71,14 +68,14 @@ def test_a_fit_is_written_with_its_size_and_the_clicks_it_explains(
         )
 
 
-def test_a_camera_from_a_file_keeps_what_the_file_said(sample_data: Path, tmp_path: Path) -> None:
+def test_a_camera_from_a_file_keeps_what_the_file_said(sample_data, tmp_path) -> None:
     given = load_camera(sample_data / "cameras" / "true" / "camera_00002.json")
     given = replace(given, content={**given.content, "note": "by hand"})
     save_camera(given, tmp_path / "camera_2.json")
     assert load_camera(tmp_path / "camera_2.json").extra["note"] == "by hand"
 
 
-def test_what_cannot_be_written_is_told_and_nothing_is(tmp_path: Path) -> None:
+def test_what_cannot_be_written_is_told_and_nothing_is(tmp_path) -> None:
     file = tmp_path / "camera_1.json"
     homography = camera_from_homography(
         calibration_matrix(CAMERA)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from itertools import islice
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -18,7 +17,7 @@ from tests.bench.interaction.replay import (
 
 
 @pytest.mark.parametrize("every", [2, pytest.param(1, marks=pytest.mark.soak)])
-def test_at_most_a_third_of_labelmes_actions(sample_data: Path, every: int) -> None:
+def test_at_most_a_third_of_labelmes_actions(sample_data, every) -> None:
     ours, theirs = 0, 0
     accepted_px, clicked_px = [], []
     for frame in islice(drawn_frames(sample_data), 0, None, every):

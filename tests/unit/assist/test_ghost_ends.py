@@ -50,7 +50,7 @@ def accepted(picture: PixelArray, course: np.ndarray, end: ExpectedEnd | None = 
 
 
 @pytest.mark.parametrize("off_px", [-12.0, 0.0, 12.0])
-def test_it_ends_at_the_other_paint_wherever_the_camera_expects_it(off_px: float) -> None:
+def test_it_ends_at_the_other_paint_wherever_the_camera_expects_it(off_px) -> None:
     along = (CORNER - START) / np.hypot(*(CORNER - START))
     expected = np.array([START, CORNER + off_px * along]) + np.array([0.0, 1.5])
     other = GOAL_LINE + off_px * along * [1.0, 0.0] / 4
@@ -78,7 +78,7 @@ ALONG = (CORNER - START) / np.hypot(*(CORNER - START))
 
 
 @pytest.mark.parametrize("off_px", [-45.0, 45.0])
-def test_the_corner_is_looked_for_as_far_as_the_end_may_lie(off_px: float) -> None:
+def test_the_corner_is_looked_for_as_far_as_the_end_may_lie(off_px) -> None:
     picture = pitch(np.array([START, CORNER]), GOAL_LINE)
     other = GOAL_LINE + off_px * ALONG
     end = ExpectedEnd(
@@ -90,7 +90,7 @@ def test_the_corner_is_looked_for_as_far_as_the_end_may_lie(off_px: float) -> No
 
 
 @pytest.mark.parametrize("degrees", [12.0, 20.0, 35.0])
-def test_at_a_shallow_corner_both_lines_are_followed_to_it(degrees: float) -> None:
+def test_at_a_shallow_corner_both_lines_are_followed_to_it(degrees) -> None:
     turn = np.radians(degrees) + np.arctan2(ALONG[1], ALONG[0])
     way = np.array([np.cos(turn), np.sin(turn)])
     other = np.array([CORNER - 200.0 * way, CORNER + 120.0 * way])
@@ -103,7 +103,7 @@ def test_at_a_shallow_corner_both_lines_are_followed_to_it(degrees: float) -> No
 
 
 @pytest.mark.parametrize("too_far_px", [12.0, 30.0])
-def test_an_end_that_nothing_shows_is_cut_back_and_told(too_far_px: float) -> None:
+def test_an_end_that_nothing_shows_is_cut_back_and_told(too_far_px) -> None:
     """The camera expects it beyond the place where the paint ends; no other line is there."""
     picture = pitch(np.array([START, CORNER]))
     place = CORNER + too_far_px * ALONG
@@ -117,9 +117,7 @@ def test_an_end_that_nothing_shows_is_cut_back_and_told(too_far_px: float) -> No
 
 
 @pytest.mark.parametrize("before_px", [12.0, 30.0])
-def test_a_line_that_is_seen_to_end_before_the_other_one_does_not_go_on_to_it(
-    before_px: float,
-) -> None:
+def test_a_line_that_is_seen_to_end_before_the_other_one_does_not_go_on_to_it(before_px) -> None:
     """What was taken for the other one is the edge of a board behind it."""
     picture = pitch(np.array([START, CORNER - before_px * ALONG]), GOAL_LINE)
     end = ExpectedEnd(CORNER, 4.0, (ElementJoint("Side line right", dense(GOAL_LINE)),))
@@ -140,9 +138,7 @@ def test_paint_that_goes_on_beyond_all_that_is_likely_says_nothing_of_the_end() 
 
 
 @pytest.mark.parametrize("before_px", [15.0, 40.0])
-def test_paint_that_goes_on_to_the_picture_s_edge_says_nothing_of_an_end_before(
-    before_px: float,
-) -> None:
+def test_paint_that_goes_on_to_the_picture_s_edge_says_nothing_of_an_end_before(before_px) -> None:
     """Another line goes on where this one ends in sight, as far as the picture shows."""
     start, edge = np.array([500.0, 200.0]), np.array([959.0, 327.0])
     along = (edge - start) / np.hypot(*(edge - start))
@@ -172,9 +168,7 @@ def test_where_both_paints_meet_outside_the_picture_the_line_ends_at_its_edge() 
 
 
 @pytest.mark.parametrize(("begins", "expected"), [(130.0, 100.0), (140.0, 95.0)])
-def test_a_line_that_is_seen_only_beyond_a_corner_does_not_end_there(
-    begins: float, expected: float
-) -> None:
+def test_a_line_that_is_seen_only_beyond_a_corner_does_not_end_there(begins, expected) -> None:
     """There would be no place before the corner at which anything was seen."""
     course = np.array([[begins, 200.0], [begins + 33.0, 200.0]])
     picture = pitch(course, np.array([[begins - 2.0, 120.0], [begins - 2.0, 290.0]]))

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
@@ -20,9 +18,8 @@ NOTHING = FrameAnnotation()
 
 
 @pytest.fixture
-def fit(sample_data: Path) -> FitResult:
+def fit(sample_data) -> FitResult:
     found = CameraSet.open(sample_data / "cameras" / "true").camera("00002", SIZE)
-    assert found is not None
     assert isinstance(found.camera, PinholeCamera)
     return external_camera_fit(found.camera, SIZE)
 
@@ -38,7 +35,7 @@ def clicked(fit: FitResult, name: str, off_px: float) -> FrameAnnotation:
     return NOTHING.with_polyline(Polyline(name, points))
 
 
-def test_ghosts_without_a_click(fit: FitResult) -> None:
+def test_ghosts_without_a_click(fit) -> None:
     insight = ghosts_without_clicks(NOTHING, FIELD, fit)
     names = [ghost.name for ghost in insight.ghosts]
 
@@ -49,7 +46,7 @@ def test_ghosts_without_a_click(fit: FitResult) -> None:
 
 
 @pytest.mark.parametrize(("off_px", "contradicted"), [(0.0, False), (6.0, False), (40.0, True)])
-def test_clicks_elsewhere_end_it(fit: FitResult, off_px: float, contradicted: bool) -> None:
+def test_clicks_elsewhere_end_it(fit, off_px, contradicted) -> None:
     annotation = clicked(fit, "Big rect. left main", off_px)
 
     assert contradicts(annotation, FIELD, fit) is contradicted
@@ -58,7 +55,7 @@ def test_clicks_elsewhere_end_it(fit: FitResult, off_px: float, contradicted: bo
     assert bool(insight.ghosts) is not contradicted
 
 
-def test_an_element_out_of_sight_contradicts_it(fit: FitResult) -> None:
+def test_an_element_out_of_sight_contradicts_it(fit) -> None:
     points = tuple(point_from_px(x, y, SIZE) for x, y in ((300, 200), (500, 300)))
     annotation = NOTHING.with_polyline(Polyline("Big rect. right main", points))
 
@@ -67,7 +64,7 @@ def test_an_element_out_of_sight_contradicts_it(fit: FitResult) -> None:
 
 @pytest.mark.parametrize(("off_px", "by_clicks"), [(0.0, False), (12.0, True)])
 def test_three_lines_are_judged_with_the_camera_that_they_agree_with(
-    fit: FitResult, off_px: float, by_clicks: bool
+    fit, off_px, by_clicks
 ) -> None:
     names = "Big rect. left main", "Big rect. left bottom", "Small rect. left main"
     polylines = [clicked(fit, name, off_px).polylines[0] for name in names]

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from functools import partial
-from pathlib import Path
 
 import cv2
 import numpy as np
 import pytest
 
 from procc_annotator.annotation import Point, Polyline, point_from_px, points_px
-from procc_annotator.assist.regularise import MOST_MOVED_PX, Snap, regularise
+from procc_annotator.assist.regularise import MOST_MOVED_PX, regularise
 from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.field.load import load_field
 from procc_annotator.field.sampling import sample_evenly
@@ -73,7 +72,7 @@ def test_the_direction_of_the_clicks_is_kept() -> None:
 
 
 @pytest.mark.parametrize("shuffled", [False, True])
-def test_five_clicks_make_an_arc(shuffled: bool) -> None:
+def test_five_clicks_make_an_arc(shuffled) -> None:
     arc = CIRCLE[500:4800]
     clicked = arc[[0, 1000, 2100, 3300, -1]] + np.random.default_rng(3).normal(0, 1.5, (5, 2))
     if shuffled:
@@ -165,7 +164,7 @@ def test_what_a_file_says_about_the_ends_is_kept() -> None:
     assert found.points[0].extra == first.extra
 
 
-def test_on_drawn_frames_it_lies_on_the_exact_geometry(sample_data: Path) -> None:
+def test_on_drawn_frames_it_lies_on_the_exact_geometry(sample_data) -> None:
     cameras = CameraSet.open(sample_data / "cameras" / "true", camera_size=(960, 540))
     samples = sample_evenly(FIELD, 0.01)
     rng = np.random.default_rng(4)
@@ -174,7 +173,6 @@ def test_on_drawn_frames_it_lies_on_the_exact_geometry(sample_data: Path) -> Non
         picture = decode_bgra(sample_data / f"{name}.jpg")
         size = picture.shape[1], picture.shape[0]
         loaded = cameras.camera(name, size)
-        assert loaded is not None
         for i, element in enumerate(FIELD.elements):
             places, seen = loaded.camera.project(samples.of(i))
             inside = seen & (places > 1).all(axis=1) & (places < np.array(size) - 2).all(axis=1)
@@ -245,7 +243,7 @@ def covered(curve: np.ndarray, *places: int) -> PixelArray:
 @pytest.mark.parametrize(
     "drawing", [*range(6), *(pytest.param(n, marks=pytest.mark.soak) for n in range(6, 24))]
 )
-def test_what_was_regularised_stays(drawing: int) -> None:
+def test_what_was_regularised_stays(drawing) -> None:
     """A circle clicked all round but for one gap, with players on it: time and again the same."""
     rng = np.random.default_rng(drawing)
     rows = np.sort(rng.integers(0, len(CIRCLE), 8))
@@ -272,7 +270,7 @@ def test_what_was_thinned_out_is_regularised_again() -> None:
 
 @pytest.mark.parametrize("way", [(0, 2, 0), (0, 1, 2, 1, 0)])
 @pytest.mark.parametrize("snap", [None, lambda points, _: points])
-def test_clicks_that_come_back_the_way_they_went_stay(way: tuple[int, ...], snap: Snap) -> None:
+def test_clicks_that_come_back_the_way_they_went_stay(way, snap) -> None:
     clicks = polyline("Middle line", np.array([[100, 100], [200, 130], [300, 160]])[[*way]])
     assert regularise(clicks, curved=False, size=SIZE, snap=snap).polyline == clicks
 

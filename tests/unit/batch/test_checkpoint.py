@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
 
@@ -45,9 +43,7 @@ def darker(field: Field) -> Field:
         lambda _: field_with(SEAT, replace(BALL, position=(20.0, 0.0, 0.0))),
     ],
 )
-def test_results_of_another_field_are_not_gone_on_with(
-    tmp_path: Path, change: Callable[[Field], Field]
-) -> None:
+def test_results_of_another_field_are_not_gone_on_with(tmp_path, change) -> None:
     field = field_with(SEAT, BALL)
     file = tmp_path / ".propose.unfinished"
     with Checkpoint(file, {"field": field_settings(field)}, resume=False) as kept:

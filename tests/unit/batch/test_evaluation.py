@@ -36,14 +36,14 @@ SETUP = EvaluationSetup(load_field("soccer"))
 
 
 @pytest.fixture
-def annotations(tmp_path: Path) -> Path:
+def annotations(tmp_path) -> Path:
     folder = tmp_path / "annotations"
     folder.mkdir()
     return folder
 
 
 @pytest.fixture
-def cameras(tmp_path: Path) -> Path:
+def cameras(tmp_path) -> Path:
     folder = tmp_path / "cameras"
     folder.mkdir()
     return folder
@@ -103,7 +103,7 @@ def test_a_folder_in_place_of_a_file_does_not_stop_the_set(annotations, cameras)
 
 @pytest.mark.parametrize("workers", [1, 2])
 def test_figures_do_not_depend_on_the_number_of_processes(
-    annotations, cameras, monkeypatch: pytest.MonkeyPatch, workers
+    annotations, cameras, monkeypatch, workers
 ) -> None:
     names = [f"{i:03}" for i in range(30)]
     fill(annotations, cameras, names)
@@ -126,7 +126,7 @@ def test_stopping_half_way_is_clean(annotations, cameras, monkeypatch) -> None:
     with make_executor(2) as executor:
         results = iter(run(annotations, cameras, executor))
         assert next(results).name == "000"
-        results.close()  # type: ignore[attr-defined]
+        results.close()
         # The executor is as good as new.
         assert len(list(run(annotations, cameras, executor))) == 30
 

@@ -22,7 +22,7 @@ from procc_annotator.metrics.score import score
 from procc_annotator.metrics.setup import EvaluationSetup
 
 
-def test_a_fit_and_its_score_come_back(sample_data: Path) -> None:
+def test_a_fit_and_its_score_come_back(sample_data) -> None:
     field = load_field("soccer")
     file = sample_data / "00002.json"
     annotation = read_annotation(file.read_bytes(), path=str(file), field=field)
@@ -66,7 +66,7 @@ def same(one: object, other: object) -> bool:
 
 
 @given(values)
-def test_whatever_is_plain_comes_back(value: object) -> None:
+def test_whatever_is_plain_comes_back(value) -> None:
     assert same(deserialize(serialize(value)), value)
 
 
@@ -96,7 +96,7 @@ def test_only_plain_data_is_kept() -> None:
         '{"c": ["procc_annotator.no.such:Thing", []]}',
     ],
 )  # fmt: skip
-def test_a_file_of_anybodys_makes_nothing_else(text: str) -> None:
+def test_a_file_of_anybodys_makes_nothing_else(text) -> None:
     with pytest.raises(SerializationError):
         deserialize(text)
 

@@ -35,7 +35,7 @@ def tags(tmp_path: Path, text: str | bytes) -> Tags:
     ],
     ids=["plain", "bom-crlf", "semicolons", "tabs", "quoted"],
 )
-def test_forms_of_csv(tmp_path: Path, text: str) -> None:
+def test_forms_of_csv(tmp_path, text) -> None:
     read = tags(tmp_path, text)
     assert set(read.columns) == {"stadium", "light"}
     grouping = read.grouping(("light", "model", "stadium"), "any")
@@ -44,7 +44,7 @@ def test_forms_of_csv(tmp_path: Path, text: str) -> None:
     assert grouping.of("2") == (None, None, None)
 
 
-def test_rows_of_a_named_set_count_for_it_only(tmp_path: Path) -> None:
+def test_rows_of_a_named_set_count_for_it_only(tmp_path) -> None:
     read = tags(tmp_path, "set,frame,light\na,1,day\nb,1,night\n")
     assert read.columns == ("light",)
     assert [read.grouping(("light",), name).of("1") for name in "abc"] == [
@@ -59,13 +59,13 @@ def test_rows_of_a_named_set_count_for_it_only(tmp_path: Path) -> None:
         ("frame,\n1,day\n", r"line 1: column 2 has no name"),
     ],
 )
-def test_damaged_files_are_one_clear_error(tmp_path: Path, text: str | bytes, says: str) -> None:
+def test_damaged_files_are_one_clear_error(tmp_path, text, says) -> None:
     with pytest.raises(InputError, match=says) as caught:
         tags(tmp_path, text)
     assert str(tmp_path / "tags.csv") in str(caught.value)
 
 
-def test_what_can_be_grouped_by(tmp_path: Path) -> None:
+def test_what_can_be_grouped_by(tmp_path) -> None:
     read = tags(tmp_path, "frame,stadium,light\n1,A,day\n")
     assert check_by(["light", "model", "light"], read) == ("light", "model")
     with pytest.raises(UsageError, match="'lihgt': there is model, stadium, light"):
@@ -78,7 +78,7 @@ def test_what_can_be_grouped_by(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(("told", "asked"), CALLED_OTHERWISE)
-def test_tables_know_a_frame_by_its_other_names(tmp_path: Path, told: str, asked: str) -> None:
+def test_tables_know_a_frame_by_its_other_names(tmp_path, told, asked) -> None:
     grouping = tags(tmp_path, f"frame,light\n{told},day\n").grouping(("light",), "any")
     assert grouping.of(asked) == ("day",)
     (tmp_path / "stadiums.csv").write_text(f"frame,stadium,length\n{told},Source,100\n")

@@ -121,7 +121,7 @@ def _with_a_line_elsewhere(name: str, metres: float) -> Field:
 
 
 @pytest.mark.parametrize("metres", [0.35, -0.35])
-def test_a_line_that_lies_beside_its_paint_is_named(metres: float) -> None:
+def test_a_line_that_lies_beside_its_paint_is_named(metres) -> None:
     picture, moved = draw(TRUE), _with_a_line_elsewhere("Big rect. right main", metres)
     assert not displaced_elements_in_image(picture, VECTOR, marking_points(FIELD), FRAME)
     said = displaced_elements_in_image(picture, VECTOR, marking_points(moved), FRAME)

@@ -67,10 +67,10 @@ def _clicks(
 ) -> list[ClickedView]:
     views = []
     for i, camera in enumerate(cameras):
-        px, shown = camera.project(SEAT[None])  # type: ignore[attr-defined]
+        px, shown = camera.project(SEAT[None])
         assert shown.all()
         moved = px[0] + (off[i] if isinstance(off, np.ndarray) else off)
-        views.append(ClickedView(f"view{i}", camera, moved, 1.0))  # type: ignore[arg-type]
+        views.append(ClickedView(f"view{i}", camera, moved, 1.0))
     return views
 
 
@@ -80,7 +80,7 @@ def _position(found: Triangulation) -> FloatArray:
 
 
 @pytest.mark.parametrize("count", [2, 3, 4])
-def test_exact_clicks_give_the_place(count: int) -> None:
+def test_exact_clicks_give_the_place(count) -> None:
     found = triangulate(_clicks(*CAMERAS[:count]))
     assert np.abs(_position(found) - SEAT).max() < 1e-6
     assert found.left_out == ()
@@ -105,8 +105,6 @@ def test_any_model_will_do() -> None:
 def test_a_sight_line_is_the_same_whether_the_model_is_known_or_searched() -> None:
     known = viewing_ray(CAMERAS[1], np.array([200.0, 400.0]))
     searched = viewing_ray(Plain(CAMERAS[1]), np.array([200.0, 400.0]))
-    assert known is not None
-    assert searched is not None
     assert abs(abs(float(known.direction @ searched.direction)) - 1) < 1e-9
     beside = np.cross(searched.place - known.place, known.direction)
     assert np.linalg.norm(beside) < 1e-5
@@ -150,7 +148,7 @@ def _mean_mahalanobis(errors: FloatArray, covariances: FloatArray) -> float:
 
 
 @pytest.mark.parametrize("count", [2, 3])
-def test_the_covariance_is_what_noise_does(count: int) -> None:
+def test_the_covariance_is_what_noise_does(count) -> None:
     rng = np.random.default_rng(11)
     errors, covariances = [], []
     for _ in range(120):
@@ -192,13 +190,11 @@ def test_noise_larger_than_usual_is_seen_in_the_residuals() -> None:
     off = rng.normal(0, 2.5, (4, 2))
     told = triangulate(_clicks(*CAMERAS), estimate_noise=False)
     seen = triangulate(_clicks(*CAMERAS, off=off))
-    assert seen.deviations_m is not None
-    assert told.deviations_m is not None
     assert seen.deviations_m[1] > 1.2 * told.deviations_m[1]
 
 
 @pytest.mark.parametrize("bad", [0, 1, 2, 3])
-def test_one_view_that_contradicts_the_others_is_left_out_and_named(bad: int) -> None:
+def test_one_view_that_contradicts_the_others_is_left_out_and_named(bad) -> None:
     off = np.zeros((4, 2))
     off[bad] = (70.0, -45.0)
     found = triangulate(_clicks(*CAMERAS, off=off))
@@ -267,7 +263,6 @@ def test_the_ellipse_holds_95_percent_of_where_the_place_may_appear() -> None:
     found = triangulate(_clicks(*CAMERAS[:2]), estimate_noise=False)
     assert found.position is not None
     ellipse = project_error_ellipses(CAMERAS[2], [found.position], [found.covariance])[0]
-    assert ellipse is not None
     assert found.covariance is not None
     places = rng.multivariate_normal(found.position, np.array(found.covariance), 4000)
     px, _ = CAMERAS[2].project(places)

@@ -29,7 +29,7 @@ def homography_of(camera: PinholeCamera) -> np.ndarray:
 
 
 @pytest.mark.parametrize("factor", [1.0, -1.0, 1e-3, -250.0])
-def test_it_sees_the_ground_where_the_pinhole_does_whatever_its_scale(factor: float) -> None:
+def test_it_sees_the_ground_where_the_pinhole_does_whatever_its_scale(factor) -> None:
     world_from_image = np.linalg.inv(homography_of(PINHOLE)) * factor
     camera = HomographyCamera.from_world_from_image(world_from_image, (960, 540))
     points = np.random.default_rng(0).uniform((-52, -34, 0), (52, 120, 0), (200, 3))
@@ -53,7 +53,7 @@ def test_it_knows_the_ground_only() -> None:
     "matrix",
     [np.zeros((3, 3)), np.ones((3, 3)), np.eye(2), np.full((3, 3), np.nan), np.diag([1, 1, 0.0])],
 )
-def test_what_is_no_homography_is_refused(matrix: np.ndarray) -> None:
+def test_what_is_no_homography_is_refused(matrix) -> None:
     with pytest.raises(ValueError, match=r"3 x 3 finite|inverted"):
         HomographyCamera.from_world_from_image(matrix, (960, 540))
 
@@ -69,7 +69,7 @@ def test_scaling_keeps_what_is_seen() -> None:
 
 
 @given(k1=st.floats(0, 0.3), x=st.floats(-40, 40), y=st.floats(-34, 34))
-def test_pixel_to_ground_is_the_way_back(k1: float, x: float, y: float) -> None:
+def test_pixel_to_ground_is_the_way_back(k1, x, y) -> None:
     camera = PinholeCamera(
         0.1, 1.3, 0.0, (2, 60, -15), (800, 810), (479.5, 269.5), (k1, 0, 0, 0, 0, 0)
     )

@@ -25,8 +25,8 @@ PLAIN = PinholeCamera(0.1, 1.3, 0.0, (0.0, 60.0, -15.0), (1200.0, 1200.0), (479.
         ({"radial": (0.1, 0.0, 0.0, 0.01, 0.0, 0.0)}, "pinhole full"),
     ],
 )
-def test_pinholes_are_named_as_fits_are(changes: dict[str, object], name: str) -> None:
-    assert model_name(replace(PLAIN, **changes), "pinhole", SIZE) == name  # type: ignore[arg-type]
+def test_pinholes_are_named_as_fits_are(changes, name) -> None:
+    assert model_name(replace(PLAIN, **changes), "pinhole", SIZE) == name
 
 
 def test_the_name_is_the_same_at_another_size() -> None:
@@ -35,5 +35,5 @@ def test_the_name_is_the_same_at_another_size() -> None:
 
 
 def test_other_models_keep_their_names() -> None:
-    flat = HomographyCamera([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])  # type: ignore[arg-type]
+    flat = HomographyCamera([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
     assert model_name(flat, "homography", SIZE) == "homography"

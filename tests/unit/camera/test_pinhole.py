@@ -35,15 +35,7 @@ def coefficients(limit: float, count: int) -> st.SearchStrategy[tuple[float, ...
     thin_prism=coefficients(0.02, 4),
     seed=st.integers(0, 1000),
 )
-def test_projection_is_opencvs(
-    pan: float,
-    tilt: float,
-    roll: float,
-    radial: tuple[float, ...],
-    tangential: tuple[float, ...],
-    thin_prism: tuple[float, ...],
-    seed: int,
-) -> None:
+def test_projection_is_opencvs(pan, tilt, roll, radial, tangential, thin_prism, seed) -> None:
     camera = PinholeCamera(
         pan, tilt, roll, (3.0, 60.0, -15.0), (1500.0, 1400.0), (470.0, 260.0),
         radial, tangential, thin_prism,
@@ -144,7 +136,7 @@ def test_scaling_keeps_what_is_seen() -> None:
 
 
 @given(pan=st.floats(-3, 3), tilt=st.floats(-3, 3), roll=st.floats(-3, 3))
-def test_the_rotation_is_one(pan: float, tilt: float, roll: float) -> None:
+def test_the_rotation_is_one(pan, tilt, roll) -> None:
     rotation = PinholeCamera(pan, tilt, roll, (0, 0, 0), (1, 1), (0, 0)).rotation_cam_from_world
     np.testing.assert_allclose(rotation @ rotation.T, np.eye(3), atol=1e-12)
     assert np.linalg.det(rotation) > 0

@@ -14,7 +14,7 @@ from procc_annotator.field.load import load_field
 SIZE = (960, 540)
 
 
-def test_clicks_that_leave_the_camera_open_are_no_anchor(sample_data: Path) -> None:
+def test_clicks_that_leave_the_camera_open_are_no_anchor(sample_data) -> None:
     field = load_field("soccer")
     workspace = Workspace.open(sample_data, field=field)
     indices = {n: workspace.index[f"0000{n}"] for n in (1, 2)}

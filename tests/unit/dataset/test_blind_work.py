@@ -41,6 +41,6 @@ def test_the_points_decide() -> None:
 
 
 @pytest.mark.parametrize("text", ["", "{", "[]", '{"author": "x"}', "null"])
-def test_of_a_damaged_commit_nothing_is_claimed(text: str) -> None:
+def test_of_a_damaged_commit_nothing_is_claimed(text) -> None:
     assert blind_status(text, COMMITTED) is BlindStatus.EDITED
     assert blind_status(text, FrameAnnotation()) is BlindStatus.EDITED

@@ -19,31 +19,29 @@ from procc_annotator.formats.cameras.soccernet import write_camera
 CAMERA = PinholeCamera(0.1, 1.3, 0.0, (0.0, 60.0, -15.0), (1500.0, 1500.0), (479.5, 269.5))
 
 
-def test_cameras_by_frame(tmp_path: Path) -> None:
+def test_cameras_by_frame(tmp_path) -> None:
     (tmp_path / "camera_1.json").write_bytes(write_camera(CAMERA))
     (tmp_path / "camera_2.json").write_text(json.dumps({"pan_degrees": 1}))
     cameras = CameraSet.open(tmp_path)
     assert cameras.name == tmp_path.name
     assert list(cameras.frames) == ["1", "2"]
     found = cameras.camera("1", (960, 540))
-    assert found is not None
     assert (found.model, found.notice) == ("pinhole P", None)
     assert cameras.camera("3", (960, 540)) is None
     with pytest.raises(CameraError, match=r"camera_2\.json: the key 'tilt_degrees' is missing"):
         cameras.camera("2", (960, 540))
 
 
-def test_a_homography_is_scaled_and_says_so(tmp_path: Path) -> None:
+def test_a_homography_is_scaled_and_says_so(tmp_path) -> None:
     np.save(tmp_path / "1.npy", np.array([[0.05, 0, 25.5], [0, 0.05, 19.0], [0, 0, 1]]))
     cameras = CameraSet.open(tmp_path, name="CARWC")
     found = cameras.camera("1", (960, 540))
-    assert found is not None
     assert found.notice == "scaled from 1280x720 to 960x540"
     assert found.model == "homography"
     assert cameras.name == "CARWC"
 
 
-def test_a_camera_file_that_vanished(tmp_path: Path) -> None:
+def test_a_camera_file_that_vanished(tmp_path) -> None:
     (tmp_path / "camera_1.json").write_bytes(write_camera(CAMERA))
     cameras = CameraSet.open(tmp_path)
     (tmp_path / "camera_1.json").unlink()
@@ -51,9 +49,7 @@ def test_a_camera_file_that_vanished(tmp_path: Path) -> None:
         cameras.camera("1", (960, 540))
 
 
-def test_sets_are_named_so_that_they_can_be_told_apart(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_sets_are_named_so_that_they_can_be_told_apart(tmp_path, monkeypatch) -> None:
     for name in ("run.1", "run.2"):
         (tmp_path / name).mkdir()
         (tmp_path / name / "camera_1.json").write_bytes(write_camera(CAMERA))
@@ -77,7 +73,7 @@ def later(folder: Path) -> None:
 
 
 @pytest.mark.parametrize("written", ["g1/camera_2.json", "season/h2/camera_1.json"])
-def test_cameras_that_come_to_a_folder_of_a_tree_are_found(tmp_path: Path, written: str) -> None:
+def test_cameras_that_come_to_a_folder_of_a_tree_are_found(tmp_path, written) -> None:
     put(tmp_path, "g1/camera_1.json")
     put(tmp_path, "season/h1/camera_1.json")
     cameras = CameraSet.open(tmp_path)
@@ -94,11 +90,10 @@ def test_cameras_that_come_to_a_folder_of_a_tree_are_found(tmp_path: Path, writt
     (tmp_path / written).unlink()
     later((tmp_path / written).parent)
     again = newer.look_again(asked)
-    assert again is not None
     assert again[1] == {frame}
 
 
-def test_changed_cameras_are_told_by_the_names_they_are_asked_for(tmp_path: Path) -> None:
+def test_changed_cameras_are_told_by_the_names_they_are_asked_for(tmp_path) -> None:
     """Frames of a tree are called `1` by cameras that all lie in one folder."""
     put(tmp_path, "g1/camera_1.json")
     put(tmp_path, "g1/camera_2.json")
@@ -108,12 +103,11 @@ def test_changed_cameras_are_told_by_the_names_they_are_asked_for(tmp_path: Path
         assert cameras.camera(name, (960, 540)) is not None
     put(tmp_path, "g1/camera_1.json", replace(CAMERA, pan_rad=0.1234567))
     found = cameras.look_again(asked)
-    assert found is not None
     assert found[1] == {"g1/1"}
 
 
 def test_a_file_that_comes_while_the_folders_are_listed_is_seen_later(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    tmp_path, monkeypatch
 ) -> None:
     for game in ("game1", "game2"):
         (tmp_path / game).mkdir()

@@ -42,14 +42,14 @@ def keep(folder: Path, *, field: str | Path = "soccer", **dimensions: float) -> 
     assert database.close()
 
 
-def test_a_dataset_that_says_nothing_shows_the_default_field(tmp_path: Path) -> None:
+def test_a_dataset_that_says_nothing_shows_the_default_field(tmp_path) -> None:
     found = field_of_dataset(tmp_path)
     assert (found.field, found.chosen, found.notices) == (load_field(None), False, ())
     assert not list(tmp_path.iterdir())  # asking leaves nothing behind
     assert not field_of_dataset(tmp_path / "nowhere.zip").chosen
 
 
-def test_a_dataset_remembers_its_field_with_the_dimensions(tmp_path: Path) -> None:
+def test_a_dataset_remembers_its_field_with_the_dimensions(tmp_path) -> None:
     keep(tmp_path, length=101.3)
     folder = tmp_path / "annotations"
     folder.mkdir()
@@ -60,7 +60,7 @@ def test_a_dataset_remembers_its_field_with_the_dimensions(tmp_path: Path) -> No
         assert found.field.described == "soccer 101.3 x 68 m"
 
 
-def test_frames_of_a_video_are_a_dataset_of_their_own(tmp_path: Path) -> None:
+def test_frames_of_a_video_are_a_dataset_of_their_own(tmp_path) -> None:
     video, frames = tmp_path / "match.mp4", tmp_path / "match_frames"
     frames.mkdir()
     video.write_bytes(b"")
@@ -74,7 +74,7 @@ def test_frames_of_a_video_are_a_dataset_of_their_own(tmp_path: Path) -> None:
     assert field_of_dataset(video).field.name == "soccer"
 
 
-def test_a_file_inside_the_dataset_moves_with_it(tmp_path: Path) -> None:
+def test_a_file_inside_the_dataset_moves_with_it(tmp_path) -> None:
     before = tmp_path / "before"
     (before / "fields").mkdir(parents=True)
     (before / "fields" / "yard.toml").write_text(OTHER)
@@ -85,7 +85,7 @@ def test_a_file_inside_the_dataset_moves_with_it(tmp_path: Path) -> None:
     assert found.source == moved / "fields" / "yard.toml"
 
 
-def test_the_file_in_the_dataset_decides(tmp_path: Path) -> None:
+def test_the_file_in_the_dataset_decides(tmp_path) -> None:
     keep(tmp_path)
     (tmp_path / FIELD_FILE).write_text(OTHER)
     assert field_of_dataset(tmp_path).field.name == "yard"
@@ -94,7 +94,7 @@ def test_the_file_in_the_dataset_decides(tmp_path: Path) -> None:
         field_of_dataset(tmp_path)
 
 
-def test_a_field_that_is_gone_is_told(tmp_path: Path) -> None:
+def test_a_field_that_is_gone_is_told(tmp_path) -> None:
     own = tmp_path / "yard.toml"
     own.write_text(OTHER)
     keep(tmp_path, field=own)
@@ -108,13 +108,13 @@ def test_a_field_that_is_gone_is_told(tmp_path: Path) -> None:
         field_of_dataset(tmp_path)
 
 
-def test_dimensions_of_another_field_are_left(tmp_path: Path) -> None:
+def test_dimensions_of_another_field_are_left(tmp_path) -> None:
     keep(tmp_path, length=101.3)
     (tmp_path / FIELD_FILE).write_text(OTHER)
     assert field_of_dataset(tmp_path).field.is_nominal
 
 
-def test_a_dataset_remembers_where_its_lines_are(tmp_path: Path) -> None:
+def test_a_dataset_remembers_where_its_lines_are(tmp_path) -> None:
     database = WorkspaceDatabase.open(tmp_path, "one")
     store_field(database, tmp_path, with_lines(load_field("soccer", length=101.3), "middle"))
     assert database.close()
@@ -138,7 +138,7 @@ def test_a_dataset_remembers_where_its_lines_are(tmp_path: Path) -> None:
     assert "cannot be read" in found.notices[0]
 
 
-def test_a_workspace_that_cannot_be_read_is_told(tmp_path: Path) -> None:
+def test_a_workspace_that_cannot_be_read_is_told(tmp_path) -> None:
     keep(tmp_path)
     kept = field_of_dataset(tmp_path)
     (tmp_path / ".procc" / "workspace.db").write_bytes(b"no database at all" * 100)
@@ -151,7 +151,7 @@ def test_a_workspace_that_cannot_be_read_is_told(tmp_path: Path) -> None:
     assert "workspace cannot be read" in found.notices[0]
 
 
-def test_several_datasets_show_one_field(tmp_path: Path) -> None:
+def test_several_datasets_show_one_field(tmp_path) -> None:
     one, two, three = (tmp_path / name for name in "abc")
     for folder in (one, two, three):
         folder.mkdir()
@@ -162,7 +162,7 @@ def test_several_datasets_show_one_field(tmp_path: Path) -> None:
         field_of_datasets([one, three])
 
 
-def test_a_copy_of_a_shipped_description_is_a_file_of_its_own(tmp_path: Path) -> None:
+def test_a_copy_of_a_shipped_description_is_a_file_of_its_own(tmp_path) -> None:
     copy = tmp_path / "soccer.toml"
     copy.write_text(builtin_field_file("soccer").read_text(encoding="utf-8"), encoding="utf-8")
     keep(tmp_path, field=copy)

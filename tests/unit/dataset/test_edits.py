@@ -53,7 +53,7 @@ class TestWholeElements:
         assert places(parted, ARC) == [(0.2, 0.2), (0.3, 0.3)]
 
     @pytest.mark.parametrize("index", [0, 2, 7])
-    def test_there_is_nothing_to_split_at_an_end(self, index: int) -> None:
+    def test_there_is_nothing_to_split_at_an_end(self, index) -> None:
         with pytest.raises(IndexError):
             editing.split(BOTH, MIDDLE, index, ARC)
 
@@ -68,7 +68,7 @@ class TestWholeElements:
 
     @pytest.mark.parametrize("turned", [False, True])
     @pytest.mark.parametrize("before", [False, True])
-    def test_merging_joins_the_nearest_ends(self, turned: bool, before: bool) -> None:
+    def test_merging_joins_the_nearest_ends(self, turned, before) -> None:
         first, second = [(0.1, 0.1), (0.2, 0.1)], [(0.3, 0.1), (0.4, 0.1)]
         kept, taken = (second, first) if before else (first, second)
         both = FrameAnnotation((line(TOP, *kept), line(ARC, *(taken[::-1] if turned else taken))))

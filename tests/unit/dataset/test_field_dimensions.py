@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from pathlib import Path
 
 import pytest
 
@@ -19,7 +18,7 @@ from procc_annotator.errors import FieldError, InputError, UsageError
 from procc_annotator.field.load import load_field, with_dimensions
 
 
-def test_dimensions_are_there_when_the_dataset_is_opened_again(tmp_path: Path) -> None:
+def test_dimensions_are_there_when_the_dataset_is_opened_again(tmp_path) -> None:
     field = load_field("soccer")
     first = WorkspaceDatabase.open(tmp_path, "one")
     store_dimensions(first, with_dimensions(field, {"length": 101.3}))
@@ -42,7 +41,7 @@ def test_dimensions_are_there_when_the_dataset_is_opened_again(tmp_path: Path) -
         (json.dumps({"field": "hockey", "dimensions": {"length": 60}}), ""),
     ],
 )
-def test_what_cannot_be_used_is_told_and_left(text: str, said: str) -> None:
+def test_what_cannot_be_used_is_told_and_left(text, said) -> None:
     kept = field_settings({DIMENSIONS_SETTING: text}, load_field("soccer"))
     assert not kept.dimensions
     assert [said in problem for problem in kept.problems] == ([True] if said else [])

@@ -38,9 +38,7 @@ def test_among_equals_the_smaller_field_comes_first() -> None:
 def test_a_mismatch_names_the_field_that_fits() -> None:
     assert mismatch_of([*CLASSES, "Line unknown"], SOCCER) is None
     found = mismatch_of(CLASSES, other("net"))
-    assert found is not None
     assert found.is_worth_reporting
-    assert found.better is not None
     assert found.better.name == "soccer"
     assert found.words() == (
         "the field Other does not know any of the 12 classes annotated here"
@@ -55,15 +53,12 @@ def test_a_line_that_nobody_could_name_tells_no_sport() -> None:
 
 def test_no_field_is_named_that_knows_no_more() -> None:
     found = mismatch_of([*CLASSES, "sponsor"], SOCCER)
-    assert found is not None
     assert found.better is None
     assert not found.is_worth_reporting  # a slip of the pen in a soccer set
     mostly = mismatch_of([CLASSES[0], "sponsor", "net"], SOCCER)
-    assert mostly is not None
     assert mostly.better is None
     assert mostly.is_worth_reporting
     alone = mismatch_of(["sponsor"], SOCCER)
-    assert alone is not None
     assert alone.is_worth_reporting
     assert alone.words() == (
         "the field Soccer does not know the one class annotated here (sponsor)"
@@ -73,12 +68,9 @@ def test_no_field_is_named_that_knows_no_more() -> None:
 def test_a_field_that_knows_a_few_of_many_is_no_recommendation() -> None:
     padel = [f"padel {n}" for n in range(11)]
     found = mismatch_of([*padel, *CLASSES[:2]], other("net"))
-    assert found is not None
     assert found.better is None  # soccer knows 2 of the 13
     assert found.is_worth_reporting
     found = mismatch_of([*padel, *CLASSES[:2]], other("net"), [other(*padel)])
-    assert found is not None
-    assert found.better is not None
     assert found.better.known == 11
 
 

@@ -108,9 +108,7 @@ def test_after_an_edit_only_findings_of_untouched_elements_are_left() -> None:
         (7, (1.0, 1.0, 9.0), 2),  # no such point
     ],
 )
-def test_marks_stand_at_the_worst_point(
-    point: int | None, distances: tuple[float, ...] | None, index: int
-) -> None:
+def test_marks_stand_at_the_worst_point(point, distances, index) -> None:
     fit = fitted(Middle_line=distances) if distances else fitted()
     found = store_check(FRAME, [finding("Middle line", point=point)], fit).found[0]
     assert found.places == (("Middle line", index),)

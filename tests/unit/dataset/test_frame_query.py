@@ -109,7 +109,7 @@ def _found(text: str) -> set[str]:
         ("“frame_07”", "plain"),
     ],
 )
-def test_what_a_filter_finds(text: str, expected: str) -> None:
+def test_what_a_filter_finds(text, expected) -> None:
     assert _found(text) == set(expected.split())
 
 
@@ -135,7 +135,7 @@ def test_what_a_filter_finds(text: str, expected: str) -> None:
         ('""', "a part of a name is missing"),
     ],
 )
-def test_what_is_not_finished_lets_all_frames_through(text: str, says: str) -> None:
+def test_what_is_not_finished_lets_all_frames_through(text, says) -> None:
     for written in (text, "-" + text.removeprefix("-")):
         query = parse_query(written, FIELD)
         assert query.is_empty
@@ -154,7 +154,7 @@ def test_finished_conditions_count_beside_unfinished_ones() -> None:
 
 
 @pytest.mark.parametrize("whole", [word for word, _ in QUERY_HELP] + ["jac5:0.2..0.8", "n:3..12"])
-def test_typing_a_filter_is_no_error_at_any_moment(whole: str) -> None:
+def test_typing_a_filter_is_no_error_at_any_moment(whole) -> None:
     assert parse_query(whole, FIELD).incomplete == ""
     key, colon, value = whole.partition(":")
     for typed in range(len(value) + 1):
@@ -186,7 +186,7 @@ def test_typing_a_filter_is_no_error_at_any_moment(whole: str) -> None:
         ("comments:often", r"'often' is not a number; .*open"),
     ],
 )
-def test_what_is_refused(text: str, message: str) -> None:
+def test_what_is_refused(text, message) -> None:
     with pytest.raises(UsageError, match=message) as caught:
         parse_query(text, FIELD)
     assert str(caught.value).startswith("filter, character ")
@@ -245,7 +245,7 @@ _WORDS = st.sampled_from(
 @example("jac" + "9" * 400 + ":<1")
 @example("n:" + "9" * 5000)
 @example("\u2028:\n\0")
-def test_any_text_is_a_filter_or_one_line_of_advice(text: str) -> None:
+def test_any_text_is_a_filter_or_one_line_of_advice(text) -> None:
     try:
         query = parse_query(text, FIELD)
     except UsageError as error:
@@ -261,14 +261,14 @@ def test_any_text_is_a_filter_or_one_line_of_advice(text: str) -> None:
 
 
 @given(st.text(min_size=1).filter(lambda s: not set(s) & set('"“”„*')))
-def test_a_quoted_name_finds_its_frame(name: str) -> None:
+def test_a_quoted_name_finds_its_frame(name) -> None:
     facts = replace(PLAIN, name=f"a{name}b")
     assert parse_query(f'"{name}"', FIELD).matches(facts)
     assert not parse_query(f'-"{name}"', FIELD).matches(facts)
 
 
 @given(st.integers(0, 40), st.integers(0, 40))
-def test_a_condition_and_its_opposite_part_the_frames(limit: int, count: int) -> None:
+def test_a_condition_and_its_opposite_part_the_frames(limit, count) -> None:
     facts = replace(PLAIN, annotated=tuple(str(i) for i in range(count)))
     less = parse_query(f"n:<{limit}", FIELD).matches(facts)
     assert less is (count < limit)

@@ -32,9 +32,7 @@ def found(name: str, instant: str | None = None) -> LocatedLandmark:
         (Landmark("Mast", moving=True), None),
     ],
 )
-def test_surveyed_places_and_moving_objects_are_left_alone(
-    known: Landmark, instant: str | None
-) -> None:
+def test_surveyed_places_and_moving_objects_are_left_alone(known, instant) -> None:
     file = LandmarkFile((known,))
     assert why_kept(file, "Mast", instant)
     assert with_positions(file, [found("Mast", instant)]) == file

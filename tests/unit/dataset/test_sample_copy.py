@@ -11,7 +11,7 @@ from procc_annotator.errors import SaveError
 
 
 @pytest.fixture
-def sample(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def sample(tmp_path, monkeypatch) -> Path:
     monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
     monkeypatch.setenv("LOCALAPPDATA", str(tmp_path / "data"))
     monkeypatch.setenv("HOME", str(tmp_path / "home"))
@@ -24,7 +24,7 @@ def sample(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return folder
 
 
-def test_a_copy_is_made_and_kept(sample: Path) -> None:
+def test_a_copy_is_made_and_kept(sample) -> None:
     own = copy_sample(sample)
     assert own != sample
     found = sorted(p.relative_to(own).as_posix() for p in own.rglob("*") if p.is_file())
@@ -36,9 +36,7 @@ def test_a_copy_is_made_and_kept(sample: Path) -> None:
     assert [p.name for p in own.parent.iterdir()] == ["sample"]
 
 
-def test_a_copy_that_cannot_be_made_is_said_and_leaves_nothing(
-    sample: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_copy_that_cannot_be_made_is_said_and_leaves_nothing(sample, monkeypatch) -> None:
     def full(*_: object, **__: object) -> None:
         raise OSError(28, "No space left on device")
 
@@ -48,7 +46,7 @@ def test_a_copy_that_cannot_be_made_is_said_and_leaves_nothing(
     monkeypatch.undo()
 
 
-def test_two_windows_at_once(sample: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_two_windows_at_once(sample, monkeypatch) -> None:
     import os
 
     replace = os.replace

@@ -33,7 +33,7 @@ def frame(
         (frame(residual_px=None), ""),
     ],
 )
-def test_what_should_be_looked_at(found: TrackedFrame, doubt: str) -> None:
+def test_what_should_be_looked_at(found, doubt) -> None:
     assert review_reason(found) == doubt
 
 
@@ -42,12 +42,10 @@ def test_a_camera_is_scaled_to_the_evaluation_and_bears_its_doubt() -> None:
 
     assert set(cameras.frames) == {"a", "b"}
     found = cameras.camera("a", (960, 540))
-    assert found is not None
     assert isinstance(found.camera, PinholeCamera)
     assert found.camera.focal_px[0] == pytest.approx(1500 * 959 / 1279)
     assert found.notice is None
     doubtful = cameras.camera("b", (960, 540))
-    assert doubtful is not None
     assert "carried over" in str(doubtful.notice)
     assert cameras.camera("c", (960, 540)) is None
     assert cameras.why_none("c") == "no track here: a close-up"

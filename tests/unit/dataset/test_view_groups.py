@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
 
 from procc_annotator.dataset.landmarks.dataset_landmarks import unknown_frames_message
@@ -30,7 +28,7 @@ GROUPS = ViewGroups(
 )
 
 
-def test_a_file_tells_the_groups(tmp_path: Path) -> None:
+def test_a_file_tells_the_groups(tmp_path) -> None:
     path = tmp_path / "views.csv"
     path.write_text("frame;instant;view;note\na2;t1;wide;x\na10;t1;close;\nb;t2;wide;\nc;;;\n")
     groups = load_views(path)
@@ -42,13 +40,13 @@ def test_a_file_tells_the_groups(tmp_path: Path) -> None:
     assert groups.others("not there") == ()
 
 
-def test_views_without_a_name_may_be_any_camera(tmp_path: Path) -> None:
+def test_views_without_a_name_may_be_any_camera(tmp_path) -> None:
     path = tmp_path / "views.csv"
     path.write_text("frame,instant,view\na,1,\nb,1,\nc,2,left\nd,,left\ne,,left\n")
     assert load_views(path).groups == {"1": ("a", "b"), "2": ("c",)}
 
 
-def test_rows_of_frames_that_there_are_not_are_named(tmp_path: Path) -> None:
+def test_rows_of_frames_that_there_are_not_are_named(tmp_path) -> None:
     path = tmp_path / "views.csv"
     path.write_text("frame,instant\n17_left,17\n17_rigth,17\n99,\n")
     assert load_views(path).unknown_rows(["17_left", "17_right"]) == (
@@ -59,7 +57,7 @@ def test_rows_of_frames_that_there_are_not_are_named(tmp_path: Path) -> None:
     assert load_views(path).unknown_rows(["17_left", "17_rigth", "99"]) == ()
 
 
-def test_groups_are_written_as_they_are_read(tmp_path: Path) -> None:
+def test_groups_are_written_as_they_are_read(tmp_path) -> None:
     path = tmp_path / "views.csv"
     strange = ViewGroups(FrameTable({**GROUPS.frames, "=1+1": ViewAssignment("-3", 'a "b", c')}))
     save_views(path, strange)
@@ -67,26 +65,24 @@ def test_groups_are_written_as_they_are_read(tmp_path: Path) -> None:
     assert "\n=1" not in path.read_text()
 
 
-def test_a_name_that_is_no_utf_8_does_not_keep_the_others_from_being_written(
-    tmp_path: Path,
-) -> None:
+def test_a_name_that_is_no_utf_8_does_not_keep_the_others_from_being_written(tmp_path) -> None:
     file = tmp_path / "views.csv"
     save_views(file, ViewGroups(FrameTable({**GROUPS.frames, "caf\udce9": ViewAssignment("18")})))
     assert GROUPS.frames.items() < load_views(file).frames.items()
 
 
-def test_a_dataset_without_the_file_has_no_groups(tmp_path: Path) -> None:
+def test_a_dataset_without_the_file_has_no_groups(tmp_path) -> None:
     assert load_views(tmp_path / "views.csv") == ViewGroups()
 
 
-def test_a_camera_takes_one_frame_at_an_instant(tmp_path: Path) -> None:
+def test_a_camera_takes_one_frame_at_an_instant(tmp_path) -> None:
     path = tmp_path / "views.csv"
     path.write_text("frame,instant,view\na,1,left\nb,1,right\nc,1,left\n")
     with pytest.raises(InputError, match="line 4: the view 'left' at instant '1' again, after li"):
         load_views(path)
 
 
-def test_another_file_is_replaced_only_where_it_is_known(tmp_path: Path) -> None:
+def test_another_file_is_replaced_only_where_it_is_known(tmp_path) -> None:
     path = tmp_path / "views.csv"
     assert replace_views(path, GROUPS) is None
     assert load_views(path) == GROUPS
@@ -109,7 +105,7 @@ def test_only_so_many_strange_rows_are_told() -> None:
     assert [row.split(":")[1] for row in groups.unknown_rows(["b"], 1)] == [" line 2"]
 
 
-def test_frames_are_found_however_they_are_spelled(tmp_path: Path) -> None:
+def test_frames_are_found_however_they_are_spelled(tmp_path) -> None:
     """Letters composed otherwise, as a Mac's file system has them, and folders of pictures."""
     path = tmp_path / "views.csv"
     path.write_text("frame,instant,view\ncaf\u00e9/1,7,left\ncaf\u00e9/2,7,right\n", "utf-8")
@@ -122,7 +118,7 @@ def test_frames_are_found_however_they_are_spelled(tmp_path: Path) -> None:
     assert groups.unknown_rows([there])[0].startswith("views.csv: line 3: ")
 
 
-def test_annotations_of_a_tree_may_have_no_picture(tmp_path: Path) -> None:
+def test_annotations_of_a_tree_may_have_no_picture(tmp_path) -> None:
     for game in ("game1", "game2"):
         (tmp_path / game / "annotations").mkdir(parents=True)
         (tmp_path / game / "1.png").touch()

@@ -24,9 +24,7 @@ from procc_annotator.errors import UsageError
         (r"(?P<instant>\d+).", ("17a", "17b"), ("17", "")),
     ],
 )
-def test_names_tell_the_groups(
-    pattern: str, names: tuple[str, str], expected: tuple[str, str]
-) -> None:
+def test_names_tell_the_groups(pattern, names, expected) -> None:
     groups = groups_by_name([*names, "another"], pattern)
     assert groups.frames[names[0]] == ViewAssignment(*expected)
     assert groups.others(names[0]) == (names[1],)
@@ -45,7 +43,7 @@ def test_names_tell_the_groups(
         (r"(?P<instant>\d+)(?P<view>_).*", "takes 17_left and 17_right both for the view '_'"),
     ],
 )
-def test_a_pattern_that_groups_nothing_is_refused(pattern: str, words: str) -> None:
+def test_a_pattern_that_groups_nothing_is_refused(pattern, words) -> None:
     with pytest.raises(UsageError, match=words):
         groups_by_name(["17_left", "17_right"], pattern)
 
@@ -87,7 +85,7 @@ def test_a_pattern_tells_whom_it_leaves_alone_and_what_is_wrong() -> None:
         ([], ""),
     ],
 )
-def test_a_pattern_that_fits_is_suggested(names: list[str], pattern: str) -> None:
+def test_a_pattern_that_fits_is_suggested(names, pattern) -> None:
     assert suggested_pattern(names) == pattern
     if pattern:
         assert not views_by_name(names, pattern).problem

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
 
 from procc_annotator.errors import FieldError
@@ -38,12 +36,12 @@ def looks(sport: str, name: str) -> Appearance:
         ("futsal", "Goal left crossbar", Appearance(BAR, ANY, ANY, 0.08)),
     ],
 )
-def test_shipped_fields_say_how_paint_looks(sport: str, name: str, expected: Appearance) -> None:
+def test_shipped_fields_say_how_paint_looks(sport, name, expected) -> None:
     assert looks(sport, name) == expected
 
 
 @pytest.mark.parametrize("sport", field_names())
-def test_every_painted_line_of_a_shipped_field_has_a_width_and_a_tone(sport: str) -> None:
+def test_every_painted_line_of_a_shipped_field_has_a_width_and_a_tone(sport) -> None:
     text = builtin_field_file(sport).read_text(encoding="utf-8")
     assert "\ntone = " in text.split("[[elements]]")[0]
     for element in load_field(sport).elements:
@@ -66,9 +64,7 @@ def test_every_painted_line_of_a_shipped_field_has_a_width_and_a_tone(sport: str
         (MIDDLE, MIDDLE + "diameter = 1\n", "is of use only with seen_as"),
     ],
 )
-def test_a_mistake_is_told_with_its_place(
-    tmp_path: Path, old: str, new: str, expected: str
-) -> None:
+def test_a_mistake_is_told_with_its_place(tmp_path, old, new, expected) -> None:
     text = builtin_field_file("soccer").read_text(encoding="utf-8")
     if new.startswith("[bars]\npaint_colour"):
         text = text.replace('paint_colour = "white"\n\n# Where', "\n# Where")
@@ -80,7 +76,7 @@ def test_a_mistake_is_told_with_its_place(
     assert "line " in str(caught.value)
 
 
-def test_what_paint_looks_like_is_no_part_of_what_a_field_is(tmp_path: Path) -> None:
+def test_what_paint_looks_like_is_no_part_of_what_a_field_is(tmp_path) -> None:
     """A copy of a shipped field made before it said so is that field still."""
     text = builtin_field_file("soccer").read_text(encoding="utf-8")
     path = tmp_path / "field.toml"

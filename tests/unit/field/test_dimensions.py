@@ -23,11 +23,10 @@ def court(tmp_path: Path, relations: str, text: str = OPEN) -> Path:
 
 
 @pytest.mark.parametrize("name", ["soccer", "futsal"])
-def test_a_pitch_is_longer_than_wide(name: str) -> None:
+def test_a_pitch_is_longer_than_wide(name) -> None:
     field = load_field(name)
     length, width = field.dimension("length"), field.dimension("width")
     assert length is not None
-    assert width is not None
     side = width.maximum
     with pytest.raises(FieldError, match=rf"length > width, and {side:g} > {side:g} does not hold"):
         with_dimensions(field, {"length": side, "width": side})
@@ -37,7 +36,7 @@ def test_a_pitch_is_longer_than_wide(name: str) -> None:
     )
 
 
-def test_every_sign_counts(tmp_path: Path) -> None:
+def test_every_sign_counts(tmp_path) -> None:
     wanted = '["length >= 2 * width", "width <= length / 2", "width < length", "length > width"]'
     field = load_field(court(tmp_path, wanted))
     assert with_dimensions(field, {"length": 22.0}).dimensions[0].value == 22.0
@@ -45,7 +44,7 @@ def test_every_sign_counts(tmp_path: Path) -> None:
         with_dimensions(field, {"length": 18.0})
 
 
-def test_equal_but_for_rounding_is_equal(tmp_path: Path) -> None:
+def test_equal_but_for_rounding_is_equal(tmp_path) -> None:
     field = load_field(court(tmp_path, '["width * 0.1 * 3 <= 3", "length / 100 + 0.1 >= 0.3"]'))
     assert field.relations[1].sides({"length": 20.0})[0] == pytest.approx(0.3)
 
@@ -69,20 +68,18 @@ def test_equal_but_for_rounding_is_equal(tmp_path: Path) -> None:
         ("[" + 33 * '"length > width",' + "]", "expected a list"),
     ],
 )
-def test_what_is_no_relation_is_told_with_its_line(
-    tmp_path: Path, relations: str, told: str
-) -> None:
+def test_what_is_no_relation_is_told_with_its_line(tmp_path, relations, told) -> None:
     with pytest.raises(FieldError, match=rf"line 5: .*{told}"):
         load_field(court(tmp_path, relations))
 
 
-def test_relations_in_the_wrong_table_are_told_where_they_belong(tmp_path: Path) -> None:
+def test_relations_in_the_wrong_table_are_told_where_they_belong(tmp_path) -> None:
     path = written(tmp_path, COURT.replace("[paint]", 'relations = ["length > width"]\n[paint]'))
     with pytest.raises(FieldError, match=r"line 10: .*relations stands above the first \[table\]"):
         load_field(path)
 
 
-def test_a_value_that_no_others_allow_is_a_remark(tmp_path: Path) -> None:
+def test_a_value_that_no_others_allow_is_a_remark(tmp_path) -> None:
     # A width of 20 m takes a length over 20 m, which the range of the length has.
     assert validate_field(load_field(court(tmp_path, '["length > width"]'))) == ()
     (remark,) = validate_field(load_field(court(tmp_path, '["length > 1.5 * width"]')))

@@ -21,7 +21,7 @@ from procc_annotator.field.sampling import distinctive_points
         (36.0, 7.312, 0.0),  # where the arc meets the penalty area
     ],
 )
-def test_soccer(place: tuple[float, float, float]) -> None:
+def test_soccer(place) -> None:
     names, places = distinctive_points(load_field().elements)
     assert len(names) == len(places)
     assert np.linalg.norm(places - place, axis=1).min() < 0.05

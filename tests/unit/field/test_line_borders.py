@@ -43,14 +43,13 @@ def test_soccer_is_measured_at_the_outer_edge() -> None:
 
 
 @pytest.mark.parametrize("name", field_names())
-def test_every_border_is_as_far_away_as_the_paint_is_wide(name: str) -> None:
+def test_every_border_is_as_far_away_as_the_paint_is_wide(name) -> None:
     field = load_field(name)
     own = sample_evenly(field, 0.01 if name == "tennis" else 0.05)
     painted = [e for e in field.elements if e.line_width > 0]
     assert painted
     for border in marking_field(field).elements:
         element = field.element(class_of_border(border.name))
-        assert element is not None
         wanted = element.line_width / (1 if element.inside is not None else 2)
         line = own.of(field.index[element.name])
         middle = outline_of(border.geometry)

@@ -141,9 +141,7 @@ def test_an_unknown_field_is_named() -> None:
         ),
     ],
 )
-def test_a_mistake_is_named_with_its_place(
-    tmp_path: Path, old: str, new: str, expected: str
-) -> None:
+def test_a_mistake_is_named_with_its_place(tmp_path, old, new, expected) -> None:
     assert expected in load_changed(tmp_path, old, new)
 
 
@@ -161,9 +159,7 @@ def test_a_mistake_is_named_with_its_place(
         ("-" * 20000 + "1", "longer than 200 characters"),
     ],
 )
-def test_a_formula_gives_one_number_or_a_clear_error(
-    tmp_path: Path, formula: str, expected: str
-) -> None:
+def test_a_formula_gives_one_number_or_a_clear_error(tmp_path, formula, expected) -> None:
     error = load_changed(tmp_path, 'radius = "circle_radius"', f'radius = "{formula}"')
     assert "element 'Circle central'.radius: " in error
     assert expected in error
@@ -171,9 +167,7 @@ def test_a_formula_gives_one_number_or_a_clear_error(
 
 @settings(deadline=None)
 @given(st.text(st.sampled_from("19+-*/().,;=<[]{}eE: \n\x00lengthpi_"), max_size=40))
-def test_no_formula_brings_the_program_down(
-    tmp_path_factory: pytest.TempPathFactory, formula: str
-) -> None:
+def test_no_formula_brings_the_program_down(tmp_path_factory, formula) -> None:
     path = tmp_path_factory.getbasetemp() / "formula.toml"
     quoted = json.dumps(formula)  # a JSON text is a TOML basic string as well
     path.write_text(
@@ -183,7 +177,7 @@ def test_no_formula_brings_the_program_down(
         assert load_field(path).elements
 
 
-def test_a_missing_file_and_a_binary_file(tmp_path: Path) -> None:
+def test_a_missing_file_and_a_binary_file(tmp_path) -> None:
     with pytest.raises(FieldError, match="no such file"):
         load_field(tmp_path / "absent.toml")
     (tmp_path / "binary.toml").write_bytes(b"\xff\xfe\x00")
@@ -200,7 +194,7 @@ def test_names_of_third_parties_get_the_official_spelling() -> None:
     assert not field.knows("Corner flag ")
 
 
-def test_a_file_with_the_name_of_a_shipped_field_is_told_apart(tmp_path: Path) -> None:
+def test_a_file_with_the_name_of_a_shipped_field_is_told_apart(tmp_path) -> None:
     mine = tmp_path / "field.toml"
     mine.write_text(SOCCER, encoding="utf-8")
     assert load_field(mine).described == "soccer"  # it is the same field
@@ -218,21 +212,21 @@ def test_a_file_with_the_name_of_a_shipped_field_is_told_apart(tmp_path: Path) -
 @pytest.mark.parametrize(
     "name", ["my padel", "padel/2", "padel:length", "../padel", "a=b", "p\\u0009"]
 )
-def test_names_are_plain(tmp_path: Path, name: str) -> None:
+def test_names_are_plain(tmp_path, name) -> None:
     mine = tmp_path / "mine.toml"
     mine.write_text(SOCCER.replace('name = "soccer"', f'name = "{name}"'), encoding="utf-8")
     with pytest.raises(FieldError, match="name: expected"):
         load_field(mine)
 
 
-def test_a_single_table_of_elements_is_told(tmp_path: Path) -> None:
+def test_a_single_table_of_elements_is_told(tmp_path) -> None:
     mine = tmp_path / "mine.toml"
     mine.write_text('name = "a"\ntitle = "A"\n\n[elements]\nname = "b"\n', encoding="utf-8")
     with pytest.raises(FieldError, match=r"line 4: elements: expected \[\[elements\]\]"):
         load_field(mine)
 
 
-def test_the_mark_some_editors_put_in_front_of_a_file_is_no_mistake(tmp_path: Path) -> None:
+def test_the_mark_some_editors_put_in_front_of_a_file_is_no_mistake(tmp_path) -> None:
     mine = tmp_path / "mine.toml"
     mine.write_text(SOCCER, encoding="utf-8-sig")
     assert load_field(mine) == load_field("soccer")

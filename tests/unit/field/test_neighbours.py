@@ -45,7 +45,7 @@ LONG = Line((-50.0, 0.0, 0.0), (50.0, 0.0, 0.0))
         (Arc((0.0, 1.0, 0.0), 3.0, 0.0, math.pi), 1.0),  # its lower half is not there
     ],
 )
-def test_distances_are_those_of_the_drawing(other: Geometry, expected: float) -> None:
+def test_distances_are_those_of_the_drawing(other, expected) -> None:
     assert apart(LONG, other) == pytest.approx(expected, abs=0.02)
     assert apart(other, LONG) == pytest.approx(expected, abs=0.02)
 
@@ -68,7 +68,7 @@ def test_what_is_joined_meets() -> None:
 
 
 @pytest.mark.parametrize("name", field_names())
-def test_of_every_field_all_elements_on_the_ground_are_near_some_other(name: str) -> None:
+def test_of_every_field_all_elements_on_the_ground_are_near_some_other(name) -> None:
     field = load_field(name)
     ground = field.on_ground
     for i in ground.nonzero()[0]:
@@ -78,7 +78,7 @@ def test_of_every_field_all_elements_on_the_ground_are_near_some_other(name: str
 
 
 @pytest.mark.parametrize("name", ["athletics", "basketball_fiba"])
-def test_the_nearest_segments_are_found_among_all(name: str) -> None:
+def test_the_nearest_segments_are_found_among_all(name) -> None:
     field = load_field(name)
     rng = np.random.default_rng(3)
     for i in rng.choice(len(field.elements), 8, replace=False):

@@ -51,7 +51,7 @@ def test_the_official_elements_are_1187_points() -> None:
 
 
 @given(st.floats(0.05, 20))
-def test_even_sampling_keeps_ends_and_closes_circles(spacing: float) -> None:
+def test_even_sampling_keeps_ends_and_closes_circles(spacing) -> None:
     field = load_field()
     samples = sample_evenly(field, spacing)
     for i, element in enumerate(field.elements):
@@ -71,7 +71,7 @@ def test_even_sampling_keeps_ends_and_closes_circles(spacing: float) -> None:
 
 
 @given(length=st.floats(90.1, 120), width=st.floats(45, 90))
-def test_the_symmetry_maps_the_field_onto_itself(length: float, width: float) -> None:
+def test_the_symmetry_maps_the_field_onto_itself(length, width) -> None:
     field = load_field("soccer", length=length, width=width)
     samples = sample_evenly(field, 0.5)
     for i, element in enumerate(field.elements):
@@ -84,7 +84,7 @@ def test_the_symmetry_maps_the_field_onto_itself(length: float, width: float) ->
 
 
 @pytest.mark.parametrize("spacing", [0, -1, math.nan, math.inf])
-def test_a_senseless_spacing_is_refused(spacing: float) -> None:
+def test_a_senseless_spacing_is_refused(spacing) -> None:
     with pytest.raises(ValueError, match="positive spacing"):
         sample_evenly(load_field(), spacing)
 

@@ -27,7 +27,7 @@ from procc_annotator.field.load import load_field
         ("soccer", "点", []),
     ],
 )
-def test_labels_and_their_classes(field: str, label: str, classes: list[str]) -> None:
+def test_labels_and_their_classes(field, label, classes) -> None:
     assert list(matching_classes(label, load_field(field)).classes) == classes
 
 

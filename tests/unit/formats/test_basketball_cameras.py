@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -20,7 +19,7 @@ SIZE = (960, 540)
 
 
 @pytest.fixture(scope="module")
-def cameras(shared_data: Path) -> list[tuple[PinholeCamera, FloatArray]]:
+def cameras(shared_data) -> list[tuple[PinholeCamera, FloatArray]]:
     """Each camera, and the (3, 4) matrix its file gives for centimetres from the court's corner."""
     found: list[tuple[PinholeCamera, FloatArray]] = []
     for name in ("val", "test"):
@@ -38,7 +37,6 @@ def cameras(shared_data: Path) -> list[tuple[PinholeCamera, FloatArray]]:
 def place(name: str) -> FloatArray:
     """(3,) metres: the middle of an element."""
     element = FIELD.element(name)
-    assert element is not None
     return np.array(middle_of(element.geometry))
 
 
@@ -51,9 +49,7 @@ def seen(camera: PinholeCamera, samples: FieldSamples) -> set[str]:
     return {n for n, c, least in zip(samples.names, counts, enough, strict=True) if c >= least}
 
 
-def test_the_court_begins_where_the_files_say(
-    cameras: list[tuple[PinholeCamera, FloatArray]],
-) -> None:
+def test_the_court_begins_where_the_files_say(cameras) -> None:
     """Its far left corner is their origin, x runs along it, y towards the camera."""
     corners_cm = np.array([(0, 0, 0), (2800, 0, 0), (2800, 1500, 0), (0, 1500, 0)], dtype=float)
     edges = ("top", "right", "bottom", "left")
@@ -61,7 +57,6 @@ def test_the_court_begins_where_the_files_say(
         homogeneous = np.column_stack((corners_cm, np.ones(4))) @ matrix.T
         for i, edge in enumerate(edges):
             element = FIELD.element(f"Court edge {edge}")
-            assert element is not None
             ends, valid = camera.project(outline_of(element.geometry))
             assert valid.all()
             theirs = homogeneous[[i, (i + 1) % 4]]
@@ -72,13 +67,10 @@ def test_the_court_begins_where_the_files_say(
             assert (nearest < 1e-5 * (1e3 + np.linalg.norm(ends, axis=1))).all()
 
 
-def test_cameras_stand_beside_the_court_and_look_down_at_it(
-    cameras: list[tuple[PinholeCamera, FloatArray]],
-) -> None:
+def test_cameras_stand_beside_the_court_and_look_down_at_it(cameras) -> None:
     places = np.array([camera.position_world for camera, _ in cameras])
     assert (np.abs(places[:, 0]) < 1.1).all()  # at the centre line
     usual = FIELD.cameras
-    assert usual is not None
     distance, height = places[:, 1] - 7.5, -places[:, 2]
     for measured, (least, _, most) in ((distance, usual.distance), (height, usual.height)):
         assert least < measured.min() <= measured.max() < most
@@ -90,7 +82,7 @@ def test_cameras_stand_beside_the_court_and_look_down_at_it(
 
 
 def test_each_view_shows_left_on_the_left_far_above_near_and_the_baskets_in_the_air(
-    cameras: list[tuple[PinholeCamera, FloatArray]],
+    cameras,
 ) -> None:
     rims = np.array([place("Rim left centre"), place("Rim right centre")])
     world = np.vstack((
@@ -107,9 +99,7 @@ def test_each_view_shows_left_on_the_left_far_above_near_and_the_baskets_in_the_
         assert x[0] < x[8] < x[1]
 
 
-def test_every_class_of_the_baseline_is_seen_and_every_view_shows_some(
-    cameras: list[tuple[PinholeCamera, FloatArray]],
-) -> None:
+def test_every_class_of_the_baseline_is_seen_and_every_view_shows_some(cameras) -> None:
     samples = sample_evenly(FIELD, 0.05)
     views = [seen(camera, samples) for camera, _ in cameras]
     counts = np.array([len(view) for view in views])

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
@@ -24,9 +22,7 @@ SIZE = (960, 540)
     ("off_plane", "expected"),
     [("left_out", (41.3, 83.0, 96.0)), ("missed", (35.5, 74.0, 86.1))],
 )
-def test_refined_homographies_reach_their_known_scores(
-    shared_data: Path, off_plane: str, expected: tuple[float, float, float]
-) -> None:
+def test_refined_homographies_reach_their_known_scores(shared_data, off_plane, expected) -> None:
     field = load_field()
     setup = EvaluationSetup(field, SIZE, off_plane=off_plane)
     annotations = open_source(shared_data / "wc14" / "annotations")

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
 
 from procc_annotator.errors import InputError
@@ -26,7 +24,7 @@ from procc_annotator.formats.csv_tables import read_frame_table, read_table
         (b"frame,light\n1,\xff\n", "is not UTF-8"),
     ],
 )
-def test_damaged_tables_are_one_clear_error(tmp_path: Path, text: str | bytes, says: str) -> None:
+def test_damaged_tables_are_one_clear_error(tmp_path, text, says) -> None:
     path = tmp_path / "table.csv"
     path.write_bytes(text if isinstance(text, bytes) else text.encode())
     with pytest.raises(InputError, match=says) as caught:
@@ -34,7 +32,7 @@ def test_damaged_tables_are_one_clear_error(tmp_path: Path, text: str | bytes, s
     assert str(path) in str(caught.value)
 
 
-def test_rows_come_with_their_lines_whatever_separates_the_cells(tmp_path: Path) -> None:
+def test_rows_come_with_their_lines_whatever_separates_the_cells(tmp_path) -> None:
     path = tmp_path / "table.csv"
     path.write_text("\ufeffframe; light ;\n\n'=1;day;x\n", encoding="utf-8")
     names, rows = read_frame_table(path, ["light"], "")
@@ -43,7 +41,7 @@ def test_rows_come_with_their_lines_whatever_separates_the_cells(tmp_path: Path)
     assert read_table(path, ["light"], "") == (names, rows)
 
 
-def test_a_frame_may_stand_once_in_each_set(tmp_path: Path) -> None:
+def test_a_frame_may_stand_once_in_each_set(tmp_path) -> None:
     path = tmp_path / "table.csv"
     path.write_text("set,frame\na,1\nb,1\n")
     assert len(read_frame_table(path, (), "", in_sets=True)[1]) == 2

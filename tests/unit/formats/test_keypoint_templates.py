@@ -90,23 +90,20 @@ def read(folder: Path, field: Field, labels: str = "") -> ReadSet:
         ({"keypoints": [str(i) for i in range(32)]}, 'pitch = { template = "soccer_32" }'),
     ],
 )
-def test_places_of_a_pitch_are_points_of_its_elements(
-    tmp_path: Path, category: dict[str, Any], labels: str
-) -> None:
+def test_places_of_a_pitch_are_points_of_its_elements(tmp_path, category, labels) -> None:
     field = load_field("soccer")
     px, _ = HIGH.project(pitch())
     found = read(written(tmp_path, category, px, {8, 30}), field, labels)
     annotation = found.frames["a"].annotation
     assert len(annotation.polylines) == 19  # but for the penalty mark that is hidden
     circle = annotation.get("Circle central")
-    assert circle is not None
     assert len(circle.points) == 3
     measured = measure(annotation, HIGH, EvaluationSetup(field, SIZE, "procc")).plain
     assert measured.max_error is not None
     assert measured.max_error < 0.5
 
 
-def test_places_of_a_court(tmp_path: Path) -> None:
+def test_places_of_a_court(tmp_path) -> None:
     field = load_field("tennis")
     px, _ = BEHIND.project(court())
     skeleton = [[1, 2], [3, 4], [1, 3], [9, 13], [13, 14]]
@@ -128,14 +125,14 @@ def test_places_of_a_court(tmp_path: Path) -> None:
         {"keypoints": [str(i) for i in range(1, 33)]},
     ],
 )
-def test_places_that_nobody_knows_are_no_polyline(tmp_path: Path, category: dict[str, Any]) -> None:
+def test_places_that_nobody_knows_are_no_polyline(tmp_path, category) -> None:
     px, _ = HIGH.project(pitch())
     found = read(written(tmp_path, category, px, {3}), load_field("soccer"))
     assert not found.frames
     assert any("soccer_32" in line and "left out" in line for line in found.losses)
 
 
-def test_a_polyline_stays_one(tmp_path: Path) -> None:
+def test_a_polyline_stays_one(tmp_path) -> None:
     px, _ = HIGH.project(pitch())
     numbered = [str(i) for i in range(1, 33)]
     chain = [[i, i + 1] for i in range(1, 32)]
@@ -144,7 +141,7 @@ def test_a_polyline_stays_one(tmp_path: Path) -> None:
     assert [len(p.points) for p in found.frames["a"].annotation.polylines] == [9]
 
 
-def test_a_template_of_another_sport_is_one_problem(tmp_path: Path) -> None:
+def test_a_template_of_another_sport_is_one_problem(tmp_path) -> None:
     px, _ = HIGH.project(pitch())
     found = read(written(tmp_path, {"keypoints": NAMES}, px, set()), load_field("tennis"))
     assert len(found.problems) == 1
@@ -152,7 +149,7 @@ def test_a_template_of_another_sport_is_one_problem(tmp_path: Path) -> None:
     assert "--field soccer" in found.problems[0]
 
 
-def test_a_map_names_a_template_that_is_there(tmp_path: Path) -> None:
+def test_a_map_names_a_template_that_is_there(tmp_path) -> None:
     with pytest.raises(InputError, match=r"did you mean 'soccer_32'\?"):
         read(tmp_path, load_field("soccer"), 'pitch = { template = "soccer32" }')
 

@@ -39,7 +39,7 @@ def first_points(found: ReadSet) -> dict[str, tuple[float, float]]:
     return {p.class_name: (p.points[0].u, p.points[0].v) for p in polylines}
 
 
-def test_labels_become_classes_and_some_are_left_out(tmp_path: Path) -> None:
+def test_labels_become_classes_and_some_are_left_out(tmp_path) -> None:
     found = read(
         tmp_path, 'middle = "Centre service line"\ncrowd = false\n',
         shape("middle ", (0, 10), (0, 20)), shape("crowd", (5, 5), (6, 6)),
@@ -49,7 +49,7 @@ def test_labels_become_classes_and_some_are_left_out(tmp_path: Path) -> None:
     assert found.unknown == {"odd": 1}
 
 
-def test_numbered_copies_have_classes_of_their_own(tmp_path: Path) -> None:
+def test_numbered_copies_have_classes_of_their_own(tmp_path) -> None:
     found = read(
         tmp_path, 'line = "Baseline left"\n"line (2)" = "Baseline right"\n',
         shape("line", (0, 10), (0, 20)), shape("line", (50, 10), (50, 20)),
@@ -60,9 +60,7 @@ def test_numbered_copies_have_classes_of_their_own(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("order", "left_has"), [("top_down", (0.9, 0.1)), ("left_to_right", (0.1, 0.8))]
 )
-def test_a_shared_label_is_told_by_places_in_the_picture(
-    tmp_path: Path, order: str, left_has: tuple[float, float]
-) -> None:
+def test_a_shared_label_is_told_by_places_in_the_picture(tmp_path, order, left_has) -> None:
     low_left = shape("baseline", (10, 80), (20, 80))
     high_right = shape("baseline", (90, 10), (95, 10))
     rule = f'baseline = {{ {order} = ["Baseline left", "Baseline right"] }}\n'
@@ -71,14 +69,14 @@ def test_a_shared_label_is_told_by_places_in_the_picture(
     assert len(first_points(found)) == 2
 
 
-def test_one_shape_where_two_are_ordered_is_left_out_and_told(tmp_path: Path) -> None:
+def test_one_shape_where_two_are_ordered_is_left_out_and_told(tmp_path) -> None:
     rule = 'baseline = { top_down = ["Baseline left", "Baseline right"] }\n'
     found = read(tmp_path, rule, shape("baseline", (1, 1), (2, 2)), shape("odd", (0, 0)))
     assert set(first_points(found)) == {"odd"}
     assert any("'baseline': 1 shape where labels.toml puts 2 in order" in s for s in found.losses)
 
 
-def test_a_misspelled_label_of_the_map_is_told(tmp_path: Path) -> None:
+def test_a_misspelled_label_of_the_map_is_told(tmp_path) -> None:
     found = read(tmp_path, 'basline = "Baseline left"\n', shape("baseline", (1, 1), (2, 2)))
     assert any("'basline'; did you mean 'baseline'?" in line for line in found.losses)
 
@@ -98,7 +96,7 @@ def test_a_misspelled_label_of_the_map_is_told(tmp_path: Path) -> None:
         ("[labels]\n[label]", "found 'label' beside it"),
     ],
 )  # fmt: skip
-def test_a_map_that_is_wrong_says_where(tmp_path: Path, text: str, said: str) -> None:
+def test_a_map_that_is_wrong_says_where(tmp_path, text, said) -> None:
     path = tmp_path / "labels.toml"
     path.write_text(text)
     with pytest.raises(InputError) as wrong:

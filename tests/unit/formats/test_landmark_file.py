@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -54,11 +53,11 @@ def test_an_entry_needs_nothing_but_its_name() -> None:
     assert _read({"landmarks": [{"name": "Mast"}]}).landmarks == (Landmark("Mast"),)
 
 
-def test_a_dataset_without_the_file_has_no_landmarks(tmp_path: Path) -> None:
+def test_a_dataset_without_the_file_has_no_landmarks(tmp_path) -> None:
     assert load_landmarks(tmp_path / "landmarks.json") == LandmarkFile()
 
 
-def test_saving_and_loading(tmp_path: Path) -> None:
+def test_saving_and_loading(tmp_path) -> None:
     path = tmp_path / "landmarks.json"
     save_landmarks(path, _read(FULL))
     assert load_landmarks(path) == _read(FULL)
@@ -134,7 +133,7 @@ def _entry(**keys: object) -> object:
         ),
     ],
 )  # fmt: skip
-def test_what_is_wrong_is_told_with_its_place(content: object, place: str, problem: str) -> None:
+def test_what_is_wrong_is_told_with_its_place(content, place, problem) -> None:
     with pytest.raises(InputError) as caught:
         _read(content)
     assert caught.value.place == place

@@ -38,9 +38,7 @@ place = st.tuples(position, position)
 
 
 @given(place, place, st.floats(1, 20))
-def test_pixels_within_half_the_width_are_the_line(
-    a: tuple[float, float], b: tuple[float, float], width: float
-) -> None:
+def test_pixels_within_half_the_width_are_the_line(a, b, width) -> None:
     mask = masks.draw_mask([polyline(A, a, b)], {A: 7}, SIZE, width)
     points = polyline(A, a, b).points
     exact = [(p.u * (SIZE[0] - 1), p.v * (SIZE[1] - 1)) for p in points]
@@ -106,7 +104,7 @@ def test_more_classes_than_grey_values_are_told() -> None:
 
 
 @pytest.mark.parametrize("width", [0, 0.5, 201, float("nan")])
-def test_widths_that_cannot_be_drawn(width: float) -> None:
+def test_widths_that_cannot_be_drawn(width) -> None:
     from procc_annotator.errors import UsageError
 
     with pytest.raises(UsageError, match="line width"):

@@ -33,7 +33,7 @@ NAMES = ("10.json", "9.json", "camera_9.json", ".hidden.json", "notes.txt", "jac
 @pytest.mark.parametrize("inside", ["", "test/"])
 @pytest.mark.parametrize("as_zip", [False, True])
 def test_folders_and_archives_with_or_without_a_split_look_the_same(
-    tmp_path: Path, inside: str, as_zip: bool
+    tmp_path, inside, as_zip
 ) -> None:
     folder = make(tmp_path / "data", *(inside + n for n in (*NAMES, "__MACOSX/._9.json")))
     source = open_source(zipped(folder, tmp_path / "data.zip") if as_zip else folder)
@@ -47,7 +47,7 @@ def test_folders_and_archives_with_or_without_a_split_look_the_same(
         assert source.read(found["9"]) == f"{inside}9.json".encode()
 
 
-def test_homographies_by_name(tmp_path: Path) -> None:
+def test_homographies_by_name(tmp_path) -> None:
     folder = make(tmp_path, "1.npy", "00002_homography.npy", "3.homographyMatrix")
     assert list_cameras(open_source(folder)) == {
         "1": "1.npy",
@@ -58,13 +58,13 @@ def test_homographies_by_name(tmp_path: Path) -> None:
     assert list_cameras(open_source(folder), "soccernet") == {}
 
 
-def test_two_cameras_for_one_frame_are_an_error(tmp_path: Path) -> None:
+def test_two_cameras_for_one_frame_are_an_error(tmp_path) -> None:
     folder = make(tmp_path, "1.npy", "1_homography.npy")
     with pytest.raises(InputError, match="second file for frame '1'"):
         list_cameras(open_source(folder))
 
 
-def test_a_json_camera_beats_a_homography_and_says_so(tmp_path: Path) -> None:
+def test_a_json_camera_beats_a_homography_and_says_so(tmp_path) -> None:
     folder = make(tmp_path, "camera_2.json", "1.npy", "2.npy", "10.npy")
     found = list_cameras(open_source(folder))
     assert list(found.items()) == [("1", "1.npy"), ("2", "camera_2.json"), ("10", "10.npy")]
@@ -76,14 +76,14 @@ def test_a_json_camera_beats_a_homography_and_says_so(tmp_path: Path) -> None:
     assert not chosen.notices
 
 
-def test_plain_json_beside_named_cameras_is_passed_over_with_a_word(tmp_path: Path) -> None:
+def test_plain_json_beside_named_cameras_is_passed_over_with_a_word(tmp_path) -> None:
     found = list_cameras(open_source(make(tmp_path, "camera_1.json", "1.json", "2.json")))
     assert found == {"1": "camera_1.json"}
     (notice,) = found.notices
     assert notice.startswith("1 file like 2.json taken for an annotation, not a camera")
 
 
-def test_annotations_beside_homographies_are_not_cameras(tmp_path: Path) -> None:
+def test_annotations_beside_homographies_are_not_cameras(tmp_path) -> None:
     folder = make(tmp_path, "1.json", "2.json", "1.homographyMatrix", "2.jpg", "README.txt")
     found = list_cameras(open_source(folder))
     assert found == {"1": "1.homographyMatrix", "README": "README.txt"}
@@ -91,12 +91,12 @@ def test_annotations_beside_homographies_are_not_cameras(tmp_path: Path) -> None
     assert set(list_annotations(open_source(folder))) == {"1", "2"}
 
 
-def test_plain_names_are_cameras_in_a_folder_of_their_own(tmp_path: Path) -> None:
+def test_plain_names_are_cameras_in_a_folder_of_their_own(tmp_path) -> None:
     folder = make(tmp_path, "1.json", "2.json", "README.txt")
     assert list(list_cameras(open_source(folder))) == ["1", "2", "README"]
 
 
-def test_a_split_folder_may_have_a_dot_and_a_member_may_be_replaced(tmp_path: Path) -> None:
+def test_a_split_folder_may_have_a_dot_and_a_member_may_be_replaced(tmp_path) -> None:
     folder = make(tmp_path / "data", "v1.2/1.json")
     assert list_annotations(open_source(folder)) == {"1": "v1.2/1.json"}
     path = tmp_path / "z.zip"
@@ -109,7 +109,7 @@ def test_a_split_folder_may_have_a_dot_and_a_member_may_be_replaced(tmp_path: Pa
 
 
 @pytest.mark.parametrize("inside", ["", "test/"])
-def test_names_in_an_archive_may_begin_at_its_top(tmp_path: Path, inside: str) -> None:
+def test_names_in_an_archive_may_begin_at_its_top(tmp_path, inside) -> None:
     """As ``zip`` and ``tar`` of other programs store ``.``: with ``./`` before every name."""
     path = tmp_path / "z.zip"
     with zipfile.ZipFile(path, "w") as archive:
@@ -125,7 +125,7 @@ def test_names_in_an_archive_may_begin_at_its_top(tmp_path: Path, inside: str) -
         assert source.folders() == ([inside.rstrip("/")] if inside else [])
 
 
-def test_an_archive_with_a_name_that_climbs_out_is_refused(tmp_path: Path) -> None:
+def test_an_archive_with_a_name_that_climbs_out_is_refused(tmp_path) -> None:
     (tmp_path / "secret.json").write_text("secret")
     (tmp_path / "in").mkdir()
     path = tmp_path / "in" / "z.zip"
@@ -139,14 +139,14 @@ def test_an_archive_with_a_name_that_climbs_out_is_refused(tmp_path: Path) -> No
     assert (tmp_path / "secret.json").read_text() == "secret"
 
 
-def test_a_single_file_is_a_set_of_one(tmp_path: Path) -> None:
+def test_a_single_file_is_a_set_of_one(tmp_path) -> None:
     make(tmp_path, "camera_7.json", "camera_8.json")
     source = open_source(tmp_path / "camera_7.json")
     assert list_cameras(source) == {"7": "camera_7.json"}
     assert source.read("camera_7.json") == b"camera_7.json"
 
 
-def test_what_cannot_be_opened_is_said(tmp_path: Path) -> None:
+def test_what_cannot_be_opened_is_said(tmp_path) -> None:
     with pytest.raises(UsageError, match="no such file or folder"):
         open_source(tmp_path / "absent")
     (tmp_path / "bad.zip").write_bytes(b"PK nonsense")
@@ -154,7 +154,7 @@ def test_what_cannot_be_opened_is_said(tmp_path: Path) -> None:
         open_source(tmp_path / "bad.zip")
 
 
-def test_a_folder_in_place_of_a_file_and_a_damaged_member(tmp_path: Path) -> None:
+def test_a_folder_in_place_of_a_file_and_a_damaged_member(tmp_path) -> None:
     folder = make(tmp_path / "data", "1.json", "3.json")
     (folder / "2.json").mkdir()
     source = open_source(folder)
@@ -172,7 +172,7 @@ def test_a_folder_in_place_of_a_file_and_a_damaged_member(tmp_path: Path) -> Non
         archive.read("1.json")
 
 
-def test_a_link_in_a_circle_is_one_file_that_cannot_be_read(tmp_path: Path) -> None:
+def test_a_link_in_a_circle_is_one_file_that_cannot_be_read(tmp_path) -> None:
     (tmp_path / "good.json").write_text("{}")
     (tmp_path / "loop.json").symlink_to("loop.json")
     with open_source(tmp_path) as folder:
@@ -181,7 +181,7 @@ def test_a_link_in_a_circle_is_one_file_that_cannot_be_read(tmp_path: Path) -> N
             folder.read("loop.json")
 
 
-def test_a_packed_tree_is_called_by_what_lies_in_its_own_folder(tmp_path: Path) -> None:
+def test_a_packed_tree_is_called_by_what_lies_in_its_own_folder(tmp_path) -> None:
     """As who packs a folder of matches gets it; beside what a Mac adds."""
     for stem, frames in (("anna", ["g1/1", "g2/1"]), ("ben", ["anna/g1/1", "anna/g2/1"])):
         path = tmp_path / f"{stem}.zip"

@@ -20,7 +20,7 @@ PICTURE_BYTES = 20 * 10 * 4
 
 
 @pytest.fixture
-def pictures(tmp_path: Path) -> list[Path]:
+def pictures(tmp_path) -> list[Path]:
     paths = []
     for i in range(5):
         path = tmp_path / f"{i}.png"
@@ -37,7 +37,7 @@ def cache() -> Iterator[FrameCache]:
 
 
 @pytest.fixture
-def decoded(monkeypatch: pytest.MonkeyPatch) -> list[Path]:
+def decoded(monkeypatch) -> list[Path]:
     """The paths that were decoded, in order."""
     paths: list[Path] = []
 
@@ -56,9 +56,7 @@ def _wait_for(cache: FrameCache, path: Path) -> None:
         threading.Event().wait(0.001)
 
 
-def test_a_picture_is_decoded_once(
-    cache: FrameCache, pictures: list[Path], decoded: list[Path]
-) -> None:
+def test_a_picture_is_decoded_once(cache, pictures, decoded) -> None:
     assert cache.peek(pictures[0]) is None
     first = cache.get(pictures[0])
     assert cache.get(pictures[0]) is first
@@ -66,9 +64,7 @@ def test_a_picture_is_decoded_once(
     assert decoded == pictures[:1]
 
 
-def test_the_least_recently_used_picture_leaves_first(
-    cache: FrameCache, pictures: list[Path]
-) -> None:
+def test_the_least_recently_used_picture_leaves_first(cache, pictures) -> None:
     for path in pictures[:3]:
         cache.get(path)
     cache.get(pictures[0])
@@ -78,7 +74,7 @@ def test_the_least_recently_used_picture_leaves_first(
     assert cache.used_bytes == 3 * PICTURE_BYTES
 
 
-def test_the_newest_pictures_are_kept_even_if_they_exceed_the_limit(pictures: list[Path]) -> None:
+def test_the_newest_pictures_are_kept_even_if_they_exceed_the_limit(pictures) -> None:
     cache = FrameCache(10, kept_at_least=2)
     for path in pictures[:3]:
         cache.get(path)
@@ -89,9 +85,7 @@ def test_the_newest_pictures_are_kept_even_if_they_exceed_the_limit(pictures: li
     cache.close()
 
 
-def test_prefetched_pictures_are_there_without_asking(
-    cache: FrameCache, pictures: list[Path], decoded: list[Path]
-) -> None:
+def test_prefetched_pictures_are_there_without_asking(cache, pictures, decoded) -> None:
     cache.prefetch([pictures[1], pictures[1], pictures[2]])
     _wait_for(cache, pictures[2])
     assert decoded == [pictures[1], pictures[2]]
@@ -99,9 +93,7 @@ def test_prefetched_pictures_are_there_without_asking(
     assert decoded == [pictures[1], pictures[2]]
 
 
-def test_prefetching_passes_over_damaged_pictures(
-    cache: FrameCache, pictures: list[Path], tmp_path: Path
-) -> None:
+def test_prefetching_passes_over_damaged_pictures(cache, pictures, tmp_path) -> None:
     broken = tmp_path / "broken.png"
     broken.write_bytes(b"nothing")
     cache.prefetch([broken, pictures[0]])
@@ -112,9 +104,7 @@ def test_prefetching_passes_over_damaged_pictures(
     assert cache.get(broken).shape == (4, 4, 4)
 
 
-def test_asking_for_a_picture_on_its_way_waits_for_it(
-    cache: FrameCache, pictures: list[Path], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_asking_for_a_picture_on_its_way_waits_for_it(cache, pictures, monkeypatch) -> None:
     started, go_on = threading.Event(), threading.Event()
     decoded: list[Path] = []
 
@@ -136,9 +126,7 @@ def test_asking_for_a_picture_on_its_way_waits_for_it(
     assert decoded == pictures[:1]
 
 
-def test_a_closed_cache_holds_nothing_but_still_reads(
-    cache: FrameCache, pictures: list[Path]
-) -> None:
+def test_a_closed_cache_holds_nothing_but_still_reads(cache, pictures) -> None:
     cache.prefetch(pictures)
     cache.close()
     cache.prefetch(pictures)
@@ -147,9 +135,7 @@ def test_a_closed_cache_holds_nothing_but_still_reads(
     assert cache.used_bytes == 0
 
 
-def test_a_picture_that_was_replaced_is_read_again(
-    cache: FrameCache, pictures: list[Path], decoded: list[Path]
-) -> None:
+def test_a_picture_that_was_replaced_is_read_again(cache, pictures, decoded) -> None:
     cache.get(pictures[0])
     cv2.imwrite(str(pictures[0]), np.zeros((4, 6, 3), dtype=np.uint8))
     assert cache.get(pictures[0]).shape == (4, 6, 4)

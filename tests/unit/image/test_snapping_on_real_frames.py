@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -27,7 +26,7 @@ EXPECTED = {
 
 
 @pytest.mark.soak  # data/test_paint_on_frames is the taste
-def test_clicks_go_to_the_paint_or_stay(shared_data: Path) -> None:
+def test_clicks_go_to_the_paint_or_stay(shared_data) -> None:
     moved: dict[tuple[str, str], list[float]] = defaultdict(list)
     clicks: dict[tuple[str, str], int] = defaultdict(int)
     for frame in truth_frames()[::2]:

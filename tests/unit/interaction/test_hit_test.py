@@ -49,9 +49,7 @@ def targets(
 
 @settings(max_examples=150)
 @given(frames, positions, st.sampled_from([0.25, 1.0, 8.0]))
-def test_the_nearest_point_in_reach_else_the_nearest_segment(
-    annotation: FrameAnnotation, at: tuple[int, int], scale: float
-) -> None:
+def test_the_nearest_point_in_reach_else_the_nearest_segment(annotation, at, scale) -> None:
     hit = hit_test(annotation, SIZE, at, scale)
     found = targets(annotation, at)
     for kind in ("point", "segment"):
@@ -59,7 +57,6 @@ def test_the_nearest_point_in_reach_else_the_nearest_segment(
         if nearest == pytest.approx(10.0, abs=1e-6):
             return  # on the rim of the radius rounding decides
         if nearest < 10.0:
-            assert hit is not None
             assert hit.kind == kind
             assert hit.distance_screen == pytest.approx(nearest, abs=1e-6)
             own = found[kind][hit.class_name, hit.index] * scale
@@ -77,7 +74,6 @@ def test_the_selected_class_out_of_reach_does_not_hide_another_in_reach() -> Non
         )
     )
     hit = hit_test(annotation, SIZE, (100, 100), 1.0, prefer="selected")
-    assert hit is not None
     assert hit.class_name == "near"
 
 
@@ -91,7 +87,6 @@ def test_nothing_lies_between_two_polylines() -> None:
     )
     assert hit_test(annotation, SIZE, (200, 0), 1.0) is None
     hit = hit_test(annotation, SIZE, (350, 3), 1.0)
-    assert hit is not None
     assert (hit.class_name, hit.kind, hit.index) == ("right", "segment", 0)
 
 
@@ -99,7 +94,6 @@ def test_points_that_coincide_can_be_hit() -> None:
     twice = FrameAnnotation((Polyline("spot", (Point(0.5, 0.5), Point(0.5, 0.5))),))
     x, y = points_px(twice.polylines[0], SIZE)[0].tolist()
     hit = hit_test(twice, SIZE, (x + 1, y), 1.0)
-    assert hit is not None
     assert hit.kind == "point"
 
 

@@ -20,7 +20,7 @@ def test_what_is_free_stays_where_it_would_go() -> None:
 
 
 @given(st.lists(st.tuples(st.floats(0, 360), st.floats(0, 280)), min_size=2, max_size=12))
-def test_none_covers_another(points: list[tuple[float, float]]) -> None:
+def test_none_covers_another(points) -> None:
     taken: list[Box] = []
     for x, y in points:
         taken.append(place_apart((x, y, x + 30, y + 12), taken, ROOM))

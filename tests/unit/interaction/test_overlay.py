@@ -143,7 +143,7 @@ def test_mirrored_labels_colour_what_the_annotator_drew() -> None:
 
 
 @pytest.mark.parametrize("colour_by", ["criterion", "class"])
-def test_an_unknown_class_is_drawn_too(colour_by: str) -> None:
+def test_an_unknown_class_is_drawn_too(colour_by) -> None:
     flag = Polyline("Corner flag", (point_from_px(10, 10, SIZE), point_from_px(60, 9, SIZE)))
     found = OverlayBuilder().build(
         OverlayContent(
@@ -153,7 +153,7 @@ def test_an_unknown_class_is_drawn_too(colour_by: str) -> None:
             picture_size=SIZE,
             colour_by=colour_by,
         )
-    )  # type: ignore[arg-type]
+    )
     assert len(segments(found, "annotation", tones.UNKNOWN_CLASS)) == 1
     assert len(marks(found, "handle", tones.UNKNOWN_CLASS)) == 2
 

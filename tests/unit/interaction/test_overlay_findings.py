@@ -43,7 +43,7 @@ def drawn(*findings: Finding, **more: object) -> Overlay:
             found=found(*findings),
             **more,
         )
-    )  # type: ignore[arg-type]
+    )
 
 
 def signs(overlay: Overlay) -> dict[str, Labels]:

@@ -84,7 +84,7 @@ def test_extent_is_that_of_all_pieces() -> None:
         ((205.0, 70.0), None),
     ],
 )
-def test_what_lies_under_the_cursor(position: tuple[float, float], found: str | None) -> None:
+def test_what_lies_under_the_cursor(position, found) -> None:
     assert nearest_ghost([LEVEL, PARTS], position, 5.0) == found
 
 

@@ -9,7 +9,7 @@ import pytest
 
 from procc_annotator.field.model import colour_difference, hex_colour, linear_rgb
 from procc_annotator.interaction import palette
-from procc_annotator.interaction.camera_view import DISAGREEMENT, UNCERTAINTY, MapStyle
+from procc_annotator.interaction.camera_view import DISAGREEMENT, UNCERTAINTY
 
 GRASS = ("#4F7F35", "#5F8F3F", "#3F6B3A", "#606060")
 
@@ -42,16 +42,16 @@ def lightness(rgb: np.ndarray) -> float:
 
 @pytest.mark.parametrize("look", [DISAGREEMENT, UNCERTAINTY], ids=lambda look: look.name)
 class TestMapLooks:
-    def test_a_tone_a_band(self, look: MapStyle) -> None:
+    def test_a_tone_a_band(self, look) -> None:
         assert len(look.colours) == len(look.levels_m) - 1
 
-    def test_lines_are_at_levels_and_need_no_colour(self, look: MapStyle) -> None:
+    def test_lines_are_at_levels_and_need_no_colour(self, look) -> None:
         assert {line.metres for line in look.lines} <= set(look.levels_m)
         assert len({line.dash for line in look.lines}) == len(look.lines)
 
     @pytest.mark.parametrize("ground", GRASS)
     @pytest.mark.parametrize("eyes", SEEN_BY)
-    def test_more_is_darker_for_every_eye(self, look: MapStyle, eyes: str, ground: str) -> None:
+    def test_more_is_darker_for_every_eye(self, look, eyes, ground) -> None:
         found = [lightness(SEEN_BY[eyes] @ over(c, look.opacity, ground)) for c in look.colours]
         steps = [light - dark for light, dark in itertools.pairwise(found)]
         assert min(steps) > 3.0, [round(v, 1) for v in found]
@@ -65,9 +65,7 @@ def as_seen(colour: str, eyes: str) -> str:
 class TestSources:
     @pytest.mark.parametrize(("eyes", "least"), [("all", 35), ("no red", 20), ("no green", 20)])
     @pytest.mark.parametrize("colour", [*palette.SOURCE_COLOURS, palette.FIT])
-    def test_none_is_taken_for_a_tone_of_the_criterion(
-        self, colour: str, eyes: str, least: float
-    ) -> None:
+    def test_none_is_taken_for_a_tone_of_the_criterion(self, colour, eyes, least) -> None:
         """About 2 can just be seen when two tones lie side by side."""
         near = {
             word: colour_difference(as_seen(colour, eyes), as_seen(tone, eyes))
@@ -76,6 +74,6 @@ class TestSources:
         assert min(near.values()) >= least, near
 
     @pytest.mark.parametrize("eyes", ["all", "no red", "no green"])
-    def test_they_are_told_apart(self, eyes: str) -> None:
+    def test_they_are_told_apart(self, eyes) -> None:
         tones = [as_seen(c, eyes) for c in palette.SOURCE_COLOURS]
         assert min(colour_difference(a, b) for a, b in itertools.combinations(tones, 2)) >= 30

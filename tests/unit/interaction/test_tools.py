@@ -51,7 +51,6 @@ class TestDrawing:
         for position in ((10.25, 20.5), (30.0, 40.0)):
             assert tool.press(position, PLAIN, context).edit is None
         edit = tool.key("Enter", context).edit
-        assert edit is not None
         assert edit.label == "draw Circle left"
         assert px(edit.annotation, "Circle left") == [[10.25, 20.5], [30, 40]]
         assert not tool.busy
@@ -61,7 +60,6 @@ class TestDrawing:
         tool.press((10, 20), PLAIN, context)
         tool.press((30, 40), PLAIN, context)
         edit = tool.double_click((30, 40), PLAIN, context).edit
-        assert edit is not None
         assert px(edit.annotation, "Circle left") == [[10, 20], [30, 40]]
 
     def test_backspace_takes_back_and_escape_cancels_then_deselects(self) -> None:
@@ -83,7 +81,6 @@ class TestDrawing:
         )
         tool.press((500, 500), PLAIN, context)
         edit = tool.key("Enter", context).edit
-        assert edit is not None
         assert px(edit.annotation) == [[100, 100], [300, 100], [300, 300], [500, 500]]
         assert edit.annotation.unconfirmed == ()
 
@@ -93,12 +90,10 @@ class TestDrawing:
         for tool in (DrawTool(), EditTool()):
             context = ToolContext(waiting, SIZE, 1.0, "Middle line")
             first = tool.key("Enter", context)
-            assert first.edit is not None
             assert first.edit.annotation.annotated == ("Middle line",)
             assert first.select == Selection("Circle left")
             context = ToolContext(first.edit.annotation, SIZE, 1.0, "Circle left")
             second = tool.key("Enter", context)
-            assert second.edit is not None
             assert second.edit.annotation.unconfirmed == ()
             assert second.finished
 
@@ -140,7 +135,6 @@ class TestDrawing:
         tool, context = DrawTool(), ToolContext(LINE, SIZE, 1.0, "Middle line", continues=True)
         tool.press((500, 500), PLAIN, context)
         edit = tool.finish(context).edit
-        assert edit is not None
         assert edit.label == "continue Middle line"
         assert px(edit.annotation) == [*px(LINE), [500, 500]]
 
@@ -153,7 +147,6 @@ class TestDrawing:
         tool, context = DrawTool(), ToolContext(FrameAnnotation(), SIZE, 1.0, "Circle left")
         tool.press((10, 20), PLAIN, context)
         edit = tool.finish(replace(context, selected_class="Circle right")).edit
-        assert edit is not None
         assert edit.annotation.annotated == ("Circle left",)
 
 
@@ -167,7 +160,6 @@ class TestEditing:
         assert preview is not None
         assert px(preview)[1] == [310, 100]
         edit = tool.release((323, 99), PLAIN, self.context).edit
-        assert edit is not None
         assert px(edit.annotation) == [[100, 100], [320, 101], [300, 300]]
         assert edit.label == "move Middle line"
 
@@ -185,7 +177,6 @@ class TestEditing:
         tool.press((100, 100), PLAIN, self.context)
         tool.move((-20, -30), PLAIN, self.context)
         edit = tool.release((-20, -30), PLAIN, self.context).edit
-        assert edit is not None
         assert px(edit.annotation)[0] == [-20, -30]
 
     def test_escape_puts_a_held_point_back(self) -> None:
@@ -200,11 +191,10 @@ class TestEditing:
         tool.press((100, 100), PLAIN, self.context)
         tool.move((200, 200), PLAIN, self.context)
         edit = tool.finish(self.context).edit
-        assert edit is not None
         assert px(edit.annotation)[0] == [200, 200]
 
     @pytest.mark.parametrize("alt", [False, True])
-    def test_undo_during_a_drag_is_not_taken_back_by_the_release(self, alt: bool) -> None:
+    def test_undo_during_a_drag_is_not_taken_back_by_the_release(self, alt) -> None:
         tool = EditTool()
         tool.press((200, 100) if alt else (100, 100), Modifiers(alt=alt), self.context)
         tool.move((240, 240), PLAIN, self.context)
@@ -218,7 +208,6 @@ class TestEditing:
         tool.press((100, 100), PLAIN, self.context)
         tool.move((120, 120), PLAIN, self.context)
         edit = tool.release((120, 120), PLAIN, self.context).edit
-        assert edit is not None
         assert edit.label == "move Middle line"
         assert px(edit.annotation) == [[120, 120], [300, 100], [300, 300]]
 
@@ -227,38 +216,32 @@ class TestEditing:
         reaction = tool.press((200, 104), Modifiers(alt=True), self.context)
         assert reaction.select == Selection("Middle line", 1)
         edit = tool.release((200, 104), PLAIN, self.context).edit
-        assert edit is not None
         assert px(edit.annotation) == [[100, 100], [200, 100], [300, 100], [300, 300]]
         assert edit.label == "insert a point in Middle line"
 
     def test_alt_shift_click_removes_and_the_last_point_takes_the_class(self) -> None:
         both = Modifiers(alt=True, shift=True)
         edit = EditTool().press((300, 101), both, self.context).edit
-        assert edit is not None
         assert px(edit.annotation) == [[100, 100], [300, 300]]
         single = ToolContext(annotated(Middle_line=[(5, 5)]), SIZE)
         edit = EditTool().press((5, 5), both, single).edit
-        assert edit is not None
         assert edit.annotation.annotated == ()
 
     @pytest.mark.parametrize(
         ("key", "step", "expected"),
         [("Left", 1.0, [299, 100]), ("Down", 0.1, [300, 100.1]), ("Up", 10.0, [300, 90])],
     )
-    def test_arrows_nudge(self, key: str, step: float, expected: list[float]) -> None:
+    def test_arrows_nudge(self, key, step, expected) -> None:
         context = replace(self.context, selected_point=("Middle line", 1))
         edit = EditTool().nudge(key, step, context).edit
-        assert edit is not None
         assert px(edit.annotation)[1] == expected
 
     def test_delete_removes_the_point_or_else_the_element(self) -> None:
         chosen = replace(self.context, selected_point=("Middle line", 2))
         reaction = EditTool().key("Delete", chosen)
-        assert reaction.edit is not None
         assert px(reaction.edit.annotation) == [[100, 100], [300, 100]]
         assert reaction.select == Selection("Middle line", 1)
         edit = EditTool().key("Delete", self.context).edit
-        assert edit is not None
         assert edit.annotation.annotated == ()
         assert not EditTool().key("Delete", ToolContext(LINE, SIZE)).handled
 
@@ -281,7 +264,6 @@ class TestDraggingBack:
         for place in way:
             tool.move(place, PLAIN, context)
         edit = tool.release(way[-1], PLAIN, context).edit
-        assert edit is not None
         return px(edit.annotation)[0], bool(edit.snapped)
 
     def test_across_the_line_it_stays_where_the_hand_puts_it(self) -> None:
@@ -301,35 +283,30 @@ class TestDraggingBack:
         tool.press((300.0, 100.0), Modifiers(alt=True), context)
         tool.move((300.0, 96.0), PLAIN, context)
         edit = tool.release((300.0, 97.0), PLAIN, context).edit
-        assert edit is not None
         assert px(edit.annotation)[1] == [300.0, 104.0]
 
 
 class TestHitting:
     @pytest.mark.parametrize("scale", [0.25, 1.0, 8.0, 64.0])
-    def test_the_radius_is_ten_pixels_of_the_screen(self, scale: float) -> None:
+    def test_the_radius_is_ten_pixels_of_the_screen(self, scale) -> None:
         near = (100 - 9.9 / scale, 100.0)
         far = (100 - 10.1 / scale, 100.0)
         hit = hit_test(LINE, SIZE, near, scale)
-        assert hit is not None
         assert (hit.kind, hit.index) == ("point", 0)
         assert hit_test(LINE, SIZE, far, scale) is None
 
     def test_points_win_over_segments_and_the_selected_class_over_others(self) -> None:
         hit = hit_test(LINE, SIZE, (108, 100), 1.0)
-        assert hit is not None
         assert hit.kind == "point"
         crossing = annotated(Middle_line=[(100, 100), (300, 100)], Circle_left=[(100, 100)])
         for name in ("Circle left", "Middle line"):
             hit = hit_test(crossing, SIZE, (101, 101), 1.0, prefer=name)
-            assert hit is not None
             assert hit.class_name == name
 
 
 @given(x=st.floats(-50, 1400), y=st.floats(-50, 800))
-def test_the_foot_is_on_the_polyline_and_no_farther_than_said(x: float, y: float) -> None:
+def test_the_foot_is_on_the_polyline_and_no_farther_than_said(x, y) -> None:
     hit = hit_test(LINE, SIZE, (x, y), 0.001)
-    assert hit is not None
     away = np.hypot(hit.foot[0] - x, hit.foot[1] - y) * 0.001
     assert away == pytest.approx(hit.distance_screen, abs=1e-6)
 
@@ -337,7 +314,7 @@ def test_the_foot_is_on_the_polyline_and_no_farther_than_said(x: float, y: float
 class TestHints:
     def say(self, mode: str, context: ToolContext | None, **options: object) -> str:
         draw, edit = options.pop("draw", DrawTool()), options.pop("edit", EditTool())
-        return status_hint(mode, draw, edit, context, FIELD, **options)  # type: ignore[arg-type]
+        return status_hint(mode, draw, edit, context, FIELD, **options)
 
     def test_every_state_says_what_comes_next(self) -> None:
         empty = ToolContext(FrameAnnotation(), SIZE)
@@ -381,7 +358,6 @@ class TestSpots:
         tool = DrawTool()
         assert "click marks it" in status_hint("draw", tool, EditTool(), self.context(), FIELD)
         reaction = tool.press((10.25, 20.5), PLAIN, self.context())
-        assert reaction.edit is not None
         assert px(reaction.edit.annotation, self.MARK) == [[10.25, 20.5]]  # and no line is near
         assert reaction.finished
         assert not tool.busy
@@ -403,7 +379,6 @@ class TestSpots:
         again = replace(self.context(there), continues=True)
         assert "click moves it here" in status_hint("draw", tool, EditTool(), again, FIELD)
         edit = tool.press((30, 40), PLAIN, again).edit
-        assert edit is not None
         assert edit.label.startswith("move ")
         assert px(edit.annotation, self.MARK) == [[30, 40]]
 
@@ -412,5 +387,4 @@ class TestSpots:
         tool.press((100, 100), PLAIN, context)
         tool.move((140, 120), PLAIN, context)
         edit = tool.release((140, 120), PLAIN, context).edit
-        assert edit is not None
         assert px(edit.annotation, self.MARK) == [[140, 120]]

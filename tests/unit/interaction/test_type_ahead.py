@@ -17,7 +17,7 @@ from procc_annotator.interaction.class_choice import loose_rank, match_rank, mis
         ("open", "Zoom in", False),
     ],
 )
-def test_letters_in_order(query: str, name: str, found: bool) -> None:
+def test_letters_in_order(query, name, found) -> None:
     assert (loose_rank(query, name) is not None) is found
     assert match_rank(query, name) is None
 
@@ -40,5 +40,5 @@ def test_what_fits_closer_comes_first() -> None:
         ("regulraise qq", "Regularise all elements", False),
     ],
 )
-def test_misspelt_words(query: str, name: str, found: bool) -> None:
+def test_misspelt_words(query, name, found) -> None:
     assert misspelt(query, name) is found

@@ -27,7 +27,6 @@ def test_a_corner_goes_before_the_lines_through_it() -> None:
     frame = wireframe_of(CAMERA, FIELD, SIZE)
     x, y = at((0.0, -34.0, 0.0))
     found = frame.at((x + 5.0, y + 1.0), 10.0)
-    assert found is not None
     assert found.along is None
     assert found.px == pytest.approx((x, y))
 
@@ -37,9 +36,7 @@ def test_between_corners_it_is_the_nearest_place_of_the_nearest_line() -> None:
     world = (0.0, -20.0, 0.0)
     x, y = at(world)
     found = frame.at((x + 3.0, y), 10.0)
-    assert found is not None
     assert found.name == "Middle line"
-    assert found.along is not None
     assert abs(found.along[1]) == pytest.approx(1.0)
     px = CAMERA.project(np.array([found.world]))[0][0]
     assert found.px == pytest.approx(tuple(px))

@@ -25,5 +25,5 @@ VALUES = np.array([[0.0, 1.0, np.nan], [4.0, 5.0, 6.0]])
         (np.nan, 0.0, None),
     ],
 )
-def test_in_proportion_to_the_distances(x: float, y: float, expected: float | None) -> None:
+def test_in_proportion_to_the_distances(x, y, expected) -> None:
     assert bilinear_value(VALUES, XS, YS, x, y) == (expected and pytest.approx(expected))

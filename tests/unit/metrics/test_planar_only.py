@@ -97,7 +97,7 @@ def summaries(shared_data: Path, **choices) -> dict[float, SetSummary]:
     [({"planar_only": True}, (41.3, 83.0, 96.0)), ({}, (35.5, 74.0, 86.1))],
     ids=["planar only", "goals counted as missed"],
 )
-def test_homographies_of_the_world_cup(shared_data: Path, choices, expected):
+def test_homographies_of_the_world_cup(shared_data, choices, expected):
     """Figures computed independently of this program."""
     found = summaries(shared_data, **choices)
     jacs = [100 * (found[tau].mean_jac or 0.0) for tau in (2, 5, 10)]
@@ -106,7 +106,7 @@ def test_homographies_of_the_world_cup(shared_data: Path, choices, expected):
     assert found[10].mean_reprojection_error == pytest.approx(1.73, abs=0.05)
 
 
-def test_planar_only_is_the_homography_that_leaves_goals_out(shared_data: Path):
+def test_planar_only_is_the_homography_that_leaves_goals_out(shared_data):
     """For cameras that know only the ground both mean the same."""
     planar, left_out = (
         summaries(shared_data, planar_only=True),

@@ -32,12 +32,12 @@ def statuses(result: FrameScore) -> dict[str, str]:
 
 
 @pytest.fixture(params=PROTOCOLS)
-def setup(request: pytest.FixtureRequest, small_field: Field) -> EvaluationSetup:
+def setup(request, small_field) -> EvaluationSetup:
     return EvaluationSetup(small_field, SIZE, request.param)
 
 
 @pytest.fixture
-def procc(small_field: Field) -> EvaluationSetup:
+def procc(small_field) -> EvaluationSetup:
     return EvaluationSetup(small_field, SIZE, "procc")
 
 
@@ -280,7 +280,6 @@ def test_a_line_that_grazes_the_border_is_judged_as_it_goes_on(
     assert measurement.plain.all_distances == pytest.approx(distances, abs=0.02)
     assert (score(measurement, 5).tp == 1) == (protocol == "procc")
     (feet,) = nearest_points(measurement, measurement.plain)
-    assert feet is not None
     assert feet[2] == pytest.approx(foot, abs=0.02)
     below = measure(annotation, map_camera((50.0, 31.5)), EvaluationSetup(field, SIZE, protocol))
     assert score(below, 50).fn == 1  # whether it is in sight the picture decides

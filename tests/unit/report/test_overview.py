@@ -107,7 +107,7 @@ def test_a_frame_left_open_over_lunch_does_not_squeeze_the_others() -> None:
 
 
 @given(st.lists(st.floats(0, 1e6), max_size=60))
-def test_every_time_is_counted_once(seconds: list[float]) -> None:
+def test_every_time_is_counted_once(seconds) -> None:
     step, counts, _ = _histogram(*seconds)
     worked = [s for s in seconds if s > 0]
     assert sum(counts) == len(worked)
@@ -146,7 +146,7 @@ def test_the_table_is_rfc_4180() -> None:
 
 
 @pytest.mark.parametrize("start", ["=", "+", "-", "@", "\t", "\r"])
-def test_nothing_in_the_table_is_a_formula(start: str) -> None:
+def test_nothing_in_the_table_is_a_formula(start) -> None:
     text = start + "SUM(A1:A9)"
     row = replace(EMPTY, name=text, status=text, classes={text: 3}, origins={text: 3})
     for lines in csv.reader(io.StringIO(overview_csv([row]).decode(), newline="")):

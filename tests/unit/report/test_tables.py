@@ -51,7 +51,7 @@ def summary(**changes: object) -> SetSummary:
             "Ghost": ClassSummary(0, 0, 2),
         },
     } | changes
-    return SetSummary(**figures)  # type: ignore[arg-type]
+    return SetSummary(**figures)
 
 
 def test_summary_shows_what_it_was_computed_with_and_a_dash_for_the_undefined() -> None:
@@ -81,7 +81,7 @@ def test_a_class_without_prediction_has_no_precision() -> None:
 
 
 @given(st.lists(st.tuples(st.sampled_from([0.0, 0.25, 0.5, 1.0]), st.floats(0, 50)), max_size=40))
-def test_worst_frames_are_those_of_a_full_sort(frames: list[tuple[float, float]]) -> None:
+def test_worst_frames_are_those_of_a_full_sort(frames) -> None:
     worst = WorstFrames()
     rows = [row(f"{i}", jac, error) for i, (jac, error) in enumerate(frames)]
     for each in rows:

@@ -59,7 +59,7 @@ def shared(frames, alone, field) -> SharedPositionResult:
     return fit_shared_position(frames, alone, field)
 
 
-def test_positions_are_told_apart_and_found(shared: SharedPositionResult) -> None:
+def test_positions_are_told_apart_and_found(shared) -> None:
     assert [set(t.frames) for t in shared.groups] == [
         {f"t{i}" for i in range(10)}, {f"o{i}" for i in range(4)},
     ]  # fmt: skip
@@ -81,7 +81,7 @@ def test_turned_labels_are_no_tripod_of_their_own(frames, alone, field) -> None:
     assert all("turned" in found.apart[name] for name in turned)
 
 
-def test_the_scatter_before_is_that_of_the_own_fits(shared: SharedPositionResult, alone) -> None:
+def test_the_scatter_before_is_that_of_the_own_fits(shared, alone) -> None:
     tripod = shared.groups[0]
     own = np.array([alone[name].camera.position_world for name in tripod.frames])
     assert tripod.scatter_m == pytest.approx(own.std(axis=0, ddof=1))
@@ -91,7 +91,7 @@ def test_the_scatter_before_is_that_of_the_own_fits(shared: SharedPositionResult
     assert (tripod.predicted_m < tripod.scatter_m * 4).all()
 
 
-def test_all_frames_of_a_place_have_exactly_its_position(shared: SharedPositionResult) -> None:
+def test_all_frames_of_a_place_have_exactly_its_position(shared) -> None:
     for name, index in shared.group_of.items():
         fit = shared.fits[name]
         assert fit.camera.position_world == tuple(shared.groups[index].position_m)
@@ -99,7 +99,7 @@ def test_all_frames_of_a_place_have_exactly_its_position(shared: SharedPositionR
 
 
 def test_few_elements_predict_the_others_better(
-    shared: SharedPositionResult, frames, cameras, field, median_error
+    shared, frames, cameras, field, median_error
 ) -> None:
     rng = np.random.default_rng(1)
     apart = []
@@ -120,7 +120,7 @@ def test_few_elements_predict_the_others_better(
 
 
 def test_two_elements_are_enough_where_they_say_enough(
-    shared: SharedPositionResult, frames, alone, cameras, field, median_error
+    shared, frames, alone, cameras, field, median_error
 ) -> None:
     group = {name: frames[name] for name in shared.groups[0].frames}
     two = ("Middle line", "Circle central")

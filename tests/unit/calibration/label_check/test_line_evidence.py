@@ -85,7 +85,7 @@ def test_bent_paint_beside_a_straight_element_is_told_with_what_mends_it(field) 
 
 
 @pytest.mark.parametrize("at_first", [True, False])
-def test_an_end_beside_its_paint_is_told_with_its_point(field, at_first: bool) -> None:
+def test_an_end_beside_its_paint_is_told_with_its_point(field, at_first) -> None:
     """The way there leaves the paint steadily, until it is too far off to be looked for."""
     off = [*(7.0 * (np.arange(9) + 0.5) / 12), NAN, NAN, NAN]
     astray = seen(*(off[::-1] if at_first else off))

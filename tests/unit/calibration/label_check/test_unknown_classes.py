@@ -58,7 +58,6 @@ def test_a_slip_in_a_name_is_an_error_with_the_right_name(slip) -> None:
 
 def test_a_name_that_is_taken_is_not_offered() -> None:
     line = FRAME.get("Side line top")
-    assert line is not None
     both = FRAME.with_polyline(Polyline("Side line tpo", line.points))
     (found,) = of_rule(check(both), Rule.UNKNOWN_CLASS)
     assert "annotated already" in found.reason

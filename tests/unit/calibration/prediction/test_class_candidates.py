@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -15,7 +14,7 @@ SIZE = (1280, 720)
 
 
 @pytest.fixture(scope="module")
-def frames(sample_data: Path) -> list[dict[str, np.ndarray]]:
+def frames(sample_data) -> list[dict[str, np.ndarray]]:
     """The elements of the sample's annotated frames, px."""
     field = load_field("soccer")
     found = []
@@ -31,9 +30,7 @@ def frames(sample_data: Path) -> list[dict[str, np.ndarray]]:
     return found
 
 
-def test_with_two_neighbours_most_lines_are_among_the_first_three(
-    frames: list[dict[str, np.ndarray]],
-) -> None:
+def test_with_two_neighbours_most_lines_are_among_the_first_three(frames) -> None:
     field, rng = load_field("soccer"), np.random.default_rng(0)
     asked = right = 0
     for lines in frames:
@@ -48,7 +45,7 @@ def test_with_two_neighbours_most_lines_are_among_the_first_three(
 
 
 @pytest.mark.parametrize("name", field_names())
-def test_every_field_has_an_answer(name: str) -> None:
+def test_every_field_has_an_answer(name) -> None:
     field = load_field(name)
     for line in (np.array([(100.0, 300), (1000, 330)]), np.array([(640.0, 360.0)])):
         found = likely_classes(field, line, SIZE, {})

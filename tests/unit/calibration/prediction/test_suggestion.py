@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
@@ -53,7 +51,6 @@ def test_without_a_camera_there_is_nothing_to_say(clicked) -> None:
 def test_the_place_is_what_is_in_sight_of_it(clicked) -> None:
     some = only(clicked, {"Big rect. left main", "Big rect. left top", "Circle left"})
     fit = fit_camera(some, FIELD, size=SIZE)
-    assert fit.camera is not None
     found = suggest_annotations(some, FIELD, fit)
     px, shown = fit.camera.project(np.array([s.place_world for s in found]))
     assert shown.all()
@@ -75,7 +72,7 @@ def test_what_cannot_be_seen_is_not_suggested(clicked) -> None:
 
 
 @pytest.mark.parametrize("model", ["H", "P", "R", "R+"])
-def test_the_promise_is_kept_by_the_next_fit(clicked, model: str) -> None:
+def test_the_promise_is_kept_by_the_next_fit(clicked, model) -> None:
     """With the best element annotated the projection is as sure as promised, and the more so the
     better it is; as far as the points' own error is the same."""
     names = {"Big rect. left main", "Big rect. left top", "Big rect. left bottom", "Circle left"}
@@ -101,7 +98,7 @@ def test_the_promise_is_kept_by_the_next_fit(clicked, model: str) -> None:
     ("every", "enough"), [(6, 15), pytest.param(3, 30, marks=pytest.mark.soak)]
 )
 def test_following_it_helps_more_than_another_element_on_real_frames(
-    shared_data: Path, every: int, enough: int
+    shared_data, every, enough
 ) -> None:
     rng = np.random.default_rng(2)
     better, before, followed, others = [], [], [], []
