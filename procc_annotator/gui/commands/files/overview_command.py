@@ -63,7 +63,7 @@ class OverviewCommand:
 
     def refresh(self) -> None:
         """Gather the overview again."""
-        window, field = self.window, self._document.field
+        window, field = self.window, self._document.state.field
         if window is not None:
             work = self._rows_for(lambda rows: summarise(rows, field))
             self._refreshing.start(work, window.show_overview)
@@ -101,9 +101,9 @@ class OverviewCommand:
     ) -> Callable[[JobControl], T]:
         """Return what gives the rows of all frames to ``use``, in a thread of its own."""
         document = self._document
-        workspace, database = document.workspace, document.review.database
+        workspace, database = document.state.workspace, document.review.database
         document.review.note_activity()
-        scores = dict(document.frame_scores.items())
+        scores = dict(document.auditing.frame_scores.items())
 
         def work(control: JobControl) -> T:
             if workspace is None:
