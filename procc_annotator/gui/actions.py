@@ -1,8 +1,8 @@
 """Every action of the window, in one table: menu, name, text, keys, what it calls, tip.
 
-``slot`` is a dotted path from the main window (``document.editing.undo``). It is called with
-``args`` and, if the action is checkable, whether it is checked. Actions with ``scope`` "canvas" work while the picture
-has the keyboard, so that Enter and Backspace keep their meaning in text fields.
+``slot`` is a dotted path from the main window (``document.editing.undo``), called with ``args`` and,
+if the action is checkable, with its new state. Actions with ``scope`` "canvas" work while the
+picture has the keyboard, so that Enter and Backspace keep their meaning in text fields.
 """
 
 from __future__ import annotations
