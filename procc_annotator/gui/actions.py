@@ -1,8 +1,8 @@
 """Every action of the window, in one table: menu, name, text, keys, what it calls, tip.
 
-``slot`` is a dotted path from the main window (``document.undo``), called with ``args``, and with
-whether it is checked where it is on or off. Actions with ``scope`` "canvas" work while the picture
-has the keyboard, so that Enter and Backspace keep their meaning in text fields.
+``slot`` is a dotted path from the main window (``document.editing.undo``), called with ``args``
+and, if the action is checkable, with its new state. Actions with ``scope`` "canvas" work while the
+picture has the keyboard, so that Enter and Backspace keep their meaning in text fields.
 """
 
 from __future__ import annotations
@@ -93,7 +93,7 @@ ACTIONS: tuple[ActionSpec, ...] = (
     _spec("File/Field", "field_again", "Read the file again", "",
           "document.field_choice.read_again",
           "Done by itself when the file of this dataset's field is written"),
-    _spec("File", "save", "-Save now", "Ctrl+S", "document.save_now",
+    _spec("File", "save", "-Save now", "Ctrl+S", "document.editing.save_now",
           "Every finished edit is saved at once; this tries again what failed"),
     _spec("File", "import_annotations", "-Import annotations…", "Ctrl+Shift+I",
           "importer.ask",
@@ -122,7 +122,7 @@ ACTIONS: tuple[ActionSpec, ...] = (
           "Close the window; everything is saved"),
     _spec("Edit", "undo", "Undo", "Ctrl+Z", "canvas.undo",
           "Take back the last step of this frame", repeat=True),
-    _spec("Edit", "redo", "Redo", "Ctrl+Shift+Z Ctrl+Y", "document.redo",
+    _spec("Edit", "redo", "Redo", "Ctrl+Shift+Z Ctrl+Y", "document.editing.redo",
           "Do the step again", repeat=True),
     _spec("Edit", "delete", "-Delete point or element", "Delete", "canvas.key",
           "Remove the selected point; without one, the selected element", args=("Delete",),
@@ -139,9 +139,9 @@ ACTIONS: tuple[ActionSpec, ...] = (
     _spec("Edit", "settings", "-Settings…", "Ctrl+,", "commands.show_settings",
           "Theme, size of texts, and how the window draws, fits and judges"),
     *_arrows(),
-    _spec("Frame", "next_frame", "Next frame", "D PgDown", "document.next_frame",
+    _spec("Frame", "next_frame", "Next frame", "D PgDown", "document.walk.next_frame",
           "Show the next picture", repeat=True),
-    _spec("Frame", "previous_frame", "Previous frame", "A PgUp", "document.previous_frame",
+    _spec("Frame", "previous_frame", "Previous frame", "A PgUp", "document.walk.previous_frame",
           "Show the previous picture", repeat=True),
     _spec("Frame", "next_unfinished", "-Next unfinished", "Shift+D", "tour.go_unfinished",
           "Go on to the next frame that is neither done nor approved", args=(1,)),
@@ -174,7 +174,7 @@ ACTIONS: tuple[ActionSpec, ...] = (
     _spec("Frame", "previous_unannotated", "Previous without annotation", "",
           "document.walk.go_to_unannotated",
           "Go back to the frame before where nothing is annotated", args=(-1,)),
-    _spec("Frame", "first_frame", "-First frame", "Ctrl+Home", "document.go_to",
+    _spec("Frame", "first_frame", "-First frame", "Ctrl+Home", "document.walk.go_to",
           "Show the first picture", args=(0,)),
     _spec("Frame", "last_frame", "Last frame", "Ctrl+End", "tour.go_last",
           "Show the last picture"),
@@ -206,14 +206,14 @@ ACTIONS: tuple[ActionSpec, ...] = (
           "Show the frames one after the other; once more, or any edit, stops"),
     _spec("Frame", "find_frame", "Find frame…", "Ctrl+F", "panels.enter",
           "Type a part of the frame's name", args=("frames",)),
-    _spec("Frame", "blind", "-Blind mode", "B", "document.set_blind",
+    _spec("Frame", "blind", "-Blind mode", "B", "document.blind_lock.set_blind",
           "Hide the projection until the frame is committed, so that the camera cannot pull the "
           "clicks",
           checkable=True, remembered=True),
     _spec("Frame", "lock_blind", "Lock the dataset to blind mode", "", "blind_locking.set_locked",
           "Blind mode for everybody who annotates this dataset; unlocking asks, and is recorded",
           checkable=True),
-    _spec("Frame", "commit", "Done", "Ctrl+Return Ctrl+Enter", "document.commit_frame",
+    _spec("Frame", "commit", "Done", "Ctrl+Return Ctrl+Enter", "document.editing.commit_frame",
           "This frame is done; in blind mode that shows the projection"),
     _spec("Frame", "approve", "Approve", "Ctrl+Shift+A", "tour.set_status",
           "A reviewer finds this frame right", args=("approved",)),
@@ -279,21 +279,22 @@ ACTIONS: tuple[ActionSpec, ...] = (
     _spec("Element", "duplicate", "Duplicate to the symmetric class", "Ctrl+D",
           "element_edits.duplicate_symmetric",
           "Put a copy under the class of the turned field, to be dragged to its place"),
-    _spec("Element", "snapping", "-Snap to lines", "S", "document.set_option",
+    _spec("Element", "snapping", "-Snap to lines", "S", "document.selecting.set_option",
           "Clicks near a painted line go to its centre (hold Ctrl to click beside it)",
           args=("snapping",), checkable=True, remembered=True, checked=True),
-    _spec("Element", "auto_advance", "Go on to the next element", "", "document.set_option",
+    _spec("Element", "auto_advance", "Go on to the next element", "",
+          "document.selecting.set_option",
           "After finishing an element, choose the one that most likely comes next",
           args=("auto_advance",), checkable=True, remembered=True, checked=True),
     _spec("Element", "two_clicks", "Two clicks finish a straight element", "",
-          "document.set_option",
+          "document.selecting.set_option",
           "The second click on a straight element finishes it", args=("two_clicks",),
           checkable=True, remembered=True),
-    _spec("Element", "draw_first", "Draw first, name after", "", "document.set_option",
+    _spec("Element", "draw_first", "Draw first, name after", "", "document.selecting.set_option",
           "Without an element chosen, a click begins a line; once it is finished, the likeliest"
           " elements are offered at the pen", args=("draw_first",), checkable=True, checked=True,
           remembered=True),
-    _spec("Element", "pinned", "Pin elements", "Ctrl+P", "document.set_option",
+    _spec("Element", "pinned", "Pin elements", "Ctrl+P", "document.selecting.set_option",
           "Only points can be dragged, no whole elements", args=("pinned",),
           checkable=True, remembered=True, checked=True),
     _spec("Element/Ghosts", "next_ghost", "Next ghost", "Tab", "ghost_tasks.go",
@@ -410,7 +411,8 @@ ACTIONS: tuple[ActionSpec, ...] = (
           "Judge with the next of the loaded sources", args=(1,)),
     _spec("Camera", "previous_camera", "Previous camera source", "Shift+C",
           "commands.step_camera", "Judge with the one before", args=(-1,)),
-    _spec("Camera", "swap_cameras", "Swap with the compared source", "", "document.swap_sources",
+    _spec("Camera", "swap_cameras", "Swap with the compared source", "",
+          "document.camera_sources.swap_sources",
           "Judge with the source compared, and compare with this one (or tap the comma; hold it to "
           "look only)"),
     _spec("Camera", "others", "-Draw other sources", "Ctrl+Shift+H", "canvas.drawing.show_others",
@@ -438,10 +440,10 @@ ACTIONS: tuple[ActionSpec, ...] = (
           "Allow larger distances", args=(1,), repeat=True),
     _spec("Camera", "tau_down", "Threshold down 0.5 px", "-", "commands.step_tau",
           "Allow smaller distances only", args=(-1,), repeat=True),
-    _spec("Camera/Protocol", "protocol_soccernet", "soccernet", "", "document.set_protocol",
+    _spec("Camera/Protocol", "protocol_soccernet", "soccernet", "", "document.terms.set_protocol",
           "The official SoccerNet evaluation, quirks included", args=("soccernet",),
           checkable=True, checked=True, choice="protocol"),
-    _spec("Camera/Protocol", "protocol_procc", "procc", "", "document.set_protocol",
+    _spec("Camera/Protocol", "protocol_procc", "procc", "", "document.terms.set_protocol",
           "The paper's definition, without the official code's artefacts", args=("procc",),
           checkable=True, choice="protocol"),
     _spec("Camera/Elements off the ground", "off_plane_missed", "Count as missed",

@@ -31,6 +31,7 @@ from procc_annotator.gui.canvas.shown_picture import ShownPicture
 from procc_annotator.gui.canvas.view import PictureView
 from procc_annotator.gui.roles import give_role
 from procc_annotator.gui.soon import soon
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.image.pixels import DisplayAdjustment
 from procc_annotator.interaction.gestures import Modifiers
@@ -109,11 +110,11 @@ class Canvas(PictureView):
         self.editor.explained.connect(self._explain)
         self.viewChanged.connect(self._view_changed)
         self.camera_hand.moved.connect(self._follow_cursor)
-        document.datasetChanged.connect(self.keys.forget)
-        document.frameChanged.connect(self._show_frame)
-        document.pictureChanged.connect(self._show_whole)
-        document.flyTo.connect(self.fly_to)
-        document.flyToArea.connect(self.show_area)
+        document.store.watch(select.dataset, self.keys.forget)
+        document.store.watch(select.frame, self._show_frame)
+        document.store.watch(select.picture, self._show_whole)
+        document.store.events.flyTo.connect(self.fly_to)
+        document.store.events.flyToArea.connect(self.show_area)
 
     # --- showing --------------------------------------------------------------------------
 
@@ -147,7 +148,7 @@ class Canvas(PictureView):
 
     def _show_picture(self) -> None:
         """The same frame looks different: brightness and the like."""
-        self.picture_item.set_picture(self.shown.pixels, self._document.picture_size)
+        self.picture_item.set_picture(self.shown.pixels, self._document.state.picture_size)
 
     def _explain(self, text: str) -> None:
         """Next to the cursor, where it cannot be missed."""
@@ -221,7 +222,7 @@ class Canvas(PictureView):
         elif self.editor.holding:
             self.key("Escape")  # not shown
         elif not self.editor.taken_first("Undo", False):  # not shown
-            self._document.undo()
+            self._document.editing.undo()
 
     def key(self, name: str, shift: bool = False) -> None:
         """What the tool in hand does on Enter, Backspace, Escape or Delete."""
@@ -262,7 +263,7 @@ class Canvas(PictureView):
     # --- events ---------------------------------------------------------------------------
 
     def tool_cursor(self) -> Qt.CursorShape:
-        if self._document.mode == "draw" and self._document.editable:
+        if self._document.state.mode == "draw" and self._document.state.editable:
             return Qt.CursorShape.CrossCursor
         return Qt.CursorShape.ArrowCursor
 
@@ -387,7 +388,7 @@ class Canvas(PictureView):
 
     def _end_blink(self) -> None:
         if self.comparison.let_go():
-            self._document.swap_sources()
+            self._document.camera_sources.swap_sources()
         else:
             self.drawing.refresh()
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from procc_annotator.assist.line_evidence import ExpectedLines
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.state import same
 from procc_annotator.image.line_snapping import snap_to_line
@@ -26,7 +27,7 @@ class ScreenSnapper:
         self._made_of: tuple[object, ...] = ()
         self._snap: Snapper | None = None
         self._found: dict[Sought, Position | None] = {}  # the latest last
-        document.frameChanged.connect(self._forget)
+        document.store.watch(select.frame, self._forget)
 
     @property
     def wanted(self) -> bool:
@@ -58,14 +59,14 @@ class ScreenSnapper:
         document = self._document
         # No one waits for the whole picture who only looks: a press does (`Canvas`).
         picture, fit = document.state.picture, document.live_fit.result
-        size = document.picture_size
+        size = document.state.picture_size
         if picture is None or size is None:
             return False
         camera = fit.camera if fit is not None and fit.size == size else None
-        made_of = picture, document.field, camera
+        made_of = picture, document.state.field, camera
         if self._snap is None or not same(made_of, self._made_of):
             self._made_of = made_of
-            expected = ExpectedLines(document.field, size[0], camera)
+            expected = ExpectedLines(document.state.field, size[0], camera)
             self._snap, self._found = _snapper(picture, expected), {}
         return True
 

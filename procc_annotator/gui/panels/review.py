@@ -22,6 +22,7 @@ from procc_annotator.dataset.records import Comment, Status
 from procc_annotator.dataset.review import BlindStatus
 from procc_annotator.gui.panels.parts import note_label, show_note
 from procc_annotator.gui.panels.refresher import Refresher
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import muted
 from procc_annotator.interaction.palette import ORIGINS
@@ -59,8 +60,8 @@ class ReviewPanel(QWidget):
         self._build()
         self._typed: dict[str, str] = {}  # comments under way, by frame
         self._typed_on: str | None = None
-        document.datasetChanged.connect(self._begin_dataset)
-        document.frameChanged.connect(self._begin_frame)
+        document.store.watch(select.dataset, self._begin_dataset)
+        document.store.watch(select.frame, self._begin_frame)
         self._begin_frame()
         self._refresher = Refresher(self, self._refresh, interval_ms=80)
         self._refresher.follow(
@@ -130,7 +131,7 @@ class ReviewPanel(QWidget):
     # --- showing --------------------------------------------------------------------------
 
     def _refresh(self) -> None:
-        document, frame = self._document, self._document.frame
+        document, frame = self._document, self._document.state.frame
         for part in (self.status, self.text, self.send):
             part.setEnabled(frame is not None)
         if frame is None:
@@ -143,14 +144,14 @@ class ReviewPanel(QWidget):
         self.status.setCurrentIndex(self.status.findData(record.status))
         self.time.setText(_duration(record.seconds))
         self._show_blind(frame.name)
-        counts = document.review.origin_counts(frame.name, document.annotation)
+        counts = document.review.origin_counts(frame.name, document.state.annotation)
         # The squares are the legend of the colours by provenance.
         points = ", ".join(
             f'<span style="color:{ORIGINS[kind.value][0]}">■</span>'  # not shown
             + f" {n} {tr(kind.value, 'points')}"
             for kind, n in counts.items()
         )
-        waiting = len(document.annotation.unconfirmed)
+        waiting = len(document.state.annotation.unconfirmed)
         lines = [tr("Points: {kinds}", kinds=points) if points else tr("Points: none")]
         if waiting:
             lines.append(
@@ -169,7 +170,7 @@ class ReviewPanel(QWidget):
         if commit is None:
             show_note(self.blind, "")
             return
-        show_note(self.blind, tr(_BLIND_WORDS[commit.work(self._document.annotation)]))
+        show_note(self.blind, tr(_BLIND_WORDS[commit.work(self._document.state.annotation)]))
         words = tr("Committed in blind mode by {author}", author=commit.author or tr("somebody"))
         if commit.time:
             words += f", {datetime.fromtimestamp(commit.time):%Y-%m-%d %H:%M}"
@@ -201,19 +202,20 @@ class ReviewPanel(QWidget):
     # --- doing ----------------------------------------------------------------------------
 
     def _choose(self, index: int) -> None:
-        frame = self._document.frame
+        frame = self._document.state.frame
         if frame is None:
             return
         status = Status(self.status.itemData(index))  # Qt keeps the text only
         if status is Status.DONE:
-            self._document.commit_frame()
+            self._document.editing.commit_frame()
             self._refresher.request()  # in blind mode an empty frame is not committed at once
         else:
-            self._document.aboutToLeave.emit()  # what is under way is part of what is judged
+            # What is in progress is part of what is judged.
+            self._document.store.events.aboutToLeave.emit()
             self._document.review.set_status(frame.name, status)
 
     def _send(self) -> None:
-        frame = self._document.frame
+        frame = self._document.state.frame
         if frame is not None and self.text.text().strip():
             self._document.review.add_comment(frame.name, self.text.text())
             self.text.clear()
@@ -223,7 +225,7 @@ class ReviewPanel(QWidget):
         document, typed = self._document, self.text.text()
         if self._typed_on is not None and typed:
             self._typed[self._typed_on] = typed
-        frame = document.frame
+        frame = document.state.frame
         self._typed_on = None if frame is None else frame.name
         self.text.setText(self._typed.pop(self._typed_on or "", ""))
 

@@ -13,6 +13,7 @@ from procc_annotator.gui.canvas.canvas import Canvas
 from procc_annotator.gui.canvas.pinned import Pinned
 from procc_annotator.gui.keymap import NATIVE
 from procc_annotator.gui.settings import COACHED, Settings
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.window.menus import Actions
 from procc_annotator.interaction import palette as tones
@@ -66,9 +67,9 @@ class Coach(QObject):
             return
         self._going = True
         document = self._document
-        document.frameChanged.connect(self._begin_frame)
-        document.annotationChanged.connect(self._look)
-        document.store.watch(lambda s: s.keymap, lambda _: self._show())
+        document.store.watch(select.frame, self._begin_frame)
+        document.store.watch(select.annotation, self._look)
+        document.store.watch(lambda s: s.keymap, self._show)
         self._actions["regularise_all"].triggered.connect(lambda: self._tick(1))
         self._canvas.viewport().installEventFilter(self)
         self._begin_frame()
@@ -92,18 +93,18 @@ class Coach(QObject):
     # --- inside ---
 
     def _begin_frame(self) -> None:
-        frame = self._document.frame
+        frame = self._document.state.frame
         name = "" if frame is None else frame.name
-        self._annotated = name, frozenset(self._document.annotation.annotated)
+        self._annotated = name, frozenset(self._document.state.annotation.annotated)
         self._show()
 
     def _look(self) -> None:
         """Another step of the frame's history: a line that is new, or a ghost that was taken."""
-        frame = self._document.frame
+        frame = self._document.state.frame
         if not self._going or frame is None:
             return
         before = self._annotated
-        now = frame.name, frozenset(self._document.annotation.annotated)
+        now = frame.name, frozenset(self._document.state.annotation.annotated)
         self._annotated = now
         if before[0] == now[0] and now[1] > before[1]:
             self._tick(2 if self._taken(frame.name, now[1] - before[1]) else 0)
@@ -112,7 +113,7 @@ class Coach(QObject):
         """Return whether elements came to be by taking what the camera expects."""
         document = self._document
         origins = document.review.origins(frame)
-        lines = filter(None, map(document.annotation.get, names))
+        lines = filter(None, map(document.state.annotation.get, names))
         keys = ((p.u, p.v) for line in lines for p in line.points)
         return any(key in origins and origins[key].kind in _TAKEN for key in keys)
 
@@ -124,7 +125,7 @@ class Coach(QObject):
             self._show()
 
     def _show(self) -> None:
-        shown = self._going and self._document.frame is not None
+        shown = self._going and self._document.state.frame is not None
         self.card.setVisible(shown)
         self.close_button.setVisible(shown)
         if not shown:

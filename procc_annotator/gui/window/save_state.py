@@ -78,7 +78,7 @@ class SaveState(PaintedText):
             return self.fontMetrics()
         return QFontMetrics(fixed_width(self.font(), bold=True))
 
-    def _show(self, *_: object) -> None:
+    def _show(self) -> None:
         saver = self._document.saver
         problems = saver.problems
         if problems:
@@ -89,7 +89,7 @@ class SaveState(PaintedText):
             self.set_saved(tr("saving..."), alarm=False)
         elif saver.saved_at is not None:
             self.set_saved(tr("saved {time}", time=f"{saver.saved_at:%H:%M:%S}"), alarm=False)
-        elif self._document.frame is not None:
+        elif self._document.state.frame is not None:
             self.set_saved(tr("no changes"), alarm=False)
         else:
             self.set_saved("", alarm=False)

@@ -13,6 +13,7 @@ from PySide6.QtCore import QObject
 from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.errors import ProccError
 from procc_annotator.gui.settings import SOURCES, Settings
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl, run_in_background
 from procc_annotator.translation import tr
@@ -52,11 +53,11 @@ class SourceMemory(QObject):
         self._dataset: Path | None = None
         self._changing = False
         self._written: list[dict[str, object]] | None = None
-        document.datasetChanged.connect(self._take_dataset)
-        document.camerasChanged.connect(self._write_down)
+        document.store.watch(select.dataset, self._take_dataset)
+        document.store.watch(select.cameras, self._write_down)
 
     def _take_dataset(self) -> None:
-        workspace = self._document.workspace
+        workspace = self._document.state.workspace
         dataset = workspace.root.resolve() if workspace is not None else None
         if dataset == self._dataset:
             return
@@ -95,7 +96,7 @@ class SourceMemory(QObject):
     def _add(self, reopened: _Reopened) -> None:
         document = self._document
         # Sources that were opened meanwhile, or named on the command line, stay as they are.
-        taken = {_place(s.files): s for s in document.sources if s.files is not None}
+        taken = {_place(s.files): s for s in document.state.sources if s.files is not None}
         for source, cameras in reopened.found:
             known = taken.get(_place(cameras))
             if known is None:
@@ -106,8 +107,8 @@ class SourceMemory(QObject):
                     active=source.active and not taken,
                 )
             elif known.name in (cameras.path.name, cameras.path.stem):  # nobody named it otherwise
-                document.rename_source(known, source.name)
-                document.set_source_colour(known, source.colour)
+                document.camera_sources.rename_source(known, source.name)
+                document.camera_sources.set_source_colour(known, source.colour)
         self._changing = False
         self._write_down()
         if reopened.lost:
@@ -131,10 +132,10 @@ class SourceMemory(QObject):
                     source.name,
                     source.colour,
                     source.visible,
-                    source is document.active_source,
+                    source is document.state.active,
                 )
             )
-            for source in document.sources
+            for source in document.state.sources
             if (cameras := source.files) is not None
         ]
         if entries != self._written:

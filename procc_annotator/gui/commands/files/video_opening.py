@@ -29,6 +29,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.gui.decimal_box import DecimalBox
 from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.panels.parts import choice
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl
 from procc_annotator.gui.writing import write
@@ -101,7 +102,7 @@ class VideoOpening:
         self._work = Latest(document, self._fail)
         self._progress: QProgressDialog | None = None
         # Anyone who opened something else meanwhile does not want the video any more.
-        document.datasetChanged.connect(self.cancel)
+        document.store.watch(select.dataset, self.cancel)
 
     def ask(self, path: Path, field: Field | None = None) -> None:
         """Read how many frames a video has, then show the dialog; ``field``: what it shows, where
@@ -157,7 +158,7 @@ class VideoOpening:
 
     def _open(self, path: Path, numbers: list[int], field: Field | str | None) -> None:
         document = self._document
-        if not document.opening.open_workspace(open_video(path, numbers, document.field)):
+        if not document.opening.open_workspace(open_video(path, numbers, document.state.field)):
             return
         self._opened(path)
         if isinstance(field, Field):
@@ -198,7 +199,7 @@ class VideoOpening:
 
 def keep_video_frame(document: Document) -> None:
     """Write the picture on screen next to its annotation, if it is a frame of a video."""
-    frame, picture = document.frame, document.picture
+    frame, picture = document.state.frame, document.walk.picture
     if frame is None or picture is None or frame.image_folder.is_dir():
         document.say(tr("this frame is a picture already"))
         return

@@ -29,7 +29,7 @@ class BlindLocking:
         lock = self._document.blind_lock
         if locked or lock.lock is None or self._confirmed(lock.reason):
             lock.set_locked(locked)
-        self._document.modeChanged.emit()  # the action shows what holds
+        lock.refused.emit()  # the action shows the present state
 
     def _confirmed(self, reason: str) -> bool:
         shared = not self._document.review.reach
@@ -39,7 +39,7 @@ class BlindLocking:
         box.setIcon(QMessageBox.Icon.Warning)
         box.setWindowTitle(tr("Unlock blind mode"))
         box.setText(f"{reason[0].upper()}{reason[1:]}.")
-        box.setInformativeText(tr(words, author=self._document.author))
+        box.setInformativeText(tr(words, author=self._document.state.author))
         unlock = box.addButton(tr("Unlock, and record it"), QMessageBox.ButtonRole.AcceptRole)
         keep = box.addButton(tr("Keep it locked"), QMessageBox.ButtonRole.RejectRole)
         box.setDefaultButton(keep)

@@ -17,6 +17,7 @@ from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.gui.panels.findings.panel import FindingsPanel
 from procc_annotator.gui.panels.findings.rows import Entry
 from procc_annotator.gui.panels.findings.words import so_many
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.writing import ask_where, opened_frame
 from procc_annotator.report.label_check import CheckReport, ReportedFinding, findings_csv
@@ -52,7 +53,7 @@ class LabelCheckCommands(QObject):
         self._passed: set[str] = set()  # keys of this frame's findings that were walked through
         self._passed_in = ""
         self._check.finished.connect(self._tell_finished)
-        document.datasetChanged.connect(self._forget_passed)
+        document.store.watch(select.dataset, self._forget_passed)
 
     def serve(self, panel: FindingsPanel) -> None:
         """Do what the list of findings asks for."""
@@ -69,9 +70,10 @@ class LabelCheckCommands(QObject):
     def step(self, step: int) -> None:
         """Go to the next finding (1) or the one before (-1), from frame to frame."""
         document = self._document
-        if document.workspace is None:
+        if document.state.workspace is None:
             return
-        document.aboutToLeave.emit()  # what is under way may become an element with findings
+        # What is in progress may become an element with findings.
+        document.store.events.aboutToLeave.emit()
         entries = self._walked()
         if not entries:
             document.say(self._why_nothing())
@@ -82,14 +84,14 @@ class LabelCheckCommands(QObject):
 
     def go(self, frame: str, found: StoredFinding) -> None:
         """Show a finding: its frame, its element, its place."""
-        document, workspace = self._document, self._document.workspace
+        document, workspace = self._document, self._document.state.workspace
         if workspace is None:
             return
         if frame != self._passed_in:
             self._passed_in = frame
             self._passed.clear()
         self._passed.add(found.key)
-        document.go_to(workspace.index[frame])
+        document.walk.go_to(workspace.index[frame])
         self._check.set_current(frame, found)
         self._show(found)
         self.walked.emit()
@@ -105,8 +107,8 @@ class LabelCheckCommands(QObject):
 
     def _next(self, entries: list[Entry], step: int) -> int:
         """Which finding comes next; the one walked to last may have been fixed meanwhile."""
-        document, workspace = self._document, self._document.workspace
-        here, current = document.frame, self._check.current
+        document, workspace = self._document, self._document.state.workspace
+        here, current = document.state.frame, self._check.current
         assert workspace is not None  # the caller looked
         name = here.name if here is not None else ""
         if current is not None:
@@ -117,7 +119,7 @@ class LabelCheckCommands(QObject):
         order = range(len(entries)) if step > 0 else range(len(entries) - 1, -1, -1)
         for at in order:
             frame, found = entries[at]
-            ahead = (workspace.index[frame] - document.frame_index) * step
+            ahead = (workspace.index[frame] - document.state.frame_index) * step
             if ahead > 0 or (ahead == 0 and found.key not in passed):
                 return at
         return order[0]
@@ -164,33 +166,35 @@ class LabelCheckCommands(QObject):
         self._show(found)
 
     def _show(self, found: StoredFinding) -> None:
-        document, size = self._document, self._document.picture_size
-        annotated = set(document.annotation.annotated)
+        document, size = self._document, self._document.state.picture_size
+        annotated = set(document.state.annotation.annotated)
         if size is None or not found.places or not annotated.issuperset(p[0] for p in found.places):
             return
         name, index = found.places[0]
         if found.finding.point is not None:
-            document.select_point(name, index)
+            document.selecting.select_point(name, index)
         else:
-            document.select_point(None)
-            document.select_class(name)
-        annotation = document.annotation
+            document.selecting.select_point(None)
+            document.selecting.select_class(name)
+        annotation = document.state.annotation
         if found.finding.point is not None:
             polyline = annotation.get(name)
             if polyline is not None and index < len(polyline.points):
                 x, y = points_px(polyline, size)[index].tolist()
-                document.flyTo.emit(x, y)
+                document.store.events.flyTo.emit(x, y)
             return
         shown = [annotation.get(each) for each, _ in found.places]
         points = np.concatenate([points_px(p, size) for p in shown if p is not None])
-        document.flyToArea.emit(*points.min(axis=0).tolist(), *points.max(axis=0).tolist())
+        document.store.events.flyToArea.emit(
+            *points.min(axis=0).tolist(), *points.max(axis=0).tolist()
+        )
 
     # --- mending --------------------------------------------------------------------------
 
     def apply_first(self) -> None:
         """Do the first remedy of the current finding, or of the frame's surest one."""
         document = self._document
-        document.aboutToLeave.emit()
+        document.store.events.aboutToLeave.emit()
         chosen = self._check.severities
         listed = [f for f in self._check.shown if f.finding.severity in chosen]
         found = self._check.current or next(iter(listed), None)
@@ -210,7 +214,7 @@ class LabelCheckCommands(QObject):
             self.look(found)
             document.say(tr(finding.reason))
             return
-        document.aboutToLeave.emit()
+        document.store.events.aboutToLeave.emit()
         if found.key not in {known.key for known in self._check.shown}:
             document.say(tr("the elements have changed since: checked again"))
             return
@@ -222,22 +226,22 @@ class LabelCheckCommands(QObject):
         def mend(annotation: FrameAnnotation) -> FrameAnnotation:
             if not found.holds_for(annotation):  # another window changed them
                 raise UsageError(tr("the elements have changed since: checked again"))
-            return apply_remedy(annotation, finding, remedy, document.field)
+            return apply_remedy(annotation, finding, remedy, document.state.field)
 
-        if not document.edit(done, mend):
+        if not document.editing.edit(done, mend):
             return
         self._passed_in = self._frame_name()
         self._passed.add(found.key)
         shown = dict(remedy.renamed).get(finding.elements[0], finding.elements[0])
-        document.select_point(None)
-        document.select_class(shown)
+        document.selecting.select_point(None)
+        document.selecting.select_class(shown)
         document.say(tr("{done}; Ctrl+Z takes it back", done=done))
 
     def _done(self, finding: Finding, remedy: Remedy) -> TranslatableText:
         """Return what a remedy has done, in words."""
 
         def title(name: str) -> TranslatableText:
-            return translatable(self._document.field.title_of(name))
+            return translatable(self._document.state.field.title_of(name))
 
         renamed = remedy.renamed
         if remedy.kind is RemedyKind.REMOVE_POINT:
@@ -285,7 +289,7 @@ class LabelCheckCommands(QObject):
         """Check the whole set in the background."""
         if opened_frame(self._document) is None:
             return
-        self._document.aboutToLeave.emit()
+        self._document.store.events.aboutToLeave.emit()
         if not self._check.running:
             self._check.check_set()
 
@@ -347,8 +351,8 @@ class LabelCheckCommands(QObject):
     # --- inside ---------------------------------------------------------------------------
 
     def _frame_name(self) -> str:
-        frame = self._document.frame
+        frame = self._document.state.frame
         return frame.name if frame is not None else ""
 
     def _title(self, class_name: str) -> str:
-        return tr(self._document.field.title_of(class_name))
+        return tr(self._document.state.field.title_of(class_name))

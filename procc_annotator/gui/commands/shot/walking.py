@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QApplication
 from procc_annotator.calibration.tracking.track import TrackedFrame
 from procc_annotator.dataset.computed_cameras import review_reason
 from procc_annotator.gui.canvas.canvas import Canvas
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.translation import tr, word
 
@@ -39,14 +40,14 @@ class ShotWalk(QObject):
         self._clock.timeout.connect(self._play_on)
         canvas.editor.changed.connect(self.stop)  # a hand does something
         canvas.menuWanted.connect(self.stay)  # before the menu is there, and with it a choice
-        document.annotationChanged.connect(self.stop)
-        document.datasetChanged.connect(self.stop)
+        document.store.events.annotationEdited.connect(self.stop)
+        document.store.watch(select.dataset, self.stop)
 
     def step(self, frames: int) -> None:
         """Go so many frames on, or back; to the last or the first one at most."""
-        workspace = self._document.workspace
+        workspace = self._document.state.workspace
         if workspace is not None and workspace.frames:
-            index = self._document.frame_index + frames
+            index = self._document.state.frame_index + frames
             self._document.walk.come_to(min(max(index, 0), len(workspace.frames) - 1))
 
     def go_anchor(self, step: int) -> None:
@@ -61,7 +62,7 @@ class ShotWalk(QObject):
         tracked = self._document.shot_track.tracked
         if sequence is None or not self._has_order():
             return
-        if self._document.blind:
+        if self._document.state.blind:
             self._document.say(tr("blind mode: how the track does is hidden"))
             return
         if not tracked:
@@ -71,7 +72,7 @@ class ShotWalk(QObject):
         self._go((index_of[n] for n in index_of if _doubtful(tracked, n)), step, _DOUBTFUL)
 
     def _go(self, indices: Iterable[int], step: int, what: str) -> None:
-        here = self._document.frame_index
+        here = self._document.state.frame_index
         beyond = [index for index in indices if (index - here) * step > 0]
         if beyond:
             self._document.walk.come_to(min(beyond) if step > 0 else max(beyond))
@@ -97,7 +98,7 @@ class ShotWalk(QObject):
             self.stop()
         elif self._has_order():
             self._window.installEventFilter(self)
-            self._at = self._document.frame_index
+            self._at = self._document.state.frame_index
             self.playingChanged.emit(True)
             self._play_on()
 
@@ -133,7 +134,7 @@ class ShotWalk(QObject):
         if document.walk.coming:  # pictures come more slowly than they should be shown
             self._clock.start(5)
             return
-        if document.frame_index != at or at + 1 >= len(sequence.numbers):
+        if document.state.frame_index != at or at + 1 >= len(sequence.numbers):
             self.stop()
             return
         self._at = at + 1

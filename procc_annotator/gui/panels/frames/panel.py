@@ -23,6 +23,7 @@ from procc_annotator.gui.panels.frames.model import FramesModel
 from procc_annotator.gui.panels.parts import SEARCH_KEYS, empty_state, note_label, show_note
 from procc_annotator.gui.panels.rows import list_rows
 from procc_annotator.gui.soon import soon
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.image.decoding import FrameCache
 from procc_annotator.translation import tr, tr_count
@@ -51,17 +52,17 @@ class FramesPanel(QWidget):
         self._search_soon = QTimer(self, singleShot=True, interval=_TYPED_MS)
         self._search_soon.timeout.connect(self._search)
         self._build()
-        document.datasetChanged.connect(self._take_dataset)
+        document.store.watch(select.dataset, self._take_dataset)
         # After the canvas was painted: no one looks at the list first.
         self._soon = soon(self, self._follow_frames)
         self._revealed = -1  # the frame whose folders were unfolded last
         self._due: set[int] = set()  # frames on screen since the list was brought up to date
-        document.frameChanged.connect(self._follow_soon)
-        document.annotationChanged.connect(self._follow_soon)
-        document.framesEdited.connect(self._take_edited)
-        document.saveStateChanged.connect(self.model.take_save_state)
-        document.saveStateChanged.connect(self._search_soon.start)
-        document.frameScoresChanged.connect(self._take_scores)
+        document.store.watch(select.annotation, self._follow_soon)
+        document.store.events.framesEdited.connect(self._take_edited)
+        document.store.watch(select.unsaved, self.model.take_save_state)
+        document.store.watch(select.unsaved, self._search_soon.start)
+        document.store.watch(select.dataset_scores, self._take_scores)
+        document.store.events.frameScoresChanged.connect(self._take_scores)
         document.review.statusChanged.connect(self._take_status)
         document.label_check.framesChanged.connect(self._take_status)
         self.model.figures.changed.connect(self.list.viewport().update)
@@ -119,11 +120,11 @@ class FramesPanel(QWidget):
 
     def _take_dataset(self) -> None:
         self.model.reset()
-        self._revealed = self._document.frame_index
+        self._revealed = self._document.state.frame_index
         self.filter.clear()
         self.frame_filter.search()
         self.model.take_save_state()
-        self._due = {self._document.frame_index}
+        self._due = {self._document.state.frame_index}
         self._show_which()
         self._show_current()
 
@@ -253,10 +254,10 @@ class FramesPanel(QWidget):
         super().changeEvent(event)
 
     def _show_current(self) -> None:
-        if self._revealed != self._document.frame_index:
-            self._revealed = self._document.frame_index
+        if self._revealed != self._document.state.frame_index:
+            self._revealed = self._document.state.frame_index
             self.model.reveal(self._revealed)
-        row = self.model.row_showing(self._document.frame_index)
+        row = self.model.row_showing(self._document.state.frame_index)
         index = self.model.index(row) if row >= 0 else QModelIndex()
         if index != self.list.currentIndex():
             self.list.setCurrentIndex(index)
@@ -267,18 +268,18 @@ class FramesPanel(QWidget):
 
     def _go(self, current: QModelIndex, previous: QModelIndex) -> None:
         if current.isValid() and (frame := self.model.frame_index(current.row())) >= 0:
-            self._document.go_to(frame)
+            self._document.walk.go_to(frame)
 
     def _follow_soon(self) -> None:
         """Another frame is on screen, or what is annotated in it is another thing."""
-        self._due.add(self._document.frame_index)
+        self._due.add(self._document.state.frame_index)
         self._soon.start()
 
     def _follow_frames(self) -> None:
         for index in self._due:
             self.model.recount(index)
             self.model.repaint(index)
-        self._due = {self._document.frame_index}  # it may be edited and left at once
+        self._due = {self._document.state.frame_index}  # it may be edited and left at once
         self._show_current()
 
     def _take_edited(self, indices: list[int]) -> None:
@@ -288,7 +289,7 @@ class FramesPanel(QWidget):
         self.list.viewport().update()
         self._search_soon.start()
 
-    def _take_scores(self, name: str) -> None:
+    def _take_scores(self, name: str = "") -> None:
         """One frame's score after an edit, or all of them (an empty name)."""
         self.model.take_scores()
         if not name:
@@ -297,11 +298,11 @@ class FramesPanel(QWidget):
 
     def _repaint(self, name: str) -> None:
         """Paint the row of a frame again, or those of all (an empty name)."""
-        workspace = self._document.workspace
+        workspace = self._document.state.workspace
         index = workspace.index.get(name) if workspace is not None else None
         if index is None:
             self.list.viewport().update()
-        elif index == self._document.frame_index:
+        elif index == self._document.state.frame_index:
             self._soon.start()
         else:
             self.model.repaint(index)

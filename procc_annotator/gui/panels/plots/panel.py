@@ -28,6 +28,7 @@ from procc_annotator.gui.panels.plots.request import PlotRequest
 from procc_annotator.gui.panels.plots.sources import PlotSources, Restrict
 from procc_annotator.gui.panels.plots.taking import TakingAlong
 from procc_annotator.gui.panels.refresher import Refresher, judged
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl
 from procc_annotator.translation import tr, word
@@ -87,7 +88,7 @@ class PlotsPanel(TakingAlong):
         self._refresher.follow(
             document.store,
             lambda s: (judged(s), s.looks, s.compared, s.blind, s.committed),
-            document.sourceAuditsChanged,
+            document.store.events.sourceAuditsChanged,
             document.review.statusChanged,
         )
 
@@ -100,7 +101,7 @@ class PlotsPanel(TakingAlong):
         """The elements of the field; the one that was chosen stays, if there is one of its name."""
         row = self.classes.currentData()
         before = self._elements[row] if row not in (None, _ALL_CLASSES) else None
-        titles = element_titles(self._document.field)
+        titles = element_titles(self._document.state.field)
         self._elements = tuple(titles)
         blocked = self.classes.blockSignals(True)
         self.classes.clear()
@@ -141,7 +142,7 @@ class PlotsPanel(TakingAlong):
         self.classes = choice("plots_class", tr("Element"))
         self.classes.setToolTip(tr("Plot the points of one element only"))
         self._offer_classes()
-        self._document.fieldChanged.connect(self._offer_classes)
+        self._document.store.watch(select.field, self._offer_classes)
         self.classes.currentIndexChanged.connect(self._redraw)
         self.more = self._build_more()
         first = QHBoxLayout()
@@ -204,8 +205,8 @@ class PlotsPanel(TakingAlong):
         page = self._made.get(self._kind)
         if page is None:
             page = self._made[self._kind] = self._kind()
-            page.tauChosen.connect(self._document.set_tau)
-            page.frameChosen.connect(self._document.go_to)
+            page.tauChosen.connect(self._document.terms.set_tau)
+            page.frameChosen.connect(self._document.walk.go_to)
             page.readout.connect(self._read_out)
             page.changed.connect(self._redraw)
             self._stack.addWidget(page)
@@ -266,9 +267,9 @@ class PlotsPanel(TakingAlong):
 
     def _why_empty(self) -> str:
         document = self._document
-        if document.frame is None:
+        if document.state.frame is None:
             return tr("Open a folder of pictures to see plots.")
-        if not document.sources:
+        if not document.state.sources:
             return tr(
                 "No camera to judge.\nLoad cameras to see how well they agree with your clicks."
             )

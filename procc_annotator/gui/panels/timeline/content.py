@@ -14,6 +14,7 @@ from procc_annotator.dataset.records import FrameRecord, Status
 from procc_annotator.dataset.sequence import FrameSequence
 from procc_annotator.gui.panels.timeline.band import Band
 from procc_annotator.gui.soon import soon
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 
 _AT_ONCE = 400  # frames that are taken down in one go
@@ -44,7 +45,7 @@ class StripContent(QObject):
         self._pending: dict[int, TrackedFrame] = {}  # to be taken down
         self._go_on = soon(self, self._take_down)
         document.sequence.changed.connect(self._begin_anew)
-        document.datasetChanged.connect(self._begin_anew)
+        document.store.watch(select.dataset, self._begin_anew)
         document.shot_track.followed.connect(self._take_followed)
         document.shot_track.changed.connect(self._take_track)
         document.annotated_frames.changed.connect(self._take_anchors)
@@ -54,7 +55,7 @@ class StripContent(QObject):
     @property
     def hidden(self) -> bool:
         """Return whether nothing of a camera may be shown."""
-        return self._document.blind
+        return self._document.state.blind
 
     @property
     def cuts(self) -> tuple[int, ...]:
@@ -112,7 +113,7 @@ class StripContent(QObject):
             self.changed.emit()
 
     def _take_dragged(self, _: str = "") -> None:
-        sequence, workspace = self.sequence, self._document.workspace
+        sequence, workspace = self.sequence, self._document.state.workspace
         if sequence is not None and workspace is not None:
             index, numbers = workspace.index, sequence.numbers
             names = self._document.state.corrected.keys() & index.keys()
@@ -120,7 +121,7 @@ class StripContent(QObject):
             self.changed.emit()
 
     def _take_statuses(self, frame: str = "") -> None:
-        sequence, workspace = self.sequence, self._document.workspace
+        sequence, workspace = self.sequence, self._document.state.workspace
         database = self._document.review.database
         if sequence is None or workspace is None or database is None:
             return
