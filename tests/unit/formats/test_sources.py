@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import unicodedata
 import warnings
 import zipfile
 from pathlib import Path
@@ -9,8 +10,10 @@ from pathlib import Path
 import pytest
 
 from procc_annotator.errors import InputError, UsageError
+from procc_annotator.formats.csv_tables import read_frame_table, read_table
 from procc_annotator.formats.file_listing import list_annotations, list_cameras
 from procc_annotator.formats.file_source import open_source
+from procc_annotator.formats.frame_names import ByFrame, FrameTable
 
 
 def make(folder: Path, *names: str) -> Path:
@@ -198,3 +201,71 @@ def test_a_packed_tree_is_called_by_what_lies_in_its_own_folder(tmp_path) -> Non
         archive.writestr("test/1.json", "{}")
     with open_source(tmp_path / "test.zip") as source:
         assert list_annotations(source).only_folder == "test/"
+
+
+# Frames are found whatever their folders are called and however their letters are composed.
+
+COMPOSED = unicodedata.normalize("NFC", "café")
+APART = unicodedata.normalize("NFD", "café")
+
+
+@pytest.mark.parametrize("here", [COMPOSED, APART])
+@pytest.mark.parametrize("asked", [COMPOSED, APART])
+def test_letters_and_folders_may_differ_at_once(here, asked) -> None:
+    table = FrameTable({f"{here}/1": "a"})
+    assert [table.get(f"{asked}/{inner}1") for inner in ("", "img1/", "images/")] == ["a"] * 3
+    assert f"{asked}/2" not in table
+    within = FrameTable({f"{here}/img1/1": "a"})
+    assert within[f"{asked}/1"] == "a"
+    flat = ByFrame({f"{here}_1": "a"})
+    flat.only_folder = f"{here}/"
+    assert flat[f"{asked}/{asked}_1"] == "a"
+    assert f"other/{asked}_1" not in flat
+
+
+def test_a_frame_is_called_in_other_lists_with_the_folder_it_lies_in() -> None:
+    tree = ByFrame({"g1/1": "a", "g2/1": "b"})
+    one = ByFrame({"1": "c"})
+    one.only_folder = "g2/"
+    assert one.called_in(tree, "1") == "g2/1"
+    assert [tree.called_in(one, name) for name in tree] == [None, "1"]
+
+
+# What every table about frames is read by, and what is wrong with one that cannot be used.
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ("", "is empty"),
+        ("name,light\n1,day\n", "line 1: has no column 'frame'"),
+        ("frame,light\n1,day\n2\n", "line 3: has 1 cell, expected 2"),
+        ("frame,light\n1,day\n\n1,night\n", "line 4: frame '1' again, after line 2"),
+        ("frame,light\n,day\n", "line 2: names no frame"),
+        ('frame,light\n1,"day\n', r"line \d: is no CSV"),
+        (b"frame,light\n1,\xff\n", "is not UTF-8"),
+    ],
+)
+def test_damaged_tables_are_one_clear_error(tmp_path, text, says) -> None:
+    path = tmp_path / "table.csv"
+    path.write_bytes(text if isinstance(text, bytes) else text.encode())
+    with pytest.raises(InputError, match=says) as caught:
+        read_frame_table(path, ["light"], "how it should look")
+    assert str(path) in str(caught.value)
+
+
+def test_rows_come_with_their_lines_whatever_separates_the_cells(tmp_path) -> None:
+    path = tmp_path / "table.csv"
+    path.write_text("\ufeffframe; light ;\n\n'=1;day;x\n", encoding="utf-8")
+    names, rows = read_frame_table(path, ["light"], "")
+    assert names == ["frame", "light", ""]
+    assert rows == [(3, {"frame": "=1", "light": "day", "": "x"})]
+    assert read_table(path, ["light"], "") == (names, rows)
+
+
+def test_a_frame_may_stand_once_in_each_set(tmp_path) -> None:
+    path = tmp_path / "table.csv"
+    path.write_text("set,frame\na,1\nb,1\n")
+    assert len(read_frame_table(path, (), "", in_sets=True)[1]) == 2
+    with pytest.raises(InputError, match="again, after line 2"):
+        read_frame_table(path, (), "")
