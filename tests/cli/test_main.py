@@ -318,3 +318,16 @@ def test_an_option_of_the_release_before_is_translated(cli, dataset) -> None:
     assert (old.exit_code, old.stdout) == (new.exit_code, new.stdout)
     assert "--least is deprecated, use --min-severity" in old.stderr
     assert "deprecated" not in new.stderr
+
+
+def test_help_does_not_load_arrays_or_pictures() -> None:
+    code = (
+        "import sys\n"
+        "from procc_annotator.cli.main import run\n"
+        "sys.argv = ['procc-annotator', '--version']\n"
+        "try:\n    run()\nexcept SystemExit:\n    pass\n"
+        "heavy = [m for m in ('numpy', 'cv2', 'PySide6') if m in sys.modules]\n"
+        "print('heavy:', heavy)\n"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert "heavy: []" in done.stdout, done.stdout + done.stderr
