@@ -10,11 +10,10 @@ from PySide6.QtWidgets import QPushButton, QToolButton
 
 from procc_annotator.dataset.layout import ForeignAnnotations, find_foreign_annotations
 from procc_annotator.gui.commands.files.importing import AnnotationImporter
-from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.messages import Bar
 from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.worker import JobControl
 from procc_annotator.translation import tr
 
 
@@ -50,7 +49,7 @@ class ImportOffer(QObject):
     def __init__(self, document: Document, importer: AnnotationImporter, bar: ImportBar) -> None:
         super().__init__(bar)
         self._document, self._importer, self._bar = document, importer, bar
-        self._work = Latest(self, document.say)
+        self._work = LatestOnlyTask(self, document.say)
         self._found: ForeignAnnotations | None = None
         bar.import_chosen.connect(self._ask)
         importer.imported.connect(bar.hide)

@@ -16,11 +16,10 @@ from procc_annotator.dataset.review import BlindStatus, blind_status, setting_of
 from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import InputError
 from procc_annotator.formats.atomic import write_atomic
-from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.panels.overview.dialog import OverviewWindow
 from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.worker import JobControl
 from procc_annotator.gui.writing import ask_where, write
 from procc_annotator.report.window_tables import OverviewRow, overview_csv, summarise
 from procc_annotator.translation import tr, tr_count
@@ -36,7 +35,7 @@ class OverviewCommand:
     def __init__(self, document: Document, parent: QWidget) -> None:
         self._document = document
         self._parent = parent
-        self._refreshing = Latest(document, lambda text: document.say(text, "error"))
+        self._refreshing = LatestOnlyTask(document, lambda text: document.say(text, "error"))
         self.window: OverviewWindow | None = None
         self._rested = QTimer(document, singleShot=True, interval=_RESTED_MS)
         self._rested.timeout.connect(self._follow)

@@ -10,9 +10,9 @@ from procc_annotator.batch.audit import FrameAudit, audit_frame
 from procc_annotator.dataset.layout import FRAMES_FILE
 from procc_annotator.field.landmarks import element_titles
 from procc_annotator.gui.panels.plots.request import PlotRequest, PlottedSource, Scope
-from procc_annotator.gui.panels.refresher import judged
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.selectors import judged
 
 Restrict = Callable[[PlotRequest], PlotRequest]
 

@@ -15,8 +15,8 @@ from procc_annotator.gui.panels.plots.base import PlotPage
 from procc_annotator.gui.panels.plots.export import SHARPNESS, PlotPicture, picture_writer
 from procc_annotator.gui.panels.plots.legend import Legend
 from procc_annotator.gui.panels.plots.request import PlotRequest
+from procc_annotator.gui.state.background import run_in_background
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.worker import run_in_background
 from procc_annotator.gui.writing import ask_where, write
 from procc_annotator.report.tables.data_files import CRLF, csv_bytes
 from procc_annotator.report.window_tables import plot_table

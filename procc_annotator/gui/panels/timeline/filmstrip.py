@@ -18,8 +18,8 @@ from procc_annotator.gui.panels.frames.delegate import paint_thumbnail
 from procc_annotator.gui.panels.frames.model import FramesModel, RowInfo
 from procc_annotator.gui.panels.rows import Index
 from procc_annotator.gui.panels.timeline.turned_rows import TurnedRows
-from procc_annotator.gui.soon import soon
 from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.background import after_paint
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import blend, paint_row
 from procc_annotator.interaction import palette as tones
@@ -66,7 +66,7 @@ class Filmstrip(QTableView):
         self._size_cells()
         self.clicked.connect(self._go)
         # After the picture was painted: no one looks here first.
-        self._soon = soon(self, self._follow)
+        self._soon = after_paint(self, self._follow)
         document.store.watch(select.frame, self._soon.start)
         self._rows.modelReset.connect(self._soon.start)
         document.store.watch(select.dataset_scores, self.viewport().update)
