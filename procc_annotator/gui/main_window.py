@@ -23,7 +23,6 @@ from procc_annotator.gui.commands.files.import_offer import ImportBar, ImportOff
 from procc_annotator.gui.commands.files.importing import AnnotationImporter
 from procc_annotator.gui.commands.files.opening import OpeningTask, sample_folder
 from procc_annotator.gui.commands.files.overlay_saving import OverlaySaving
-from procc_annotator.gui.commands.files.overview_command import OverviewCommand
 from procc_annotator.gui.commands.files.source_memory import SourceMemory
 from procc_annotator.gui.commands.review.blind_locking import BlindLocking
 from procc_annotator.gui.commands.review.label_check import LabelCheckCommands
@@ -196,7 +195,6 @@ class MainWindow(QMainWindow):
         self.export_as = ExportAs(document, self)
         self.importer = AnnotationImporter(document, self)
         self.overlay_saving = OverlaySaving(document, self)
-        self.overview = OverviewCommand(document, self)
         self.versions = Versions(document, self)
         self.view_grouping = ViewGrouping(document, self)
         self.opening = OpeningTask(document, self.settings, self)

@@ -348,7 +348,7 @@ def test_the_guide_says_that_it_is_in_english(german: None, window: MainWindow) 
 
 
 _DIALOGS = ("settings", "keys", "keymap", "import_annotations", "export_as", "save_overlay",
-            "versions", "overview", "group_views", "field_dimensions", "guide")  # fmt: skip
+            "versions", "group_views", "field_dimensions", "guide")  # fmt: skip
 
 
 def _longer(text: str, about: str, count: int) -> str:

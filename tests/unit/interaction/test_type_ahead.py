@@ -11,7 +11,7 @@ from procc_annotator.interaction.class_choice import loose_rank, match_rank, mis
     ("query", "name", "found"),
     [
         ("regall", "Regularise all elements", True),
-        ("overset", "Overview of the set…", True),
+        ("expover", "Export overview…", True),
         ("egall", "Regularise all elements", False),  # begins within a word
         ("rz", "Regularise all elements", False),
         ("open", "Zoom in", False),

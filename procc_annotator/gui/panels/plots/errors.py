@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import count
 from typing import Any
 
 import numpy as np
@@ -18,7 +19,6 @@ from procc_annotator.batch.audit import (
     histogram,
     radial_errors,
 )
-from procc_annotator.gui.panels.overview.plots import count_ticks
 from procc_annotator.gui.panels.plots.base import PlotPage
 from procc_annotator.gui.panels.plots.request import PlotRequest
 from procc_annotator.translation import tr, tr_count, word
@@ -73,7 +73,7 @@ class HistogramPage(PlotPage[ErrorBars]):
         highest = max((int(c.max()) for c in data.bars.counts if len(c)), default=0)
         self.item.setXRange(0, float(edges[-1]), padding=0.01)
         self.item.setYRange(0, max(highest, 1) * 1.05, padding=0)
-        self.item.getAxis("left").setTicks([count_ticks(highest)])
+        self.item.getAxis("left").setTicks([_count_ticks(highest)])
         self.say_empty("" if highest else no_points(request))
         beyond = tr("The last bar holds all larger errors.") if data.bars.open_ended else ""
         return " ".join(filter(None, (beyond, left_out(data.points))))
@@ -198,6 +198,13 @@ def thinned_errors(errors: Any, most: int) -> Any:
     largest = np.argpartition(errors, -_LARGEST)[-_LARGEST:]
     others = np.linspace(0, count - 1, most - _LARGEST).astype(np.intp)
     return np.union1d(largest, others)
+
+
+def _count_ticks(highest: int, most: int = 4) -> list[tuple[float, str]]:
+    """Return round whole numbers from 0 up to a count, ``most`` or one more of them."""
+    steps = (digit * 10**power for power in count() for digit in (1, 2, 5))
+    step = next(step for step in steps if highest / step <= most)
+    return [(float(value), f"{value:,}") for value in range(0, highest + 1, step)]
 
 
 def no_points(request: PlotRequest) -> str:
