@@ -96,8 +96,8 @@ def click(window: MainWindow, x: float, y: float) -> None:
 
 def audit(window: MainWindow, dataset: Path) -> None:
     """A mediocre camera judged against the clicks."""
-    window.document.load_cameras(dataset / "cameras" / "bad")
-    window.document.go_to(1)
+    window.document.camera_sources.load_cameras(dataset / "cameras" / "bad")
+    window.document.walk.go_to(1)
     window.panels.show("scores")
     wait(2500)
     take(window, "audit")
@@ -111,8 +111,8 @@ def other_sport(folder: Path) -> None:
     window = build_window(dataset)
     window.resize(*SIZE)
     window.show()
-    window.document.load_cameras(dataset / "cameras" / "late")
-    window.document.go_to(1)
+    window.document.camera_sources.load_cameras(dataset / "cameras" / "late")
+    window.document.walk.go_to(1)
     window.panels.show("scores")
     wait(2500)
     take(window, "basketball")
@@ -122,8 +122,8 @@ def other_sport(folder: Path) -> None:
 def annotate(window: MainWindow, dataset: Path) -> None:
     """An element being clicked."""
     document = window.document
-    document.remove_camera_set(0)
-    document.go_to(4)
+    document.camera_sources.remove_camera_set(0)
+    document.walk.go_to(4)
     window.panels.show("elements")
     truth = CameraSet.open(dataset / "cameras" / "true").camera("00005", (960, 540))
     assert truth is not None
@@ -132,11 +132,11 @@ def annotate(window: MainWindow, dataset: Path) -> None:
         px, _ = truth.camera.project(np.array([(x, y, 0.0) for x, y in points_world]))
         return (px * (1279 / 959, 719 / 539)).tolist()
 
-    document.select_class("Big rect. right main")
+    document.selecting.select_class("Big rect. right main")
     for x, y in seen([(36, -20.16), (36, -6), (36, 6)]):
         click(window, x, y)
     QTest.keyClick(window.canvas, Qt.Key.Key_Return)
-    document.select_class("Circle right")
+    document.selecting.select_class("Circle right")
     wait(300)
     for x, y in seen([(41.5 + 9.15 * np.cos(a), 9.15 * np.sin(a)) for a in (4.0, 3.7, 3.4, 3.1)]):
         click(window, x, y)
@@ -185,7 +185,7 @@ def copy(folder: Path, dataset: Path) -> None:
 def review(window: MainWindow, dataset: Path) -> None:
     """Frames filtered by a query, one of them with a thread of comments."""
     document = window.document
-    document.load_cameras(dataset / "cameras" / "bad")
+    document.camera_sources.load_cameras(dataset / "cameras" / "bad")
     wait(1500)
     for number, status in (
         (2, Status.APPROVED),
@@ -197,8 +197,8 @@ def review(window: MainWindow, dataset: Path) -> None:
         (11, Status.DONE),
     ):
         document.review.set_status(f"{number:05d}", status)
-    document.go_to(2)
-    document.select_class(None)
+    document.walk.go_to(2)
+    document.selecting.select_class(None)
     window.panels.show("review")
     name = "00003"
     document.review.add_comment(name, "The far touchline ends before the corner.")
@@ -217,8 +217,8 @@ def disagree(folder: Path) -> None:
     window.show()
     document = window.document
     for name in ("true", "bad"):
-        document.load_cameras(dataset / "cameras" / name)
-    document.go_to(5)
+        document.camera_sources.load_cameras(dataset / "cameras" / name)
+    document.walk.go_to(5)
     window.panels.show("cameras")
     window.actions_["disagreement"].trigger()
     wait(2500)
@@ -239,11 +239,11 @@ def clicks(folder: Path) -> None:
     window.resize(*SIZE)
     window.show()
     document = window.document
-    document.go_to(1)
-    annotation = document.annotation
+    document.walk.go_to(1)
+    annotation = document.state.annotation
     for name in annotation.annotated[4:]:
         annotation = annotation.without(name)
-    document.commit_edit("four elements", annotation)
+    document.editing.commit_edit("four elements", annotation)
     window.panels.show("fit")
     window.canvas.setFocus()
     wait(2000)
@@ -251,8 +251,8 @@ def clicks(folder: Path) -> None:
     wait(1500)
     take(window, "ghosts")
     QTest.keyClick(window.canvas, Qt.Key.Key_Escape)
-    document.go_to(2)
-    document.select_class("Side line right")
+    document.walk.go_to(2)
+    document.selecting.select_class("Side line right")
     window.element_edits.change_class("Side line left")
     window.panels.show("findings")
     wait(3000)
@@ -271,7 +271,7 @@ def without_a_click(folder: Path) -> None:
     window.resize(*SIZE)
     window.show()
     document = window.document
-    document.go_to(FRAMES // 6)
+    document.walk.go_to(FRAMES // 6)
     window.panels.show("elements")
     wait_until(lambda: bool(document.ghosts.painted), "looking for the camera in the picture")
     wait(1500)
@@ -281,7 +281,7 @@ def without_a_click(folder: Path) -> None:
     wait(1500)
     QTest.keyClick(window.canvas, Qt.Key.Key_T)
     wait_until(lambda: not window.shot_following.running, "following the camera")
-    document.go_to(FRAMES // 3)
+    document.walk.go_to(FRAMES // 3)
     wait(1500)
     take(window, "strip")
     window.close()

@@ -83,9 +83,9 @@ def build_window(
     elif field is not None:
         document.field_choice.take(field)
     choices = [CameraChoice(cameras)] if isinstance(cameras, Path) else cameras
-    loaded = [document.load_cameras(c.path, c.format, c.name) for c in choices]
+    loaded = [document.camera_sources.load_cameras(c.path, c.format, c.name) for c in choices]
     if any(loaded):
-        document.set_active_camera(0)
+        document.camera_sources.set_active_camera(0)
     return window
 
 

@@ -74,9 +74,11 @@ class ElementShortcuts(QObject):
             old.setEnabled(False)  # it is deleted later only
             old.deleteLater()
         self._shortcuts = []
-        for name, keys in element_keys(self._document.field, self._document.state.keymap).items():
+        for name, keys in element_keys(
+            self._document.state.field, self._document.state.keymap
+        ).items():
             shortcut = QShortcut(keys, self._window)
             shortcut.activated.connect(
-                lambda name=name: self._document.select_class(name, continues=True)
+                lambda name=name: self._document.selecting.select_class(name, continues=True)
             )
             self._shortcuts.append(shortcut)

@@ -125,7 +125,7 @@ class FieldPreview(QMainWindow):
         self.problem_bar.tell(read.problem)
         if read.field is None:
             return
-        self.document.set_field(read.field, keep=False)
+        self.document.terms.set_field(read.field, keep=False)
         self.pages.setCurrentIndex(1)
         name = Path(self._source).name
         self.setWindowTitle(f"{tr(read.field.title)} – {name}")

@@ -323,7 +323,7 @@ class MainWindow(QMainWindow):
     # --- showing the document -------------------------------------------------------------
 
     def _refresh_frame(self) -> None:
-        frame = self.document.frame
+        frame = self.document.state.frame
         opened = frame is not None and self.pages.currentWidget() is self.welcome
         self.pages.setCurrentWidget(self.welcome if frame is None else self.canvas)
         if opened or (frame is not None and not self.canvas.hasFocus() and self.frames.isHidden()):
@@ -385,7 +385,7 @@ class MainWindow(QMainWindow):
         self.opening.drop(paths)
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        if not self.document.save_now():
+        if not self.document.editing.save_now():
             problems = [str(p) for p in self.document.saver.problems.values()]
             if not ask_to_leave_unsaved(self, problems):
                 event.ignore()

@@ -106,12 +106,14 @@ def _annotate(window: MainWindow, file: Path) -> str:
     window.show()
     window.activateWindow()
     _wait(lambda: window.isActiveWindow() and canvas.isVisible(), "the window did not appear")
-    _wait(lambda: document.picture is not None, "the picture was not shown")
-    document.set_option("snapping", False)  # the clicks are to be found again where they were made
+    _wait(lambda: document.walk.picture is not None, "the picture was not shown")
+    document.selecting.set_option(
+        "snapping", False
+    )  # the clicks are to be found again where they were made
     element = next(e for e in document.state.field.elements if e.is_straight and not e.optional)
-    document.select_class(element.name)
+    document.selecting.select_class(element.name)
     canvas.setFocus()
-    picture = document.picture
+    picture = document.walk.picture
     assert picture is not None
     height, width = picture.shape[:2]
     for u, v in _CLICKS:

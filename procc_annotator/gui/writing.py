@@ -19,9 +19,9 @@ T = TypeVar("T")
 
 def opened_frame(document: Document) -> Frame | None:
     """The frame on screen; if there is none it is said what to do."""
-    if document.frame is None:
+    if document.state.frame is None:
         document.say(tr("open a folder of pictures first"), "warning")
-    return document.frame
+    return document.state.frame
 
 
 def ask_where(

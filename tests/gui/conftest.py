@@ -351,7 +351,7 @@ class Hand:
 
     def draw(self, class_name: str, *points: tuple[float, float]) -> np.ndarray:
         """Choose an element, click its points, press Enter, see it saved; where the clicks were."""
-        self.document.select_class(class_name, continues=True)
+        self.document.selecting.select_class(class_name, continues=True)
         clicked = [self.click(*p) for p in points]
         self.key(Qt.Key.Key_Return)
         until_kept()
@@ -417,7 +417,7 @@ def begun(make_window: MakeWindow, annotated: Path, qtbot: QtBot) -> MainWindow:
     entries = json.loads(path.read_text())
     path.write_text(json.dumps({name: entries[name] for name in KEPT}))
     window = make_window(annotated)
-    window.document.go_to(1)
+    window.document.walk.go_to(1)
     wait_for_ghosts(window, qtbot)
     return window
 
@@ -443,9 +443,9 @@ def audited(make_window: MakeWindow, annotated: Path, qtbot: QtBot) -> MainWindo
     window = make_window(annotated)
     window.document.live_fit.set_wanted(False)
     for name in ("true", "bad", "pinhole"):
-        assert window.document.load_cameras(annotated / "cameras" / name)
-    window.document.set_active_camera(0)
-    window.document.go_to(1)
+        assert window.document.camera_sources.load_cameras(annotated / "cameras" / name)
+    window.document.camera_sources.set_active_camera(0)
+    window.document.walk.go_to(1)
     settle(window, qtbot)
     return window
 
@@ -468,7 +468,9 @@ def settle(window: MainWindow, qtbot: QtBot) -> None:
     document = window.document
     qtbot.waitUntil(lambda: not document.auditing.waiting)
     qtbot.waitUntil(lambda: not document.set_scores.running)
-    qtbot.waitUntil(lambda: all(document.source_frames.of(s) is not None for s in document.sources))
+    qtbot.waitUntil(
+        lambda: all(document.source_frames.of(s) is not None for s in document.state.sources)
+    )
 
 
 _SOON_MS = 1_000

@@ -33,9 +33,9 @@ class OneWindow:
     def lend(self, path: Path) -> MainWindow:
         """A window that nothing tells from a new one, with a dataset."""
         window = self._like_new()
-        before = window.document.workspace
+        before = window.document.state.workspace
         window.opening.open_path(path)
-        if window.document.workspace is before is not None:  # it keeps what cannot be saved
+        if window.document.state.workspace is before is not None:  # it keeps what cannot be saved
             self.end()
             window = self._like_new()
             window.opening.open_path(path)
@@ -80,7 +80,7 @@ def _like_new(window: MainWindow, new: dict[str, object]) -> bool:
         if other is not window and other.isVisible():
             other.close()
     document = window.document
-    if document.workspace is not None and document.review.database is None:
+    if document.state.workspace is not None and document.review.database is None:
         return False  # the document alone was closed
     for task in window.findChildren(DialogTask):
         task._leave()  # as another dataset has them do
@@ -88,18 +88,18 @@ def _like_new(window: MainWindow, new: dict[str, object]) -> bool:
     window.cameras.list.refresh()  # or its rows stay until the panel is seen, and are found by name
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete.value)
     document.terms.take_field(new["field"])
-    document.set_noise_floor(None)
+    document.terms.set_noise_floor(None)
     document.set_author(new["state"][-1])
-    document.set_mode("draw")
-    document.select_class(None)
+    document.selecting.set_mode("draw")
+    document.selecting.select_class(None)
     # Of several that exclude each other, the one that was chosen goes first.
     for name, checked in sorted(_switches(window).items(), key=lambda item: not new[item[0]]):
         if name == "lock_blind":  # asks, and the next dataset has its own
             continue
         if checked != new[name] and window.actions_[name].isChecked() != new[name]:
             window.actions_[name].trigger()
-    document.set_tau(DEFAULT_TAU)
-    document.set_protocol(new["terms"][0], off_plane=new["terms"][1])
+    document.terms.set_tau(DEFAULT_TAU)
+    document.terms.set_protocol(new["terms"][0], off_plane=new["terms"][1])
     document.live_fit.set_model(new["model"])
     document.fit_source.preferred = False
     for edit in window.findChildren(QLineEdit):

@@ -40,7 +40,7 @@ def test_a_frame_that_comes_under_a_bar_is_seen_whole(
 ) -> None:
     window.document.say("a colleague has this frame", "warning")
     qtbot.waitUntil(lambda: window.bars.height() > 0)
-    window.document.next_frame()
+    window.document.walk.next_frame()
     bars = window.bars
     covered = bars.mapToGlobal(QPoint(0, bars.height())).y()
     assert window.message_bar.isVisible()

@@ -56,11 +56,11 @@ def window(make_window: MakeWindow, dataset: Path, qtbot: QtBot) -> MainWindow:
     document = window.document
     document.live_fit.set_model("P")
     for name in ("true", "bad"):
-        assert document.load_cameras(dataset / "cameras" / name)
-    document.go_to(document.workspace.index[OTHER])
-    document.commit_frame()
+        assert document.camera_sources.load_cameras(dataset / "cameras" / name)
+    document.walk.go_to(document.state.workspace.index[OTHER])
+    document.editing.commit_frame()
     window.triage.mark("camera")
-    document.go_to(document.workspace.index[HERE])
+    document.walk.go_to(document.state.workspace.index[HERE])
     qtbot.waitUntil(lambda: document.live_fit.insight is not None, timeout=20_000)
     settle(window, qtbot)
     window.triage.mark("camera")
@@ -135,7 +135,7 @@ class Look:
 
     def row_of_the_frame(self) -> object:
         model = self.window.frames.model
-        row = model.row_of(self.window.document.frame_index)
+        row = model.row_of(self.window.document.state.frame_index)
         info = model.info(row)
         tip = model.data(model.index(row), Qt.ItemDataRole.ToolTipRole)
         return info.jac is not None or info.verdict is not None or "JaC" in tip
@@ -198,7 +198,7 @@ class Look:
         return there
 
     def split_view(self) -> object:
-        compared, score = self.window.document.compared_drawing
+        compared, score = self.window.document.judge.compared
         return compared or score
 
     def field_dimensions(self) -> object:
@@ -229,16 +229,16 @@ class Look:
 
     def _walked(self, step: Callable[[], None]) -> bool:
         document = self.window.document
-        here, seen = document.frame_index, set()
-        document.go_to(document.workspace.index[EMPTY])
+        here, seen = document.state.frame_index, set()
+        document.walk.go_to(document.state.workspace.index[EMPTY])
         for _ in range(3):
             step()
             all_done(self.qtbot)
             self.qtbot.waitUntil(
                 lambda: not self.window.worst_first._comparing.running, timeout=20_000
             )
-            seen.add(document.frame.name)
-        document.go_to(here)
+            seen.add(document.state.frame.name)
+        document.walk.go_to(here)
         all_done(self.qtbot)
         self.qtbot.waitUntil(lambda: not document.live_fit.working, timeout=20_000)
         return HERE in seen
@@ -283,10 +283,10 @@ def test_nothing_tells_how_a_camera_does_before_the_commit(
     document.disagreement.set_wanted(True)
     qtbot.waitUntil(lambda: document.disagreement.value is not None)
     assert telling(look) == LOOKS  # or nothing would be tested below
-    document.set_blind(True)
+    document.blind_lock.set_blind(True)
     all_done(qtbot)
     assert telling(look) == []
-    document.commit_frame()
+    document.editing.commit_frame()
     qtbot.waitUntil(lambda: document.live_fit.insight is not None, timeout=20_000)
     all_done(qtbot)
     # A mean over the set is of frames that are not committed, too.
@@ -302,9 +302,9 @@ def blind(make_window: MakeWindow, dataset: Path, qtbot: QtBot) -> MainWindow:
     window = make_window(dataset)
     document = window.document
     document.live_fit.set_wanted(False)
-    document.set_blind(True)
-    assert document.load_cameras(dataset / "cameras" / "bad")
-    document.go_to(document.workspace.index[HERE])
+    document.blind_lock.set_blind(True)
+    assert document.camera_sources.load_cameras(dataset / "cameras" / "bad")
+    document.walk.go_to(document.state.workspace.index[HERE])
     settle(window, qtbot)
     return window
 
@@ -319,8 +319,8 @@ def told(blind: MainWindow) -> list[str]:
 def nudge(window: MainWindow) -> None:
     """Move a point by a key."""
     document = window.document
-    document.set_mode("edit")
-    document.select_point(KEPT[0], 0)
+    document.selecting.set_mode("edit")
+    document.selecting.select_point(KEPT[0], 0)
     Hand(window).key(Qt.Key.Key_Right)
 
 
@@ -343,14 +343,14 @@ def test_an_edit_after_the_cameras_were_shown_is_told_everywhere(
 ) -> None:
     document = blind.document
     assert said_in_review(blind, qtbot) == ""
-    document.commit_frame()
+    document.editing.commit_frame()
     assert "as it was then" in said_in_review(blind, qtbot)
     nudge(blind)
     assert document.review.status(HERE) is Status.IN_PROGRESS
     assert "edited after the cameras were shown" in told[-1]
     assert said_in_review(blind, qtbot) == "Edited after the cameras were shown."
-    document.go_to(document.workspace.index[OTHER])
-    document.commit_frame()
+    document.walk.go_to(document.state.workspace.index[OTHER])
+    document.editing.commit_frame()
     assert in_overview(blind, tmp_path / "overview.csv", qtbot) == {
         EMPTY: "",
         HERE: "edited after the cameras were shown",
@@ -361,8 +361,8 @@ def test_an_edit_after_the_cameras_were_shown_is_told_everywhere(
     qtbot.waitUntil(provenance.exists, timeout=20_000)
     entries = json.loads(provenance.read_text(encoding="utf-8"))["blind"]
     assert {name: entry[:2] for name, entry in entries.items()} == {
-        HERE: ["edited after the cameras were shown", document.author],
-        OTHER: ["blind", document.author],
+        HERE: ["edited after the cameras were shown", document.state.author],
+        OTHER: ["blind", document.state.author],
     }
 
 
@@ -370,23 +370,23 @@ def test_committing_again_does_not_make_it_blind_work_but_taking_the_edit_back_d
     blind: MainWindow, make_window: MakeWindow, dataset: Path, qtbot: QtBot
 ) -> None:
     document = blind.document
-    document.commit_frame()
+    document.editing.commit_frame()
     nudge(blind)
-    document.commit_frame()
+    document.editing.commit_frame()
     assert document.review.status(HERE) is Status.DONE
     assert said_in_review(blind, qtbot).startswith("Edited")
-    document.undo()
+    document.editing.undo()
     assert said_in_review(blind, qtbot).startswith("Committed in blind mode")
     blind.close()
     again = make_window(dataset)  # also read from the file
-    again.document.go_to(again.document.workspace.index[HERE])
+    again.document.walk.go_to(again.document.state.workspace.index[HERE])
     assert said_in_review(again, qtbot).startswith("Committed in blind mode")
 
 
 def test_taking_an_edit_back_makes_the_frame_done_again(blind: MainWindow, told: list[str]) -> None:
-    blind.document.commit_frame()
+    blind.document.editing.commit_frame()
     nudge(blind)
-    blind.document.undo()
+    blind.document.editing.undo()
     assert blind.document.review.status(HERE) is Status.DONE
     assert f"{HERE} is done again" in told[-1]
 
@@ -395,10 +395,10 @@ def test_what_was_committed_with_cameras_shown_is_no_blind_work(
     blind: MainWindow, told: list[str], qtbot: QtBot
 ) -> None:
     document = blind.document
-    document.set_blind(False)
-    document.commit_frame()
-    document.set_blind(True)
-    document.commit_frame()
+    document.blind_lock.set_blind(False)
+    document.editing.commit_frame()
+    document.blind_lock.set_blind(True)
+    document.editing.commit_frame()
     assert said_in_review(blind, qtbot) == ""
     nudge(blind)
     assert document.review.status(HERE) is Status.DONE
@@ -409,30 +409,30 @@ def test_an_empty_frame_is_committed_by_the_second_key_only(
     blind: MainWindow, told: list[str], qtbot: QtBot
 ) -> None:
     document, hand = blind.document, Hand(blind)
-    document.go_to(document.workspace.index[EMPTY])
+    document.walk.go_to(document.state.workspace.index[EMPTY])
     hand.key(Qt.Key.Key_Return, CTRL)
     assert "Ctrl+Enter again shows the cameras" in told[-1]
-    assert not document.projection_visible
-    document.go_to(document.workspace.index[HERE])
-    document.go_to(document.workspace.index[EMPTY])
+    assert not document.state.projection_visible
+    document.walk.go_to(document.state.workspace.index[HERE])
+    document.walk.go_to(document.state.workspace.index[EMPTY])
     hand.key(Qt.Key.Key_Return, CTRL)  # it was asked for long ago
-    assert not document.projection_visible
+    assert not document.state.projection_visible
     hand.key(Qt.Key.Key_Return, CTRL)
-    assert document.projection_visible
+    assert document.state.projection_visible
     hand.draw("Middle line", (300, 300), (500, 500))
     assert said_in_review(blind, qtbot) == "Edited after the cameras were shown."
 
 
 def test_done_chosen_for_an_empty_frame_shows_what_holds(blind: MainWindow, qtbot: QtBot) -> None:
     document = blind.document
-    document.go_to(document.workspace.index[EMPTY])
+    document.walk.go_to(document.state.workspace.index[EMPTY])
     blind.panels.show("review")
     all_done(qtbot)
     box = blind.findChild(QComboBox, "reviewStatus")
     box.setCurrentIndex(box.findData(Status.DONE))
     box.activated.emit(box.currentIndex())
     qtbot.waitUntil(lambda: box.currentData() == Status.UNTOUCHED)
-    assert not document.projection_visible
+    assert not document.state.projection_visible
 
 
 def test_exporting_says_what_blind_mode_leaves_out(
@@ -444,7 +444,7 @@ def test_exporting_says_what_blind_mode_leaves_out(
     blind.exporter.write_scores(path)
     assert "no frame is committed yet" in told[-1]
     assert not path.exists()
-    blind.document.commit_frame()
+    blind.document.editing.commit_frame()
     blind.exporter.write_scores(path)
     qtbot.waitUntil(lambda: "leaves out 1 frame" in told[-1], timeout=20_000)
     rows = list(csv.DictReader(io.StringIO(path.read_text(encoding="utf-8"), newline="")))
@@ -456,8 +456,8 @@ def test_the_field_is_estimated_from_committed_frames_only(blind: MainWindow, qt
     dialog = blind.field_dimensions.dialog
     dialog.estimate_button.click()
     assert "once a frame of it is committed" in dialog.found.text()
-    blind.document.go_to(blind.document.workspace.index[OTHER])
-    blind.document.commit_frame()
+    blind.document.walk.go_to(blind.document.state.workspace.index[OTHER])
+    blind.document.editing.commit_frame()
     dialog.estimate_button.click()
     qtbot.waitUntil(lambda: "took no part (2)" in dialog.found.text(), timeout=20_000)
     assert "1 frame;" in dialog.found.text()
@@ -492,8 +492,8 @@ def test_the_picture_stands_in_a_frame_while_blind(blind: MainWindow, qtbot: QtB
     assert all(edge.isVisible() for edge in edges)
     assert "Ctrl+Enter" in badge.text
     assert view.rect().contains(badge.geometry())
-    blind.document.commit_frame()
+    blind.document.editing.commit_frame()
     qtbot.waitUntil(lambda: "committed" in badge.text)
-    blind.document.set_blind(False)
+    blind.document.blind_lock.set_blind(False)
     assert not any(part.isVisible() for part in (*edges, badge))
     assert blind.canvas.to_picture(QPointF(100, 100)) == before  # nothing has moved

@@ -124,7 +124,7 @@ def search(wrong: PinholeCamera, monkeypatch: pytest.MonkeyPatch) -> None:
 def window(make_window: MakeWindow, annotated: Path, search: None, qtbot: QtBot) -> MainWindow:
     (annotated / "00002.json").unlink()
     made = make_window(annotated)
-    made.document.go_to(1)
+    made.document.walk.go_to(1)
     all_done(qtbot)
     return made
 
@@ -146,9 +146,9 @@ def corners(
 ) -> list[tuple[Place, Place]]:
     """Where distinct places well inside the picture are shown, and where they belong; those that
     lie far apart first."""
-    size = window.document.picture_size
+    size = window.document.state.picture_size
     assert size is not None
-    frame = wireframe_of(shown, window.document.field, size)
+    frame = wireframe_of(shown, window.document.state.field, size)
     belong = true.project(frame.places)[0]
     middle, room = np.array(size) / 2, np.array(size) / 2 - 40
     inside = (np.abs(frame.px - middle) < room) & (np.abs(belong - middle) < room)
@@ -204,7 +204,7 @@ class TestTakingHold:
     def test_a_click_of_it_draws_nothing(
         self, window: MainWindow, drag: CameraDrag, places: list[tuple[Place, Place]]
     ) -> None:
-        window.document.select_class("Middle line")
+        window.document.selecting.select_class("Middle line")
         drag.drag((700.0, 690.0), (730.0, 680.0))  # no line is there
         drag.drag(places[0][0], places[0][0])
         assert not window.canvas.editor.drawing
@@ -214,13 +214,13 @@ class TestTakingHold:
         self, window: MainWindow, drag: CameraDrag, places: list[tuple[Place, Place]]
     ) -> None:
         drag.drag(*places[0])
-        window.document.set_blind(True)
+        window.document.blind_lock.set_blind(True)
         assert not window.canvas.camera_hand.item.overlay.marks
         drag.drag(*places[1])
         assert "blind mode" in window.status.hint.text()
         assert window.document.corrections.here is None
         assert not window.canvas.camera_hand.item.overlay.strokes[1].segments.size
-        window.document.set_blind(False)
+        window.document.blind_lock.set_blind(False)
         assert len(camera_pegs(window)) == 1
 
 
@@ -261,7 +261,7 @@ class TestDragging:
         found = window.document.corrections.here
         assert found is not None
         assert found.why_not == ""
-        spots = wireframe_of(truth, window.document.field, SAMPLE).places
+        spots = wireframe_of(truth, window.document.state.field, SAMPLE).places
         apart = camera_of(window).project(spots)[0] - truth.project(spots)[0]
         assert np.hypot(*apart.T).max() < 2.0
         assert control_point_errors(camera_of(window), found.pegs).max() < 3 * found.pegs[0].sd_px
@@ -279,7 +279,7 @@ class TestDragging:
         drag.drag(*places[0])
         all_done(qtbot)
         first = camera_pegs(window)[0]
-        world = wireframe_of(camera_of(window), window.document.field, SAMPLE)
+        world = wireframe_of(camera_of(window), window.document.state.field, SAMPLE)
         start = world.at(places[1][1], 30.0)
         assert start is not None
         end = start.px[0] + 12.0, start.px[1] - 7.0
@@ -320,13 +320,13 @@ class TestDragging:
     ) -> None:
         drag.drag(*places[0])
         all_done(qtbot)
-        start = wireframe_of(camera_of(window), window.document.field, SAMPLE).at(
+        start = wireframe_of(camera_of(window), window.document.state.field, SAMPLE).at(
             places[1][1], 30.0
         )
         assert start is not None
         drag.drag(start.px, (start.px[0] + 12.0, start.px[1]))
         all_done(qtbot)
-        start = wireframe_of(camera_of(window), window.document.field, SAMPLE).at(
+        start = wireframe_of(camera_of(window), window.document.state.field, SAMPLE).at(
             places[2][1], 30.0
         )
         assert start is not None
@@ -400,9 +400,9 @@ class TestTakingBack:
         all_done(qtbot)
         QTest.keyClick(window.canvas, Key.Key_Return, SHIFT)
         all_done(qtbot)
-        assert window.document.annotation.annotated
+        assert window.document.state.annotation.annotated
         window.canvas.undo()
-        assert not window.document.annotation.annotated
+        assert not window.document.state.annotation.annotated
         assert window.document.corrections.here is not None
 
 
@@ -425,8 +425,8 @@ class TestWhatComesOfIt:
         all_done(qtbot)
         until_kept()
         assert (annotated / "00002.json").exists()
-        assert document.frame is not None
-        counts = document.review.origin_counts(document.frame.name, document.annotation)
+        assert document.state.frame is not None
+        counts = document.review.origin_counts(document.state.frame.name, document.state.annotation)
         assert set(counts) == {OriginKind.ACCEPTED}
         assert not document.corrections.rules  # the clicks say more
         assert document.foresight.insight is not None
@@ -442,14 +442,14 @@ class TestWhatComesOfIt:
     ) -> None:
         drag.drag(*places[0])
         all_done(qtbot)
-        window.document.go_to(2)
+        window.document.walk.go_to(2)
         all_done(qtbot)
         assert window.document.corrections.here is None
         assert not window.canvas.camera_hand.item.overlay.marks
-        window.document.go_to(1)
+        window.document.walk.go_to(1)
         all_done(qtbot)
         assert len(camera_pegs(window)) == 1
-        window.document.open_path(dataset)
+        window.document.opening.open_path(dataset)
         all_done(qtbot)
         assert not window.document.state.corrected
 
@@ -458,11 +458,11 @@ class TestWhatComesOfIt:
     ) -> None:
         window = make_window(annotated)
         document = window.document
-        document.go_to(1)
+        document.walk.go_to(1)
         document.live_fit.set_model("R")
         all_done(qtbot)
         drag = CameraDrag(window)
-        frame = wireframe_of(truth, document.field, SAMPLE)
+        frame = wireframe_of(truth, document.state.field, SAMPLE)
         start = frame.at((480.0, 270.0), 500.0)
         assert start is not None
         drag.drag(start.px, (start.px[0] + 25.0, start.px[1] + 10.0))
@@ -471,7 +471,7 @@ class TestWhatComesOfIt:
         assert document.corrections.here is None
 
         document.live_fit.set_wanted(False)
-        document.load_cameras(annotated / "cameras" / "true")
+        document.camera_sources.load_cameras(annotated / "cameras" / "true")
         all_done(qtbot)
         drag.drag(start.px, (start.px[0] + 25.0, start.px[1] + 10.0))
         assert document.corrections.rules
@@ -538,7 +538,7 @@ class TestInAShot:
         video = Path(shutil.copyfile(written, tmp_path / "match.mp4"))
         window = make_window(dataset)
         document = window.document
-        document.opening.open_workspace(open_video(video, range(0, COUNT, 4), document.field))
+        document.opening.open_workspace(open_video(video, range(0, COUNT, 4), document.state.field))
         all_done(qtbot)
         QTest.keyClick(window.canvas, Key.Key_T)
         qtbot.waitUntil(lambda: not window.shot_following.running, timeout=60_000)
@@ -560,7 +560,7 @@ class TestInAShot:
             return track(*args, anchors=anchors, **more)
 
         monkeypatch.setattr(following, "track_shot", noted)
-        document.go_to(2)
+        document.walk.go_to(2)
         all_done(qtbot)
         drag = CameraDrag(shot)
         (start, end), *_ = corners(shot, drawn.cameras[8], drawn.cameras[8])
@@ -572,7 +572,7 @@ class TestInAShot:
         assert "its camera was dragged" in words(shot)
         assert asked == []  # while somebody is here
 
-        document.go_to(3)
+        document.walk.go_to(3)
         qtbot.waitUntil(lambda: bool(asked), timeout=60_000)
         qtbot.waitUntil(lambda: not shot.shot_following.running, timeout=60_000)
         all_done(qtbot)
@@ -588,7 +588,7 @@ class TestInAShot:
         qtbot: QtBot,
     ) -> None:
         document = shot.document
-        document.go_to(2)
+        document.walk.go_to(2)
         all_done(qtbot)
         drag = CameraDrag(shot)
         (start, end), *_ = corners(shot, drawn.cameras[8], drawn.cameras[8])
@@ -597,7 +597,7 @@ class TestInAShot:
         all_done(qtbot)
         shot.canvas.undo()
         assert shot.strip.content.dragged == ()
-        document.go_to(3)
+        document.walk.go_to(3)
         qtbot.waitUntil(lambda: document.shot_track.tracked[8].state == "followed", timeout=60_000)
         all_done(qtbot)
 

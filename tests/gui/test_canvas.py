@@ -154,8 +154,8 @@ class TestZoomAndPan:
     def test_the_middle_button_pans_and_draws_nothing(
         self, window: MainWindow, hand: Hand, mode: str
     ) -> None:
-        window.document.set_mode(mode)
-        window.document.select_class(MIDDLE)
+        window.document.selecting.set_mode(mode)
+        window.document.selecting.select_class(MIDDLE)
         window.canvas.set_scale(4.0)
         before = window.canvas.to_picture(QPointF(200, 200))
         hand.drag((300, 150), (310, 155), Qt.MouseButton.MiddleButton)
@@ -164,7 +164,7 @@ class TestZoomAndPan:
         assert not window.canvas.editor.drawing
 
     def test_space_and_drag_pans_while_drawing(self, window: MainWindow, hand: Hand) -> None:
-        window.document.select_class(MIDDLE)
+        window.document.selecting.select_class(MIDDLE)
         hand.click(300, 100)
         window.canvas.set_scale(4.0)
         before = window.canvas.to_picture(QPointF(200, 200))
@@ -175,7 +175,7 @@ class TestZoomAndPan:
         assert (after[0] - before[0], after[1] - before[1]) == pytest.approx((-10, -5), abs=0.6)
         hand.click(310, 160)
         hand.key(Qt.Key.Key_Return)
-        polyline = window.document.annotation.get(MIDDLE)
+        polyline = window.document.state.annotation.get(MIDDLE)
         assert polyline is not None
         assert len(polyline.points) == 2
 
@@ -186,7 +186,7 @@ class TestZoomAndPan:
         hand.key(Qt.Key.Key_K, CTRL | SHIFT)
         window.canvas.set_scale(6.0)
         hand.key(Qt.Key.Key_A)
-        assert window.document.frame_index == 0
+        assert window.document.state.frame_index == 0
         assert window.canvas.view_scale == 6.0
 
     def test_magnified_pixels_are_not_smoothed(self, window: MainWindow) -> None:
@@ -208,7 +208,7 @@ class TestDraw:
     def test_a_double_click_finishes_without_doubling_the_point(
         self, window: MainWindow, hand: Hand, saved: ReadPoints
     ) -> None:
-        window.document.select_class(MIDDLE)
+        window.document.selecting.select_class(MIDDLE)
         first = hand.click(100, 50)
         last = hand.double_click(400, 250)
         np.testing.assert_allclose(saved(), [first, last], atol=1e-9)
@@ -217,41 +217,41 @@ class TestDraw:
     def test_backspace_takes_back_the_last_point_and_escape_all(
         self, window: MainWindow, hand: Hand, saved: ReadPoints
     ) -> None:
-        window.document.select_class(MIDDLE)
+        window.document.selecting.select_class(MIDDLE)
         kept = [hand.click(100, 50), hand.click(120, 90)]
         hand.click(500, 300)
         hand.key(Qt.Key.Key_Backspace)
         hand.key(Qt.Key.Key_Return)
         np.testing.assert_allclose(saved(), kept, atol=1e-9)
-        window.document.select_class(TOP)
+        window.document.selecting.select_class(TOP)
         hand.click(10, 10)
         hand.key(Qt.Key.Key_Escape)
         assert saved(TOP).size == 0
-        assert window.document.annotation.annotated == (MIDDLE,)
+        assert window.document.state.annotation.annotated == (MIDDLE,)
 
     def test_points_of_a_draft_survive_a_change_of_frame(
         self, window: MainWindow, hand: Hand, saved: ReadPoints
     ) -> None:
-        window.document.select_class(MIDDLE)
+        window.document.selecting.select_class(MIDDLE)
         clicked = [hand.click(100, 50), hand.click(120, 90)]
         hand.key(Qt.Key.Key_D)
-        assert window.document.frame_index == 1
+        assert window.document.state.frame_index == 1
         np.testing.assert_allclose(saved(), clicked, atol=1e-9)
         assert "Halfway line" in window.status.hint.text()
 
     def test_undo_while_drawing_takes_back_a_point(self, window: MainWindow, hand: Hand) -> None:
-        window.document.select_class(MIDDLE)
+        window.document.selecting.select_class(MIDDLE)
         hand.click(100, 50)
         hand.click(120, 90)
         hand.key(Qt.Key.Key_Z, CTRL)
         hand.key(Qt.Key.Key_Return)
-        polyline = window.document.annotation.get(MIDDLE)
+        polyline = window.document.state.annotation.get(MIDDLE)
         assert polyline is not None
         assert len(polyline.points) == 1
 
     def test_the_hint_says_what_the_next_click_does(self, window: MainWindow, hand: Hand) -> None:
         without = window.canvas.hint
-        window.document.select_class(MIDDLE)
+        window.document.selecting.select_class(MIDDLE)
         chosen = window.canvas.hint
         hand.click(100, 50)
         drawing = window.canvas.hint
@@ -266,7 +266,7 @@ class TestEdit:
         self, window: MainWindow, hand: Hand, saved: ReadPoints
     ) -> None:
         hand.draw(MIDDLE, (100, 50), (150, 200))
-        window.document.set_mode("edit")
+        window.document.selecting.set_mode("edit")
         start, end = hand.picture(100, 50), hand.picture(220, 90)
         hand.drag((100, 50), (220, 90))
         expected = np.array(saved())[0]
@@ -280,7 +280,7 @@ class TestEdit:
     ) -> None:
         hand.draw(MIDDLE, (100, 50), (150, 200))
         before = saved()
-        window.document.set_mode("edit")
+        window.document.selecting.set_mode("edit")
         screen = 1 / window.canvas.view_scale
         hand.drag((100 - 14 * screen, 50), (300, 50))
         np.testing.assert_array_equal(saved(), before)
@@ -291,7 +291,7 @@ class TestEdit:
         self, window: MainWindow, hand: Hand, saved: ReadPoints
     ) -> None:
         hand.draw(MIDDLE, (100, 50), (100, 250))
-        window.document.set_mode("edit")
+        window.document.selecting.set_mode("edit")
         hand.click(100, 150, ALT)
         points = saved()
         assert len(points) == 3
@@ -301,7 +301,7 @@ class TestEdit:
         self, window: MainWindow, hand: Hand, saved: ReadPoints
     ) -> None:
         hand.draw(MIDDLE, (100, 50), (100, 150), (100, 250))
-        window.document.set_mode("edit")
+        window.document.selecting.set_mode("edit")
         hand.click(100, 150, ALT | SHIFT)
         assert len(saved()) == 2
         hand.click(100, 250)
@@ -312,7 +312,7 @@ class TestEdit:
         self, window: MainWindow, hand: Hand, saved: ReadPoints
     ) -> None:
         hand.draw(MIDDLE, (100, 50), (100, 150))
-        window.document.set_mode("edit")
+        window.document.selecting.set_mode("edit")
         hand.click(100, 50)
         before = saved()[0]
         hand.key(Qt.Key.Key_Right)
@@ -323,7 +323,7 @@ class TestEdit:
         self, window: MainWindow, hand: Hand, saved: ReadPoints
     ) -> None:
         hand.draw(MIDDLE, (100, 50), (100, 150))
-        window.document.set_mode("edit")
+        window.document.selecting.set_mode("edit")
         hand.click(100, 50)
         start = saved()
         for _ in range(60):
@@ -350,11 +350,11 @@ class TestEdit:
 
 def test_hovering_a_line_tells_every_widget(window: MainWindow, hand: Hand) -> None:
     hand.draw(MIDDLE, (100, 50), (100, 250))
-    window.document.set_mode("edit")
+    window.document.selecting.set_mode("edit")
     hand.move(100, 150)
-    assert window.document.hovered_class == MIDDLE
+    assert window.document.state.hovered_class == MIDDLE
     hand.move(300, 150)
-    assert window.document.hovered_class is None
+    assert window.document.state.hovered_class is None
 
 
 def test_holding_x_shows_the_bare_picture(window: MainWindow, hand: Hand, qtbot: QtBot) -> None:
@@ -373,21 +373,21 @@ def test_ctrl_delete_removes_the_element_while_drawing_too(
     window.document.message.connect(lambda text, level: told.append(text))
     hand.draw("Middle line", (300, 60), (310, 300))
     hand.draw("Side line top", (100, 60), (500, 60))
-    window.document.select_class("Middle line", continues=True)
+    window.document.selecting.select_class("Middle line", continues=True)
     hand.click(320, 340)  # one more point is on its way
     assert window.canvas.editor.drawing
     hand.key(Qt.Key.Key_Delete, CTRL)
     assert not window.canvas.editor.drawing
     assert len(saved("Middle line")) == 0
-    window.document.undo()
+    window.document.editing.undo()
     assert len(saved("Middle line")) == 2
-    window.document.select_class("Side line left")
+    window.document.selecting.select_class("Side line left")
     hand.key(Qt.Key.Key_Delete, CTRL)
     assert told[-1] == "Left goal line has no points in this frame: choose the element to delete"
     hand.click(50, 100)
     hand.key(Qt.Key.Key_Delete, CTRL)
     assert told[-1].startswith("dropped 1 point of ")
-    window.document.select_class(None)
+    window.document.selecting.select_class(None)
     hand.key(Qt.Key.Key_Delete, CTRL)
     assert told[-1].startswith("choose the element to delete first")
     assert len(saved("Side line top")) == 2

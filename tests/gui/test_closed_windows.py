@@ -26,9 +26,9 @@ def open_and_close(qtbot: QtBot, path: Path) -> list[weakref.ref[QObject]]:
     window.resize(1280, 720)
     window.show()
     QApplication.processEvents()
-    assert window.document.load_cameras(path / "cameras" / "true")
-    window.document.set_active_camera(0)
-    window.document.go_to(1)
+    assert window.document.camera_sources.load_cameras(path / "cameras" / "true")
+    window.document.camera_sources.set_active_camera(0)
+    window.document.walk.go_to(1)
     for desk in DESKS:
         window.panels.turn_to(desk)
         QApplication.processEvents()

@@ -28,8 +28,8 @@ def test_it_goes_by_doing(begun: MainWindow, qtbot: QtBot) -> None:
     assert "Enter, done" in coach.card.accessibleName()
     hand.key(Qt.Key.Key_R, Qt.KeyboardModifier.ShiftModifier)
     assert coach.done == [True, True, False]
-    begun.document.undo()
-    begun.document.undo()
+    begun.document.editing.undo()
+    begun.document.editing.undo()
     wait_for_ghosts(begun, qtbot)
     qtbot.waitUntil(lambda: bool(begun.document.ghosts.painted), timeout=20_000)
     assert coach.card.isVisible()
@@ -51,7 +51,7 @@ def test_clicks_go_through_it_and_a_cross_puts_it_away(window: MainWindow) -> No
     coach.begin()
     card = coach.card
     assert window.rect().contains(card.mapTo(window, QPoint(card.width(), card.height())))
-    window.document.select_class("Middle line")
+    window.document.selecting.select_class("Middle line")
     below = card.geometry().center()
     assert canvas.viewport().childAt(below) in (None, coach.card)
     under = window.childAt(canvas.viewport().mapTo(window, below))

@@ -39,11 +39,11 @@ def _enter(window: MainWindow) -> None:
 
 
 def test_an_action_is_called_by_a_few_letters(window: MainWindow) -> None:
-    before = window.document.blind
+    before = window.document.state.blind
     _type(window, "blind mo")
     assert _titles(window)[0] == "Blind mode"
     _enter(window)
-    assert window.document.blind is not before
+    assert window.document.state.blind is not before
     assert not window.palette_.isVisible()
     assert window.canvas.hasFocus()
 
@@ -71,18 +71,18 @@ def test_everything_is_found(window: MainWindow, text: str, title: str) -> None:
 def test_elements_frames_and_thresholds_are_chosen(window: MainWindow) -> None:
     _type(window, "centre circle")
     _enter(window)
-    assert window.document.selected_class == "Circle central"
+    assert window.document.state.selected_class == "Circle central"
     _type(window, "frame_2")
     _enter(window)
-    assert window.document.frame is not None
-    assert window.document.frame.name == "frame_2"
+    assert window.document.state.frame is not None
+    assert window.document.state.frame.name == "frame_2"
     _type(window, "7,5")
     _enter(window)
-    assert window.document.tau == 7.5
+    assert window.document.state.tau == 7.5
     _type(window, "3")
     QTest.keyClick(window.palette_.search, Qt.Key.Key_Down)
     _enter(window)
-    assert window.document.frame_index == 2
+    assert window.document.state.frame_index == 2
 
 
 def test_folders_of_before_are_opened(
@@ -95,8 +95,8 @@ def test_folders_of_before_are_opened(
     window = make_window(dataset)
     _type(window, "second match")
     _enter(window)
-    assert window.document.frame is not None
-    assert window.document.frame.name == "kick"
+    assert window.document.state.frame is not None
+    assert window.document.state.frame.name == "kick"
 
 
 def test_what_was_called_last_comes_first(window: MainWindow) -> None:
@@ -110,7 +110,7 @@ def test_what_was_called_last_comes_first(window: MainWindow) -> None:
 
 
 def test_no_key_reaches_what_lies_below(window: MainWindow, hand: Hand, saved: ReadPoints) -> None:
-    window.document.select_class("Middle line")
+    window.document.selecting.select_class("Middle line")
     hand.click(300, 100)
     QTest.keyClick(window.canvas, K, CTRL)
     search = window.palette_.search
@@ -118,7 +118,7 @@ def test_no_key_reaches_what_lies_below(window: MainWindow, hand: Hand, saved: R
         QTest.keyClick(search, key)
     QTest.keyClick(search, Qt.Key.Key_Z, CTRL)
     QTest.keyClick(search, Qt.Key.Key_Escape)
-    assert window.document.frame_index == 0
+    assert window.document.state.frame_index == 0
     assert window.canvas.hasFocus()
     hand.click(300, 200)
     hand.key(Qt.Key.Key_Return)
@@ -180,7 +180,7 @@ def test_a_row_of_the_sheet_is_called_by_a_click(window: MainWindow, qtbot: QtBo
     line = column.fontMetrics().height()
     at = QPoint(20, line + line // 4 + line // 2)  # below the title of the only section
     QTest.mouseClick(column, Qt.MouseButton.LeftButton, pos=at)
-    assert window.document.selected_class == "Middle line"
+    assert window.document.state.selected_class == "Middle line"
     assert not sheet.isVisible()
     QTest.keyClick(window.canvas, Qt.Key.Key_F1)
     qtbot.waitUntil(sheet.search.hasFocus)  # or Enter is the picture's

@@ -41,7 +41,7 @@ def hand(audited: MainWindow, hand_on: Callable[[MainWindow], Hand]) -> Hand:
 
 
 def named(window: MainWindow, name: str) -> CameraSource:
-    return next(s for s in window.document.sources if s.name == name)
+    return next(s for s in window.document.state.sources if s.name == name)
 
 
 def pixels(window: MainWindow) -> np.ndarray:
@@ -70,7 +70,7 @@ def seen_at(window: MainWindow, name: str) -> list[QPointF]:
     """Places of the view where a source shows an element, the middles of its segments."""
     document = window.document
     projected = document.source_frames.of(named(window, name)).projected
-    scale = [(p - 1) / (s - 1) for p, s in zip((1280, 720), document.setup.size, strict=True)]
+    scale = [(p - 1) / (s - 1) for p, s in zip((1280, 720), document.state.setup.size, strict=True)]
     places = []
     for pieces in projected.pieces.values():
         for piece in pieces:
@@ -95,9 +95,11 @@ class TestWireframes:
     def test_another_source_is_drawn_in_its_colour(self, audited: MainWindow) -> None:
         bad = named(audited, "bad")
         assert bad.colour == VIOLET
-        audited.document.set_source_colour(bad, MAGENTA)  # nothing else on the picture is
+        audited.document.camera_sources.set_source_colour(
+            bad, MAGENTA
+        )  # nothing else on the picture is
         assert share_in_colour(audited, "bad", MAGENTA) > 0.8
-        audited.document.set_source_visible(bad, False)
+        audited.document.camera_sources.set_source_visible(bad, False)
         assert share_in_colour(audited, "bad", MAGENTA) < 0.1
 
     def test_one_key_hides_all_of_them(self, audited: MainWindow, hand: Hand) -> None:
@@ -118,7 +120,7 @@ class TestWireframes:
         assert named(audited, "pinhole").colour in colours
 
     def test_the_one_that_is_judged_has_none(self, audited: MainWindow) -> None:
-        audited.document.set_active_camera(1)
+        audited.document.camera_sources.set_active_camera(1)
         colours = {s.colour for s in audited.canvas.comparison.wireframes.strokes}
         assert VIOLET not in colours
         assert named(audited, "true").colour in colours
@@ -132,9 +134,9 @@ class TestWireframes:
         assert audited.canvas.comparison.wireframes.strokes
 
     def test_each_frame_has_its_own(self, audited: MainWindow, qtbot: QtBot) -> None:
-        audited.document.set_source_colour(named(audited, "bad"), MAGENTA)
+        audited.document.camera_sources.set_source_colour(named(audited, "bad"), MAGENTA)
         before = audited.canvas.comparison.wireframes
-        audited.document.next_frame()
+        audited.document.walk.next_frame()
         settle(audited, qtbot)
         after = audited.canvas.comparison.wireframes
         assert len(after.strokes) == len(before.strokes)
@@ -145,9 +147,9 @@ class TestWireframes:
         self, audited: MainWindow, hand: Hand
     ) -> None:
         document = audited.document
-        document.set_mode("edit")
+        document.selecting.set_mode("edit")
         before = audited.canvas.comparison.wireframes
-        point = document.annotation.polylines[0].points[0]
+        point = document.state.annotation.polylines[0].points[0]
         at = point.u * 1279, point.v * 719
         hand.drag(at, (at[0] + 40, at[1] + 15))
         assert audited.canvas.comparison.wireframes is before
@@ -164,7 +166,7 @@ class TestBlink:
         self, audited: MainWindow, monkeypatch: pytest.MonkeyPatch, qtbot: QtBot
     ) -> None:
         canvas, document = audited.canvas, audited.document
-        document.compare_with(named(audited, "bad"))
+        document.camera_sources.compare_with(named(audited, "bad"))
         all_done(qtbot)  # the legend names what is drawn when nothing else is due
         at_first = pixels(audited)
         clock = [100.0]
@@ -175,30 +177,30 @@ class TestBlink:
         assert (during != at_first).any(axis=2).mean() > 0.001
         plate = audited.findChild(object, "blinkName")
         assert plate.isVisible()
-        assert plate.text == f"bad  ·  JaC {document.compared_drawing[1].jac:.3f}"
+        assert plate.text == f"bad  ·  JaC {document.judge.compared[1].jac:.3f}"
         clock[0] += 2.0
         self.release(audited)
         assert not plate.isVisible()
-        assert document.active_source.name == "true"
+        assert document.state.active.name == "true"
         all_done(qtbot)
         assert np.array_equal(pixels(audited), at_first)
 
     def test_a_tap_changes_their_places(self, audited: MainWindow) -> None:
         document = audited.document
-        document.compare_with(named(audited, "bad"))
+        document.camera_sources.compare_with(named(audited, "bad"))
         for active, compared in (("bad", "true"), ("true", "bad")):
             self.press(audited)
             self.release(audited)
-            assert document.active_source.name == active
-            assert document.compared.name == compared
+            assert document.state.active.name == active
+            assert document.state.compared.name == compared
 
     def test_alone_it_says_what_is_missing(self, audited: MainWindow) -> None:
         for _ in range(2):
-            audited.document.remove_camera_set(1)
+            audited.document.camera_sources.remove_camera_set(1)
         self.press(audited)
         assert "second set" in audited.status.hint.text()
         self.release(audited)
-        assert audited.document.active_source.name == "true"
+        assert audited.document.state.active.name == "true"
 
 
 class TestKeysHeldElsewhere:
@@ -229,7 +231,7 @@ class TestKeysHeldElsewhere:
         self, audited: MainWindow, qtbot: QtBot, where: str, monkeypatch: pytest.MonkeyPatch
     ) -> None:
         canvas, document = audited.canvas, audited.document
-        document.compare_with(named(audited, "bad"))
+        document.camera_sources.compare_with(named(audited, "bad"))
         focused = self.focus(audited, qtbot, where)
         clock = [100.0]
         monkeypatch.setattr("procc_annotator.gui.canvas.comparison.monotonic", lambda: clock[0])
@@ -239,7 +241,7 @@ class TestKeysHeldElsewhere:
         assert canvas.comparison.looking
         clock[0] += 2.0
         QTest.keyRelease(canvas, Qt.Key.Key_Comma)
-        assert canvas.comparison.front is document.active_source is named(audited, "true")
+        assert canvas.comparison.front is document.state.active is named(audited, "true")
 
     def test_bare_picture_and_loupe(self, audited: MainWindow, qtbot: QtBot, hand: Hand) -> None:
         canvas = audited.canvas
@@ -267,7 +269,7 @@ class TestKeysHeldElsewhere:
         self, audited: MainWindow, qtbot: QtBot
     ) -> None:
         canvas, document = audited.canvas, audited.document
-        document.compare_with(named(audited, "bad"))
+        document.camera_sources.compare_with(named(audited, "bad"))
         focused = self.focus(audited, qtbot, "frames")
         for lost_to in ("field", "menu"):
             focused.setFocus()
@@ -281,7 +283,7 @@ class TestKeysHeldElsewhere:
                 QApplication.sendEvent(focused, away)
             assert not canvas.comparison.looking
             assert canvas.overlay_item.overlay.strokes
-            assert document.active_source is named(audited, "true")
+            assert document.state.active is named(audited, "true")
 
 
 class TestSplit:
@@ -290,9 +292,9 @@ class TestSplit:
         # Texts give way to each other within what can be seen of their side.
         nothing = "procc_annotator.gui.canvas.items.paint_plates"
         monkeypatch.setattr(nothing, lambda *_, **__: None)
-        audited.document.compare_with(named(audited, "bad"))
-        for source in audited.document.sources:
-            audited.document.set_source_visible(source, False)
+        audited.document.camera_sources.compare_with(named(audited, "bad"))
+        for source in audited.document.state.sources:
+            audited.document.camera_sources.set_source_visible(source, False)
         self.whole = pixels(audited)
         QTest.keyClick(audited.canvas, Qt.Key.Key_B, CTRL)
         assert audited.canvas.comparison.split.shown
@@ -301,10 +303,10 @@ class TestSplit:
         """The view when a source is judged and nothing is divided."""
         document = window.document
         QTest.keyClick(window.canvas, Qt.Key.Key_B, CTRL)
-        active = document.active_source
-        document.set_active_camera(document.sources.index(named(window, name)))
+        active = document.state.active
+        document.camera_sources.set_active_camera(document.state.sources.index(named(window, name)))
         shown = pixels(window)
-        document.set_active_camera(document.sources.index(active))
+        document.camera_sources.set_active_camera(document.state.sources.index(active))
         QTest.keyClick(window.canvas, Qt.Key.Key_B, CTRL)
         return shown
 
@@ -318,8 +320,8 @@ class TestSplit:
 
     def test_names_stand_at_the_top(self, audited: MainWindow) -> None:
         split, document = audited.canvas.comparison.split, audited.document
-        assert split.left.text == f"true  ·  JaC {document.score.jac:.3f}"
-        assert split.right.text == f"bad  ·  JaC {document.compared_drawing[1].jac:.3f}"
+        assert split.left.text == f"true  ·  JaC {document.judge.score.jac:.3f}"
+        assert split.right.text == f"bad  ·  JaC {document.judge.compared[1].jac:.3f}"
         assert split.left.geometry().right() < split.x < split.right.geometry().left()
 
     def drag_divider(self, window: MainWindow, by: int) -> None:
@@ -355,8 +357,8 @@ class TestSplit:
         self, audited: MainWindow, hand: Hand
     ) -> None:
         document, canvas = audited.document, audited.canvas
-        document.set_option("snapping", False)
-        document.select_class("Circle central")
+        document.selecting.set_option("snapping", False)
+        document.selecting.select_class("Circle central")
         view = QPoint(round(canvas.comparison.split.x), 330)
         target = canvas.viewport().childAt(view)
         while target is not None and target.testAttribute(
@@ -367,7 +369,7 @@ class TestSplit:
         QTest.mouseClick(canvas.viewport(), LEFT, NONE, view)
         QTest.mouseClick(canvas.viewport(), LEFT, NONE, view + QPoint(40, 10))
         hand.key(Qt.Key.Key_Return)
-        points = document.annotation.get("Circle central").points
+        points = document.state.annotation.get("Circle central").points
         assert canvas.to_picture(QPointF(view)) == pytest.approx(
             (points[0].u * 1279, points[0].v * 719), abs=1e-6
         )
@@ -401,14 +403,14 @@ class TestSplit:
 
     def test_both_sides_follow_a_point_that_is_dragged(self, audited: MainWindow) -> None:
         document, hand = audited.document, Hand(audited)
-        document.set_mode("edit")
-        polyline = document.annotation.get("Big rect. left main")
+        document.selecting.set_mode("edit")
+        polyline = document.state.annotation.get("Big rect. left main")
         point = polyline.points[-1]
         at = point.u * 1279, point.v * 719
-        before = document.compared_drawing[1].labelling.all_distances.copy()
+        before = document.judge.compared[1].labelling.all_distances.copy()
         hand.drag(at, (at[0] + 30, at[1] + 12))
-        assert not np.array_equal(document.compared_drawing[1].labelling.all_distances, before)
-        assert document.compared_drawing[1].jac == pytest.approx(
+        assert not np.array_equal(document.judge.compared[1].labelling.all_distances, before)
+        assert document.judge.compared[1].jac == pytest.approx(
             float(audited.canvas.comparison.split.right.text.split("JaC")[1]), abs=5e-4
         )
 
@@ -417,9 +419,9 @@ class TestDisagreement:
     @pytest.fixture
     def plain(self, audited: MainWindow) -> np.ndarray:
         """The canvas without it; of a fixture, for pytest keeps what a test's object holds."""
-        for source in audited.document.sources:
-            audited.document.set_source_visible(source, False)
-        audited.document.compare_with(named(audited, "bad"))
+        for source in audited.document.state.sources:
+            audited.document.camera_sources.set_source_visible(source, False)
+        audited.document.camera_sources.compare_with(named(audited, "bad"))
         audited.panels.show("cameras")
         return pixels(audited)
 
@@ -437,7 +439,9 @@ class TestDisagreement:
 
     def test_figures_are_those_of_the_metric(self, audited: MainWindow, qtbot: QtBot) -> None:
         document = audited.document
-        found = disagreement(*self.cameras(audited), document.field, document.setup.size)
+        found = disagreement(
+            *self.cameras(audited), document.state.field, document.state.setup.size
+        )
         for unit, decimals in (("m", 2), ("px", 1)):
             spread = found.statistics.metres if unit == "m" else found.statistics.pixels
             for figure in ("minimum", "median", "maximum"):
@@ -493,11 +497,11 @@ class TestDisagreement:
         assert not audited.status.apart.isVisible()
 
     def test_blind_mode_hides_it(self, audited: MainWindow, qtbot: QtBot) -> None:
-        audited.document.set_blind(True)
+        audited.document.blind_lock.set_blind(True)
         assert audited.document.disagreement.value is None
         assert not audited.canvas.maps.legend.title
         qtbot.waitUntil(lambda: "Blind" in self.text(audited, "disagreement_problem"))
-        audited.document.set_blind(False)
+        audited.document.blind_lock.set_blind(False)
         qtbot.waitUntil(lambda: audited.document.disagreement.value is not None)
 
     def test_another_frame_or_source_is_worked_out_anew(
@@ -505,7 +509,7 @@ class TestDisagreement:
     ) -> None:
         document = audited.document
         first = document.disagreement.value
-        document.next_frame()
+        document.walk.next_frame()
         assert document.disagreement.value is None  # never that of the frame before
         qtbot.waitUntil(lambda: document.disagreement.value is not None)
         second = document.disagreement.value
@@ -526,14 +530,16 @@ class TestDisagreement:
     ) -> None:
         document = audited.document
         for index in (2, 3, 5, 4, 1):
-            document.go_to(index)
+            document.walk.go_to(index)
         qtbot.waitUntil(lambda: document.disagreement.value is not None)
         all_done(qtbot)
-        expected = disagreement(*self.cameras(audited), document.field, document.setup.size)
+        expected = disagreement(
+            *self.cameras(audited), document.state.field, document.state.setup.size
+        )
         assert document.disagreement.value.values.statistics == expected.statistics
 
     def test_a_camera_missing_in_one_is_said(self, audited: MainWindow, qtbot: QtBot) -> None:
-        audited.document.go_to(3)
+        audited.document.walk.go_to(3)
         qtbot.waitUntil(lambda: self.text(audited, "disagreement_problem") != "")
         assert self.text(audited, "disagreement_problem") == "bad: no camera for this frame."
 
@@ -542,8 +548,8 @@ class TestDisagreement:
     ) -> None:
         document = audited.document
         (annotated / "cameras" / "true").rename(annotated / "cameras" / "copy")
-        document.load_cameras(annotated / "cameras" / "copy")
-        document.compare_with(named(audited, "true"))
+        document.camera_sources.load_cameras(annotated / "cameras" / "copy")
+        document.camera_sources.compare_with(named(audited, "true"))
         qtbot.waitUntil(lambda: "the same" in document.disagreement.problem)
         assert document.disagreement.value.values.statistics.metres.maximum < 1e-6
 
@@ -553,31 +559,31 @@ class TestDisagreement:
         document = audited.document
         bad = named(audited, "bad")
         shown = SourceFrame(camera=ElementProjections({}), model="projections")
-        document.source_frames.put(bad.camera_set, document.frame.name, shown)
+        document.source_frames.put(bad.camera_set, document.state.frame.name, shown)
         document.disagreement.look()
         assert "no ground to compare" in document.disagreement.problem
         assert document.disagreement.problem.startswith("bad shares only")
 
     def test_without_a_second_source_it_says_what_is_missing(self, audited: MainWindow) -> None:
         for _ in range(2):
-            audited.document.remove_camera_set(1)
+            audited.document.camera_sources.remove_camera_set(1)
         assert audited.document.disagreement.problem.startswith("Two sources")
         legend = audited.canvas.maps.legend
         assert (legend.title, legend.problem) == ("", audited.document.disagreement.problem)
 
     def test_without_a_judged_source_it_says_to_choose_one(self, audited: MainWindow) -> None:
-        audited.document.set_active_camera(-1)
+        audited.document.camera_sources.set_active_camera(-1)
         problem = "No source is judged: choose one first."
         assert audited.document.disagreement.problem == problem
-        while len(audited.document.sources) > 1:
-            audited.document.remove_camera_set(0)
+        while len(audited.document.state.sources) > 1:
+            audited.document.camera_sources.remove_camera_set(0)
         assert audited.document.disagreement.problem.startswith("Two sources")
 
     def test_without_any_source_there_is_no_choice(self, audited: MainWindow, qtbot: QtBot) -> None:
         comparing = audited.cameras.comparing
         qtbot.waitUntil(comparing.isVisible)
-        while audited.document.sources:
-            audited.document.remove_camera_set(0)
+        while audited.document.state.sources:
+            audited.document.camera_sources.remove_camera_set(0)
         qtbot.waitUntil(lambda: not comparing.isVisible())
 
     def test_the_legend_says_the_unit_whatever_the_names(
@@ -591,8 +597,10 @@ class TestDisagreement:
                 super().drawText(*given)
 
         monkeypatch.setattr("procc_annotator.gui.canvas.metre_map_legend.QPainter", Painter)
-        for source in audited.document.sources:
-            audited.document.rename_source(source, f"cameras of {source.name} with a long name")
+        for source in audited.document.state.sources:
+            audited.document.camera_sources.rename_source(
+                source, f"cameras of {source.name} with a long name"
+            )
         legend = audited.canvas.maps.legend
         qtbot.waitUntil(lambda: legend.title.count("long name") == 2)
         legend.grab()

@@ -34,7 +34,7 @@ def test_it_explains_what_is_there(begun: MainWindow, qtbot: QtBot) -> None:
 
 
 def test_verdicts_and_sources_are_named(audited: MainWindow, qtbot: QtBot) -> None:
-    audited.document.set_active_camera(1)
+    audited.document.camera_sources.set_active_camera(1)
     assert texts(audited)[:2] == ["passes", "too far"]
     assert {"projection", "true"} <= set(texts(audited))
     audited.actions_["others"].trigger()

@@ -39,12 +39,12 @@ def told(window: MainWindow) -> Labels:
 
 def test_class_points_and_snapping_stand_at_the_cursor(lined: MainWindow) -> None:
     hand, document = Hand(lined), lined.document
-    document.select_class(MIDDLE)
+    document.selecting.select_class(MIDDLE)
     hand.move(322, 100)
     assert told(lined).texts == ("Halfway line  2 to go",)
     signs = told(lined).hand
     assert signs is not None
-    assert (signs.colour, signs.snap) == (document.field.element(MIDDLE).colour, "found")
+    assert (signs.colour, signs.snap) == (document.state.field.element(MIDDLE).colour, "found")
     hand.move(100, 100)
     assert told(lined).hand.snap == "none"
     lined.actions_["snapping"].trigger()
@@ -56,11 +56,11 @@ def test_class_points_and_snapping_stand_at_the_cursor(lined: MainWindow) -> Non
     hand.click(322, 200)
     hand.move(322, 300)
     assert told(lined).texts == ("Halfway line  2 points",)
-    document.select_class("Circle central")  # another one: a curve takes more
+    document.selecting.select_class("Circle central")  # another one: a curve takes more
     hand.move(200, 200)
     assert told(lined).texts == ("Centre circle  5 to go",)
     hand.key(Qt.Key.Key_Escape)
-    document.set_mode("edit")
+    document.selecting.set_mode("edit")
     hand.move(210, 200)
     assert not [x for x in lined.canvas.overlay_item.overlay.labels if x.hand is not None]
 
@@ -80,7 +80,7 @@ def test_texts_over_the_picture_grow_with_the_setting(lined: MainWindow) -> None
         rows, columns = np.nonzero(np.abs(shown - bare)[around].max(axis=2) > 40)
         return int(np.ptp(columns)), int(np.ptp(rows))
 
-    lined.document.select_class(MIDDLE)
+    lined.document.selecting.select_class(MIDDLE)
     usual = painted()
     application = QApplication.instance()
     try:

@@ -34,9 +34,9 @@ class _Held:
     def __init__(self, window: MainWindow, qtbot: QtBot) -> None:
         self.window, self.canvas, self._hand = window, window.canvas, Hand(window)
         self._qtbot = qtbot
-        window.document.set_mode("edit")
-        polyline = window.document.annotation.get(ELEMENT)
-        size = window.document.picture_size
+        window.document.selecting.set_mode("edit")
+        polyline = window.document.state.annotation.get(ELEMENT)
+        size = window.document.state.picture_size
         assert polyline is not None
         assert size is not None
         u, v = polyline.points[0][:2]
@@ -109,13 +109,13 @@ def test_a_carried_point(
 @pytest.mark.parametrize(
     "happens",
     [
-        lambda window: window.document.select_class("Middle line"),
+        lambda window: window.document.selecting.select_class("Middle line"),
         lambda window: window.canvas.undo(),
         lambda window: window.canvas.set_look(DisplayAdjustment(brightness=0.2)),
-        lambda window: window.document.set_active_camera(1),
-        lambda window: window.document.set_tau(12.0),
+        lambda window: window.document.camera_sources.set_active_camera(1),
+        lambda window: window.document.terms.set_tau(12.0),
         lambda window: window.canvas.drawing.set_colour_by("class"),
-        lambda window: window.document.go_to(2),
+        lambda window: window.document.walk.go_to(2),
         lambda window: window.resize(window.width() - 120, window.height() - 80),
     ],
     ids=["selected", "undone", "look", "source", "threshold", "colours", "frame", "resized"],
@@ -148,7 +148,7 @@ def test_the_cursor_is_told_once_it_is_let_go(audited: MainWindow, qtbot: QtBot)
 
 
 def _places(window: MainWindow) -> np.ndarray:
-    polyline = window.document.annotation.get(ELEMENT)
+    polyline = window.document.state.annotation.get(ELEMENT)
     assert polyline is not None
     return np.array([point[:2] for point in polyline.points])
 
@@ -198,7 +198,7 @@ def test_a_point_whose_release_went_elsewhere_stays_where_it_was_seen(
     there = audited.canvas.cursor_px
     held._hand._move(held.grip + WAY[3], Qt.MouseButton.NoButton)
     assert not audited.canvas.editor.holding
-    w, h = audited.document.picture_size or (0, 0)
+    w, h = audited.document.state.picture_size or (0, 0)
     moved = (_places(audited) - before)[0] * (w - 1, h - 1)
     assert there is not None
     assert moved == pytest.approx((there[0] - x, there[1] - y), abs=0.01)

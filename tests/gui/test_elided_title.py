@@ -42,6 +42,6 @@ def test_the_scores_use_them_and_say_the_whole_in_the_tip(audited: MainWindow) -
     table = audited.findChild(QTableView, "scores_table")
     assert isinstance(table.itemDelegateForColumn(ELEMENT), TitleDelegate)
     audited.panels.show("scores")
-    title = audited.document.field.title_of("Big rect. left main")
+    title = audited.document.state.field.title_of("Big rect. left main")
     tips = [table.model().index(r, 0).data(3) for r in range(table.model().rowCount())]
     assert any(tip.startswith(f"{title}\n") for tip in tips)

@@ -70,10 +70,10 @@ def test_annotate_correct_judge_and_export_the_sample(
 ) -> None:
     window = make_window(sample, size=(1600, 900))
     hand, document = Hand(window), window.document
-    document.set_option("snapping", False)  # this test is about exact clicks
+    document.selecting.set_option("snapping", False)  # this test is about exact clicks
     truth = CameraSet.open(sample / "cameras" / "true").camera("00005", EVALUATION)
     assert truth is not None
-    document.go_to(document.workspace.index["00005"])
+    document.walk.go_to(document.state.workspace.index["00005"])
     file = sample / "00005.json"
     assert not file.exists()
 
@@ -100,15 +100,15 @@ def test_annotate_correct_judge_and_export_the_sample(
     np.testing.assert_allclose(np.delete(moved, 1, axis=0), np.delete(line, 1, axis=0), atol=1e-9)
 
     # Judge: the moved element fails at 5 px, the arc passes.
-    document.load_cameras(sample / "cameras" / "true")
+    document.camera_sources.load_cameras(sample / "cameras" / "true")
     field = load_field()
     annotation = read_annotation(file.read_bytes(), path=str(file), field=field)
     expected = score(measure(annotation, truth.camera, EvaluationSetup(field)), 5.0)
     verdicts = {e.annotated_name: e.status for e in expected.elements}
     assert verdicts[MAIN] == "too_far"
     assert verdicts[ARC] == "tp"
-    assert document.score is not None
-    assert (document.score.tp, document.score.fp, document.score.fn) == (
+    assert document.judge.score is not None
+    assert (document.judge.score.tp, document.judge.score.fp, document.judge.score.fn) == (
         expected.tp,
         expected.fp,
         expected.fn,
@@ -116,8 +116,8 @@ def test_annotate_correct_judge_and_export_the_sample(
 
     # A larger tau accepts it.
     window.top_bar.camera_bar.tau.spin.setValue(30.0)
-    assert document.tau == 30.0
-    assert document.score.tp == expected.tp + 1
+    assert document.state.tau == 30.0
+    assert document.judge.score.tp == expected.tp + 1
 
     # Export, and compare with what was clicked.
     export(window, qtbot, monkeypatch, "export_annotations", tmp_path / "out")
@@ -128,7 +128,7 @@ def test_annotate_correct_judge_and_export_the_sample(
     export(window, qtbot, monkeypatch, "export_scores", table)
     header, *rows = [row.split(",") for row in table.read_text().splitlines()]
     (row,) = [dict(zip(header, r, strict=True)) for r in rows if r[0] == "00005"]
-    assert float(row["jac"]) == pytest.approx(document.score.jac, abs=1e-6)
+    assert float(row["jac"]) == pytest.approx(document.judge.score.jac, abs=1e-6)
 
 
 def test_annotate_a_real_frame(make_window: MakeWindow, shared_data: Path, tmp_path: Path) -> None:
@@ -139,7 +139,7 @@ def test_annotate_a_real_frame(make_window: MakeWindow, shared_data: Path, tmp_p
     reference = json.loads((shared_data / "frames" / "bra_mex.json").read_text())
     window = make_window(folder, size=(1600, 900))
     hand = Hand(window)
-    window.document.set_option("snapping", False)
+    window.document.selecting.set_option("snapping", False)
     names = [name for name, points in reference.items() if len(points) >= 2][:2]
     for name in names:
         wanted = on_disk(shared_data / "frames" / "bra_mex.json", name)

@@ -66,8 +66,8 @@ def test_strips_are_drawn_once_they_are_asked_for(annotated: MainWindow, qtbot: 
     annotated.actions_["evidence"].trigger()
     qtbot.waitUntil(lambda: tones.PASSES in strips(annotated))
     seen = document.paint_watch.value
-    assert set(seen) == set(document.annotation.polylines) - {
-        p for p in document.annotation.polylines if p not in seen
+    assert set(seen) == set(document.state.annotation.polylines) - {
+        p for p in document.state.annotation.polylines if p not in seen
     }
     under = np.concatenate([one.paint == LinePresence.UNDER for one in seen.values()])
     assert under.mean() > 0.6
@@ -76,7 +76,7 @@ def test_strips_are_drawn_once_they_are_asked_for(annotated: MainWindow, qtbot: 
 
 
 def test_blind_mode_may_see_it(annotated: MainWindow, qtbot: QtBot) -> None:
-    annotated.document.set_blind(True)
+    annotated.document.blind_lock.set_blind(True)
     annotated.actions_["evidence"].trigger()
     qtbot.waitUntil(lambda: tones.PASSES in strips(annotated), timeout=20_000)
 
@@ -96,8 +96,8 @@ def test_only_what_changed_is_looked_at_again(
         return really(polyline, *rest, **more)
 
     monkeypatch.setattr(evidence_module, "_along", along)
-    name = document.annotation.polylines[0].class_name
-    document.select_point(name, 0)
+    name = document.state.annotation.polylines[0].class_name
+    document.selecting.select_point(name, 0)
     hand_on(annotated).key(Qt.Key.Key_Right)
     qtbot.waitUntil(lambda: document.paint_watch.value is not None, timeout=20_000)
     assert looked_at == [name]
@@ -118,9 +118,9 @@ def test_bent_paint_under_two_clicks_is_told_at_once_and_r_mends_it(
     qtbot.waitUntil(lambda: Rule.BESIDE_PAINT in found(), timeout=20_000)
     assert any("(R)" in text and "5 px" in text for text in told)
     assert BENT in {notice.key for notice in document.state.notices}
-    document.select_class("Side line top")
+    document.selecting.select_class("Side line top")
     hand.key(Qt.Key.Key_R)
-    qtbot.waitUntil(lambda: len(document.annotation.get("Side line top").points) > 2)
+    qtbot.waitUntil(lambda: len(document.state.annotation.get("Side line top").points) > 2)
     qtbot.waitUntil(lambda: document.label_check.checked is not None, timeout=20_000)
     assert Rule.BESIDE_PAINT not in found()
     qtbot.waitUntil(lambda: BENT not in {notice.key for notice in document.state.notices})
@@ -133,20 +133,20 @@ def test_the_remedy_puts_its_points_along_the_paint(
     document, hand = bent.document, hand_on(bent)
     qtbot.waitUntil(lambda: document.label_check.checked is not None, timeout=20_000)
     hand.draw("Side line top", (102, 300), (858, 300))
-    two = document.annotation
+    two = document.state.annotation
 
     def found() -> list[StoredFinding]:
         every = document.label_check.shown
         return [f for f in every if f.finding.rule is Rule.BESIDE_PAINT]
 
     qtbot.waitUntil(lambda: bool(found()), timeout=20_000)
-    document.select_class("Side line bottom")
+    document.selecting.select_class("Side line bottom")
     remedy = found()[0].finding.remedies[0]
     bent.label_check.apply(found()[0], remedy)
-    qtbot.waitUntil(lambda: len(document.annotation.get("Side line top").points) > 2)
+    qtbot.waitUntil(lambda: len(document.state.annotation.get("Side line top").points) > 2)
     qtbot.waitUntil(lambda: document.label_check.checked is not None and not found())
     hand.key(Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
-    assert document.annotation == two
+    assert document.state.annotation == two
 
 
 def test_a_line_clicked_where_there_is_none_is_no_bent_one(

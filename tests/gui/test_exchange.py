@@ -83,7 +83,7 @@ def test_frames_are_matched_by_name_and_the_rest_is_told(
     }
     assert on_disk(dataset, "frame_1")[LINE][0]["x"] == 200 / 639
     assert not (dataset / "frame_2.json").exists()
-    assert window.document.annotation.annotated == (LINE,)  # the frame on screen shows it
+    assert window.document.state.annotation.annotated == (LINE,)  # the frame on screen shows it
     assert window.frames.model.info(1).count == 1
 
 
@@ -91,7 +91,7 @@ def test_what_is_annotated_stays_unless_asked(
     window: MainWindow, qtbot: QtBot, dataset: Path, foreign: Path
 ) -> None:
     mine = FrameAnnotation((Polyline("Side line top", (Point(0.1, 0.1), Point(0.9, 0.1))),))
-    window.document.commit_edit("draw", mine)
+    window.document.editing.commit_edit("draw", mine)
     said = run_import(window, qtbot, foreign)
     assert "1 of 2 frames imported" in said
     assert "1 frame is annotated already" in said
@@ -105,7 +105,7 @@ def test_what_is_annotated_stays_unless_asked(
     database.flush(5.0)
     kept = [database.version_data(v.id) for v in database.versions("frame_0")]
     assert any(b"Side line top" in data for data in kept)
-    window.document.undo()
+    window.document.editing.undo()
     assert list(on_disk(dataset, "frame_0")) == ["Side line top"]
 
 
@@ -113,8 +113,8 @@ def test_other_frames_keep_their_history_too(
     window: MainWindow, qtbot: QtBot, dataset: Path, foreign: Path
 ) -> None:
     run_import(window, qtbot, foreign)
-    window.document.go_to(1)
-    window.document.undo()
+    window.document.walk.go_to(1)
+    window.document.editing.undo()
     assert on_disk(dataset, "frame_1") == {}
 
 
@@ -158,7 +158,7 @@ def test_what_is_replaced_is_a_version_on_disk_before_its_file_changes(
     """A kill at any moment finds every file whole and everything replaced among the versions."""
     before = {p.stem: p.read_bytes() for p in annotated.glob("*.json")}
     window = make_window(annotated)
-    window.document.go_to(2)  # no frame that is replaced is on screen
+    window.document.walk.go_to(2)  # no frame that is replaced is on screen
     written, threads = [], set()
     write = saving.write_atomic
 
@@ -186,7 +186,7 @@ def test_the_database_is_not_asked_about_every_frame(
 ) -> None:
     """Each answer would wait for all that is queued before it."""
     window = make_window(annotated)
-    window.document.go_to(2)
+    window.document.walk.go_to(2)
     asked: list[str] = []
     origins = WorkspaceDatabase.origins
 
@@ -197,7 +197,7 @@ def test_the_database_is_not_asked_about_every_frame(
     monkeypatch.setattr(WorkspaceDatabase, "origins", watched)
     assert "2 of 2" in run_import(window, qtbot, foreign, replace=True)
     assert not {"frame_0", "frame_1"} & set(asked)
-    window.document.go_to(0)
+    window.document.walk.go_to(0)
     assert set(window.document.review.origins("frame_0")) == {
         (100 / 639, 10 / 359),
         (100 / 639, 300 / 359),
@@ -212,7 +212,7 @@ def test_a_file_that_changes_just_before_it_is_written_is_kept(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     window = make_window(annotated)
-    window.document.go_to(2)
+    window.document.walk.go_to(2)
     flush = WorkspaceDatabase.flush
 
     def changed(self: WorkspaceDatabase, timeout: float = 2.0) -> bool:
@@ -235,7 +235,7 @@ def test_an_import_that_breaks_off_is_over_and_nothing_of_it_is_lost(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr("sys.excepthook", lambda *_: None)  # the terminal would say it
-    window.document.go_to(2)
+    window.document.walk.go_to(2)
     write = workspace.write_saves
 
     def broken(saves: list[saving.PendingSave]) -> None:
@@ -249,7 +249,7 @@ def test_an_import_that_breaks_off_is_over_and_nothing_of_it_is_lost(
     assert "frame_0: it could not be saved" in said
     assert "no more" in said
     assert window.isWindowModified()
-    assert window.document.save_now()  # what was written after all is no conflict
+    assert window.document.editing.save_now()  # what was written after all is no conflict
     assert {LINE} == set(on_disk(dataset, "frame_0")) == set(on_disk(dataset, "frame_1"))
     assert not window.isWindowModified()
 
@@ -263,7 +263,7 @@ def test_closing_the_window_ends_an_import_with_everything_saved(
 ) -> None:
     monkeypatch.setattr(batch_edits, "_TOGETHER", 1)
     window = make_window(annotated)
-    window.document.go_to(2)
+    window.document.walk.go_to(2)
     window.importer.ask()
     importer = window.importer
     assert importer.dialog is not None
@@ -277,7 +277,7 @@ def test_closing_the_window_ends_an_import_with_everything_saved(
     all_done(qtbot)
     assert [list(on_disk(annotated, f"frame_{i}")) for i in range(3)] == held
     assert held[0] == [LINE]
-    assert not window.document.workspace.dirty_frames()  # type: ignore[union-attr]
+    assert not window.document.state.workspace.dirty_frames()  # type: ignore[union-attr]
     assert not list(locks_folder(annotated).glob("*.lock"))
 
 
@@ -316,7 +316,7 @@ def test_export_says_what_the_format_cannot_hold(
     window: MainWindow, qtbot: QtBot, tmp_path: Path
 ) -> None:
     document = window.document
-    document.commit_edit(
+    document.editing.commit_edit(
         "draw",
         FrameAnnotation(
             (Polyline(LINE, (Point(0.5, 0.1), Point(0.5, 1.2))),),
@@ -350,7 +350,7 @@ def test_exported_and_imported_again_is_the_same(
     window: MainWindow, qtbot: QtBot, dataset: Path, tmp_path: Path
 ) -> None:
     line = Polyline(LINE, (Point(1 / 3, 0.1), Point(0.7234567890123, 0.9)))
-    window.document.commit_edit("draw", FrameAnnotation((line,)))
+    window.document.editing.commit_edit("draw", FrameAnnotation((line,)))
     window.export_as.ask()
     dialog = window.export_as.dialog
     assert dialog is not None

@@ -67,7 +67,7 @@ class TestDiskTroubles:
             assert "NOT SAVED" in window.top_bar.saved.text()
             assert os.strerror(code) in window.message_bar.label.text()
             assert classes(dataset / "frame_0.json") == [MIDDLE]
-            window.document.next_frame()
+            window.document.walk.next_frame()
             hand.draw(MIDDLE, (100, 100), (200, 200))  # the window goes on working
         window.document.saver.retry()
         until_kept()
@@ -83,7 +83,7 @@ class TestDiskTroubles:
         dataset.rename(away)
         hand.draw(TOP, (100, 50), (200, 50))
         assert "NOT SAVED" in window.top_bar.saved.text()
-        window.document.next_frame()
+        window.document.walk.next_frame()
         window.document.presence.beat()
         window.document.presence.look()
         window.document.review.poll()
@@ -104,7 +104,7 @@ class TestDiskTroubles:
         monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
         window = make_window(dataset)
         assert str(tmp_path / "data") in window.message_bar.label.text()
-        window.document.commit_frame()
+        window.document.editing.commit_frame()
         assert window.document.review.status("frame_0") is Status.DONE
 
     def test_a_file_replaced_by_another_program_is_not_overwritten(
@@ -129,7 +129,7 @@ class TestDiskTroubles:
         outside = tmp_path / "precious.json"
         outside.write_text("{}")
         (dataset / "frame_1.json").symlink_to(outside)
-        window.document.next_frame()
+        window.document.walk.next_frame()
         hand.draw(MIDDLE, (100, 100), (200, 200))
         assert outside.read_text() == "{}"
         assert "link" in window.message_bar.label.text()
@@ -145,14 +145,14 @@ class TestPictures:
         data = (dataset / "frame_2.png").read_bytes()
         window.document.cache.close()
         (dataset / "frame_2.png").write_bytes(data[: len(data) // 3])
-        window.document.go_to(2)
+        window.document.walk.go_to(2)
         assert "frame_2.png" in window.frame_bar.label.text()
         hand.draw(MIDDLE, (100, 100), (200, 200))
         assert not (dataset / "frame_2.json").exists()
         (dataset / "frame_2.png").write_bytes(data)
-        window.document.go_to(1)
-        window.document.go_to(2)
-        assert window.document.editable
+        window.document.walk.go_to(1)
+        window.document.walk.go_to(2)
+        assert window.document.state.editable
 
 
 class TestClock:
@@ -168,7 +168,7 @@ class TestClock:
         reasons = [v.reason for v in database.versions("frame_0")]
         assert reasons == ["draw Far touchline", "draw Halfway line"]
         window.document.presence.beat()
-        assert window.document.editable
+        assert window.document.state.editable
         assert classes(dataset / "frame_0.json") == [MIDDLE, TOP]
 
 
@@ -185,13 +185,13 @@ ANNOTATES = """
     window.show()
     document = window.document
     for step in range(100_000):
-        document.go_to(step % 3)
+        document.walk.go_to(step % 3)
         point = Point((step % 97) / 97, (step % 89) / 89)
-        edited = editing.append_points(document.annotation, "Middle line", [point])
-        document.commit_edit("click", edited)
+        edited = editing.append_points(document.state.annotation, "Middle line", [point])
+        document.editing.commit_edit("click", edited)
         while not window.top_bar.saved.text().startswith("saved "):
             application().processEvents()
-        print(step, document.frame_index, len(edited.get("Middle line").points), flush=True)
+        print(step, document.state.frame_index, len(edited.get("Middle line").points), flush=True)
 """
 
 
@@ -228,7 +228,7 @@ class TestKill:
             polyline = json.loads((dataset / f"frame_{frame}.json").read_text())[MIDDLE]
             assert len(polyline) in (points, points + 1)
         hand_on(window).draw(TOP, (100, 50), (200, 50))  # the dead one's lock blocks nobody
-        assert window.document.annotation.get(TOP) is not None
+        assert window.document.state.annotation.get(TOP) is not None
         leftovers = [p for p in dataset.iterdir() if p.suffix == ".tmp"]
         assert len(leftovers) <= 1
 
@@ -236,7 +236,7 @@ class TestKill:
         self, window: MainWindow, hand: Hand, dataset: Path, tmp_path: Path
     ) -> None:
         hand.draw(MIDDLE, (100, 100), (200, 200))
-        window.document.select_class(TOP)
+        window.document.selecting.select_class(TOP)
         hand.click(100, 50)
         shutil.copytree(dataset, tmp_path / "as_left")  # what a kill at this moment leaves
         assert classes(tmp_path / "as_left" / "frame_0.json") == [MIDDLE]
@@ -247,11 +247,11 @@ def test_a_file_mended_outside_opens_when_the_frame_is_opened_again(
 ) -> None:
     (dataset / "frame_1.json").write_text("{")
     window = make_window(dataset)
-    window.document.go_to(1)
-    assert not window.document.editable
+    window.document.walk.go_to(1)
+    assert not window.document.state.editable
     (dataset / "frame_1.json").write_text("{}")
-    window.document.go_to(0)
-    window.document.go_to(1)
+    window.document.walk.go_to(0)
+    window.document.walk.go_to(1)
     hand_on(window).draw(MIDDLE, (100, 100), (200, 200))
     assert classes(dataset / "frame_1.json") == [MIDDLE]
 
@@ -267,7 +267,7 @@ def test_an_unreadable_annotation_blocks_its_frame_only(
     hand.key(Qt.Key.Key_V)
     hand.draw(MIDDLE, (100, 100), (200, 200))
     assert (dataset / "frame_0.json").read_bytes() == b'{"Middle line": [{"x": 0.5}]}'
-    window.document.next_frame()
+    window.document.walk.next_frame()
     hand.draw(MIDDLE, (100, 100), (200, 200))
     assert classes(dataset / "frame_1.json") == [MIDDLE]
 
@@ -296,8 +296,8 @@ FAILS = """
         print(QGuiApplication.clipboard().text())
         document = window.document
         points = [Point(0.2, 0.2), Point(0.4, 0.4)]
-        edited = editing.append_points(document.annotation, "Middle line", points)
-        document.commit_edit("click", edited)
+        edited = editing.append_points(document.state.annotation, "Middle line", points)
+        document.editing.commit_edit("click", edited)
         window.close()
 
     def show(app, window):

@@ -60,7 +60,7 @@ def choose(window: MainWindow, title: str, qtbot: QtBot) -> None:
     window.document.message.connect(lambda text, level: told.append(text))
     action.trigger()
     qtbot.waitUntil(lambda: f"from now on: {title}" in " ".join(told), timeout=20_000)
-    assert window.document.field.title == title
+    assert window.document.state.field.title == title
 
 
 def annotate(folder: Path, name: str, classes: list[str]) -> None:
@@ -80,24 +80,24 @@ def test_everything_follows_the_field_and_nothing_is_lost(
     hand.draw("Middle line", (100, 100), (300, 200))
     hand.draw("Circle central", (200, 200), (240, 220), (260, 260))
     before = saved("Middle line")
-    document.select_class("Circle central")
+    document.selecting.select_class("Circle central")
     choose(window, "Basketball (FIBA)", qtbot)
-    field = document.field
+    field = document.state.field
     qtbot.waitUntil(lambda: field.elements[0].name in listed(window))
     assert "Side line top" not in listed(window)
     assert {"Middle line", "Circle central"} <= listed(window)  # still in the file, so still there
     assert window.field_map._shape.names == tuple(e.name for e in field.elements)
-    assert document.setup.field is document.workspace.field is field
+    assert document.state.setup.field is document.state.workspace.field is field
     QTest.keyClick(window, Qt.Key.Key_9)
-    assert field.title_of(document.selected_class) == "Centre line"
+    assert field.title_of(document.state.selected_class) == "Centre line"
     window.commands.show_keys()
     assert "Left endline" in window.commands._sheet.columns.text()
     titles = [window.plots.classes.itemText(i) for i in range(window.plots.classes.count())]
     assert titles == ["All elements", *(e.title for e in field.elements)]
-    document.undo()
-    assert document.annotation.get("Circle central") is None
-    document.redo()
-    assert document.annotation.get("Circle central") is not None
+    document.editing.undo()
+    assert document.state.annotation.get("Circle central") is None
+    document.editing.redo()
+    assert document.state.annotation.get("Circle central") is not None
     assert (saved("Middle line") == before).all()
     choose(window, "Soccer", qtbot)
     qtbot.waitUntil(lambda: "Side line top" in listed(window))
@@ -110,21 +110,21 @@ def test_the_dataset_remembers_its_field(
     other = tmp_path / "other"
     other.mkdir()
     (dataset / "frame_0.png").rename(other / "frame_0.png")
-    assert window.document.open_path(other)
-    assert window.document.field.name == "soccer"
-    assert window.document.open_path(dataset)
-    assert window.document.field.name == "volleyball"
+    assert window.document.opening.open_path(other)
+    assert window.document.state.field.name == "soccer"
+    assert window.document.opening.open_path(dataset)
+    assert window.document.state.field.name == "volleyball"
 
 
 def test_points_that_are_not_finished_are_finished_first(
     window: MainWindow, hand: Hand, qtbot: QtBot, saved
 ) -> None:
-    window.document.select_class("Middle line")
+    window.document.selecting.select_class("Middle line")
     hand.click(100, 100)
     hand.click(300, 200)
     choose(window, "Tennis", qtbot)
     assert len(saved("Middle line")) == 2
-    assert window.document.selected_class == "Middle line"  # it is here, so it can be edited
+    assert window.document.state.selected_class == "Middle line"  # it is here, so it can be edited
 
 
 def asked(window: MainWindow) -> bool:
@@ -139,15 +139,15 @@ def test_a_new_dataset_is_asked_about_by_its_classes(
     annotate(dataset, "frame_1", names)
     window = make_window(dataset)
     qtbot.waitUntil(lambda: asked(window), timeout=20_000)
-    assert window.document.field.name == "soccer"  # nobody said so yet
-    window.document.next_frame()
+    assert window.document.state.field.name == "soccer"  # nobody said so yet
+    window.document.walk.next_frame()
     let_work_end(qtbot)
     assert asked(window)
     window.field_bar.switch_button.click()
-    assert window.document.field.name == "basketball_fiba"
+    assert window.document.state.field.name == "basketball_fiba"
     assert window.field_bar.isHidden()
-    window.document.open_path(dataset)
-    assert window.document.field.name == "basketball_fiba"  # at once: it is remembered
+    window.document.opening.open_path(dataset)
+    assert window.document.state.field.name == "basketball_fiba"  # at once: it is remembered
 
 
 def test_a_no_holds_for_a_frame_that_is_still_looked_at(
@@ -158,7 +158,7 @@ def test_a_no_holds_for_a_frame_that_is_still_looked_at(
     annotate(dataset, "frame_1", names[:3])
     window = make_window(dataset)
     qtbot.waitUntil(lambda: asked(window), timeout=20_000)
-    window.document.next_frame()
+    window.document.walk.next_frame()
     window.field_bar.no_button.click()
     let_work_end(qtbot)
     assert window.field_bar.isHidden()
@@ -172,9 +172,9 @@ def test_a_no_is_remembered(make_window, dataset: Path, qtbot: QtBot) -> None:
     assert window.field_bar.no_button.text() == "No, Soccer"
     window.field_bar.no_button.click()
     let_work_end(qtbot)
-    assert window.document.field.name == "soccer"
+    assert window.document.state.field.name == "soccer"
     assert window.field_bar.isHidden()
-    window.document.open_path(dataset)
+    window.document.opening.open_path(dataset)
     let_work_end(qtbot)
     assert not asked(window)
 
@@ -201,13 +201,13 @@ def test_a_field_that_clashes_with_a_landmark_is_told(
     qtbot.waitUntil(lambda: asked(window), timeout=20_000)
     window.field_bar.switch_button.click()
     assert "has the name of a class" in window.message_bar.label.text()
-    assert window.document.field.name == "soccer"
+    assert window.document.state.field.name == "soccer"
     # Nothing was chosen: once the landmark is gone it can be.
     path.unlink()
-    assert window.document.open_path(dataset)
+    assert window.document.opening.open_path(dataset)
     qtbot.waitUntil(lambda: asked(window), timeout=20_000)
     window.field_bar.switch_button.click()
-    assert window.document.field.name == "basketball_fiba"
+    assert window.document.state.field.name == "basketball_fiba"
 
 
 def test_no_work_outlives_a_window_that_is_closed(
@@ -235,21 +235,21 @@ def test_a_dataset_that_said_what_it_shows_is_not_guessed_at(
     choose(window, "Soccer", qtbot)
     names = [e.name for e in load_field("basketball_fiba").elements[:4]]
     annotate(dataset, "frame_0", names)
-    assert window.document.open_path(dataset)
+    assert window.document.opening.open_path(dataset)
     qtbot.waitUntil(lambda: not window.field_bar.isHidden(), timeout=20_000)
-    assert window.document.field.name == "soccer"
+    assert window.document.state.field.name == "soccer"
     text = window.field_bar.label.text()
     assert "Soccer does not know any of the 4 classes" in text
     assert "Basketball (FIBA) knows all" in text
     assert window.field_bar.switch_button.text() == "Switch to Basketball (FIBA) (Ctrl+Shift+F)"
-    window.document.next_frame()
+    window.document.walk.next_frame()
     assert window.field_bar.isHidden()
-    window.document.previous_frame()
+    window.document.walk.previous_frame()
     qtbot.waitUntil(lambda: not window.field_bar.isHidden(), timeout=20_000)
     window.field_bar.close_button.click()
     assert window.field_bar.isHidden()
-    window.document.next_frame()
-    window.document.previous_frame()
+    window.document.walk.next_frame()
+    window.document.walk.previous_frame()
     let_work_end(qtbot)
     assert window.field_bar.isHidden()  # somebody does not want to hear of it
 
@@ -259,11 +259,11 @@ def test_one_key_switches_to_the_field_that_fits(
 ) -> None:
     choose(window, "Soccer", qtbot)
     annotate(dataset, "frame_0", [e.name for e in load_field("tennis").elements[:4]])
-    assert window.document.open_path(dataset)
+    assert window.document.opening.open_path(dataset)
     qtbot.waitUntil(lambda: not window.field_bar.isHidden(), timeout=20_000)
     keys = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
     QTest.keyClick(window, Qt.Key.Key_F, keys)
-    qtbot.waitUntil(lambda: window.document.field.name == "tennis", timeout=20_000)
+    qtbot.waitUntil(lambda: window.document.state.field.name == "tennis", timeout=20_000)
     qtbot.waitUntil(lambda: window.field_bar.isHidden())
 
 
@@ -271,13 +271,13 @@ def test_spellings_follow_the_field(make_window, dataset: Path, qtbot: QtBot) ->
     annotate(dataset, "frame_0", ["Goal left post left"])  # the official name ends in a space
     window = make_window(dataset)
     document = window.document
-    assert document.annotation.annotated == ("Goal left post left ",)
-    document.set_field(load_field("tennis"))
-    assert document.open_path(dataset)
-    assert document.annotation.annotated == ("Goal left post left",)
-    document.set_field(load_field("soccer"))
-    assert document.annotation.annotated == ("Goal left post left ",)
-    assert not document.workspace.dirty_frames()
+    assert document.state.annotation.annotated == ("Goal left post left ",)
+    document.terms.set_field(load_field("tennis"))
+    assert document.opening.open_path(dataset)
+    assert document.state.annotation.annotated == ("Goal left post left",)
+    document.terms.set_field(load_field("soccer"))
+    assert document.state.annotation.annotated == ("Goal left post left ",)
+    assert not document.state.workspace.dirty_frames()
 
 
 def test_what_showing_a_field_takes_is_worked_out_before(
@@ -290,7 +290,7 @@ def test_what_showing_a_field_takes_is_worked_out_before(
         order.append((field.name, threading.current_thread() is threading.main_thread()))
 
     document.field_choice.preparing.append(note)
-    document.fieldChanged.connect(lambda: note(document.field))
+    document.fieldChanged.connect(lambda: note(document.state.field))
     document.field_choice.choose("tennis")
     qtbot.waitUntil(lambda: len(order) == 2, timeout=20_000)
     document.field_choice.resize({"line_width": 0.04})
@@ -306,9 +306,9 @@ def test_a_file_of_ones_own_is_read_as_it_is_written(
     path.write_text(YARD)
     window = make_window(dataset)
     document = window.document
-    assert document.field.title == "Yard"
+    assert document.state.field.title == "Yard"
     document.field_choice.resize({"length": 21})
-    qtbot.waitUntil(lambda: document.field.described == "yard 21 x 10 m")
+    qtbot.waitUntil(lambda: document.state.field.described == "yard 21 x 10 m")
 
     def write(text: str) -> None:
         if not replaced:
@@ -319,28 +319,28 @@ def test_a_file_of_ones_own_is_read_as_it_is_written(
         os.replace(new, path)
 
     write(YARD.replace('title = "Gate"', 'title = "Great gate"'))
-    qtbot.waitUntil(lambda: document.field.title_of("gate") == "Great gate", timeout=20_000)
-    assert document.field.described == "yard 21 x 10 m"
+    qtbot.waitUntil(lambda: document.state.field.title_of("gate") == "Great gate", timeout=20_000)
+    assert document.state.field.described == "yard 21 x 10 m"
     write(YARD.replace('"length / 2", "5"', '"lenght / 2", "5"'))
     qtbot.waitUntil(lambda: not window.field_bar.isHidden(), timeout=20_000)
     text = window.field_bar.label.text()
     assert str(path) in text
     assert "element 'fence'.end" in text
     assert "did you mean 'length'" in text
-    assert document.field.title_of("gate") == "Great gate"  # the last good one stays
+    assert document.state.field.title_of("gate") == "Great gate"  # the last good one stays
     write(YARD)
-    qtbot.waitUntil(lambda: document.field.title_of("gate") == "Gate", timeout=20_000)
+    qtbot.waitUntil(lambda: document.state.field.title_of("gate") == "Gate", timeout=20_000)
     assert window.field_bar.isHidden()
 
 
 def test_a_broken_file_is_waited_for(make_window, dataset: Path, qtbot: QtBot) -> None:
     (dataset / FIELD_FILE).write_text("name = ")
     window = make_window(dataset)
-    assert window.document.field.name == "soccer"
+    assert window.document.state.field.name == "soccer"
     assert FIELD_FILE in window.field_bar.label.text()
     assert not window.field_bar.isHidden()
     (dataset / FIELD_FILE).write_text(YARD)
-    qtbot.waitUntil(lambda: window.document.field.name == "yard", timeout=20_000)
+    qtbot.waitUntil(lambda: window.document.state.field.name == "yard", timeout=20_000)
     assert window.field_bar.isHidden()
 
 
@@ -349,14 +349,14 @@ def test_the_file_in_the_dataset_decides(make_window, dataset: Path, qtbot: QtBo
     window = make_window(dataset)
     window.document.field_choice.choose("tennis")
     assert "move that file away" in window.message_bar.label.text()
-    assert window.document.field.name == "yard"
+    assert window.document.state.field.name == "yard"
 
 
 def test_files_used_before_are_offered(window: MainWindow, tmp_path: Path, qtbot: QtBot) -> None:
     path = tmp_path / "our court.toml"
     path.write_text(YARD)
     window.document.field_choice.choose(path)
-    qtbot.waitUntil(lambda: window.document.field.name == "yard", timeout=20_000)
+    qtbot.waitUntil(lambda: window.document.state.field.name == "yard", timeout=20_000)
     menu = window.actions_.menus["File/Field"]
     menu.aboutToShow.emit()
     assert [a.text() for a in menu.actions() if a.isChecked()] == ["our court.toml"]
@@ -364,7 +364,7 @@ def test_files_used_before_are_offered(window: MainWindow, tmp_path: Path, qtbot
     choose(window, "Tennis", qtbot)
     window.document.field_choice.choose(tmp_path / "gone.toml")
     qtbot.waitUntil(lambda: "gone.toml" in window.message_bar.label.text(), timeout=20_000)
-    assert window.document.field.name == "tennis"
+    assert window.document.state.field.name == "tennis"
 
 
 def test_keys_of_the_window_stay_its_own(window: MainWindow, tmp_path: Path, qtbot: QtBot) -> None:
@@ -373,18 +373,18 @@ def test_keys_of_the_window_stay_its_own(window: MainWindow, tmp_path: Path, qtb
     path.write_text(twice)
     document = window.document
     document.field_choice.take(load_field(path))
-    assert set(element_keys(document.field)) == {"fence"}  # D goes to the next frame
-    assert key_text(document.field, "gate") == ""
+    assert set(element_keys(document.state.field)) == {"fence"}  # D goes to the next frame
+    assert key_text(document.state.field, "gate") == ""
     QTest.keyClick(window, Qt.Key.Key_D)
-    assert document.frame_index == 1
+    assert document.state.frame_index == 1
     QTest.keyClick(window, Qt.Key.Key_J, Qt.KeyboardModifier.ControlModifier)
     QTest.keyClick(window, Qt.Key.Key_1)
-    assert document.selected_class == "fence"
+    assert document.state.selected_class == "fence"
     document.field_choice.take(load_field("soccer"))
-    document.select_class(None)
+    document.selecting.select_class(None)
     QTest.keyClick(window, Qt.Key.Key_1)
-    assert document.field.title_of(document.selected_class) != "Fence"
-    assert document.selected_class is not None
+    assert document.state.field.title_of(document.state.selected_class) != "Fence"
+    assert document.state.selected_class is not None
 
 
 def test_shipped_fields_need_no_key_of_the_window() -> None:
@@ -405,19 +405,19 @@ def test_a_reload_leaves_what_is_being_drawn(
     path.write_text(YARD)
     window = make_window(dataset)
     hand, document = hand_on(window), window.document
-    document.select_class("gate")
+    document.selecting.select_class("gate")
     hand.click(100, 100)
     path.write_text(YARD.replace('title = "Gate"', 'title = "Great gate"'))
-    qtbot.waitUntil(lambda: document.field.title_of("gate") == "Great gate", timeout=20_000)
+    qtbot.waitUntil(lambda: document.state.field.title_of("gate") == "Great gate", timeout=20_000)
     assert window.canvas.editor.drawing
     assert saved("gate").shape == (0, 2)
     hand.click(300, 200)
     hand.key(Qt.Key.Key_Return)
     assert len(saved("gate")) == 2
-    document.select_class("gate", continues=True)
+    document.selecting.select_class("gate", continues=True)
     hand.click(200, 100)
     path.write_text(YARD.replace('name = "gate"', 'name = "door"'))  # the class is gone
-    qtbot.waitUntil(lambda: document.field.knows("door"), timeout=20_000)
+    qtbot.waitUntil(lambda: document.state.field.knows("door"), timeout=20_000)
     assert not window.canvas.editor.drawing
 
 
@@ -450,13 +450,13 @@ def test_a_refused_choice_is_told_until_work_goes_on(
     window = make_window(dataset)
     window.document.field_choice.choose("tennis")
     assert not window.message_bar.isHidden()
-    window.document.select_class("gate")
+    window.document.selecting.select_class("gate")
     assert window.message_bar.isHidden()
     other = tmp_path / "other"
     other.mkdir()
     (dataset / "frame_0.png").rename(other / "frame_0.png")
     (dataset / FIELD_FILE).unlink()
-    assert window.document.open_path(other)
+    assert window.document.opening.open_path(other)
     menu = window.actions_.menus["File/Field"]
     menu.aboutToShow.emit()
     assert "field.toml" not in [a.text() for a in menu.actions()]  # it is gone
@@ -476,7 +476,7 @@ def test_rows_below_a_heading_do_not_repeat_it(make_window, dataset: Path, qtbot
     choose(window, "Basketball (FIBA)", qtbot)
     panel = window.elements
     window.panels.show("elements")
-    qtbot.waitUntil(lambda: window.document.field.elements[0].name in panel._items)
+    qtbot.waitUntil(lambda: window.document.state.field.elements[0].name in panel._items)
     rows = {
         (item.parent().text(0), item.text(0)): item.toolTip(0) for item in panel._items.values()
     }
@@ -496,18 +496,20 @@ def test_nothing_stays_chosen_when_another_dataset_opens(
     """The next click would write a class into files of another sport."""
     document, field = window.document, load_field("volleyball")
     document.field_choice.take(field)
-    document.select_class(field.elements[0].name)
+    document.selecting.select_class(field.elements[0].name)
     other = tmp_path / "other"
     other.mkdir()
     shutil.copy(sample_data / "00005.jpg", other)
-    assert document.open_path(other)
-    assert document.field.name == "soccer"
-    assert document.selected_class is None
+    assert document.opening.open_path(other)
+    assert document.state.field.name == "soccer"
+    assert document.state.selected_class is None
     hand.click(100, 100)
-    assert document.annotation.polylines == ()
-    document.select_class("Middle line")  # of this field too: it was chosen for other pictures
-    assert document.open_path(dataset)
-    assert document.selected_class is None
+    assert document.state.annotation.polylines == ()
+    document.selecting.select_class(
+        "Middle line"
+    )  # of this field too: it was chosen for other pictures
+    assert document.opening.open_path(dataset)
+    assert document.state.selected_class is None
 
 
 def test_a_class_without_a_field_stays_in_its_frame(
@@ -515,12 +517,12 @@ def test_a_class_without_a_field_stays_in_its_frame(
 ) -> None:
     document = window.document
     hand.draw("Circle central", (200, 200), (240, 220), (260, 260))
-    document.select_class("Circle central")
+    document.selecting.select_class("Circle central")
     choose(window, "Tennis", qtbot)
-    assert document.selected_class == "Circle central"
-    document.next_frame()
-    assert document.selected_class is None
-    field = document.field
-    document.select_class(field.elements[0].name)
-    document.next_frame()
-    assert document.selected_class == field.elements[0].name
+    assert document.state.selected_class == "Circle central"
+    document.walk.next_frame()
+    assert document.state.selected_class is None
+    field = document.state.field
+    document.selecting.select_class(field.elements[0].name)
+    document.walk.next_frame()
+    assert document.state.selected_class == field.elements[0].name

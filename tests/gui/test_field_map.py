@@ -50,10 +50,10 @@ def turn_wheel(panel: QWidget, at: QPointF, steps: int) -> None:
 @pytest.mark.parametrize("name", field_names())
 def test_every_element_of_every_field_can_be_clicked(show_map, qtbot: QtBot, name: str) -> None:
     panel, document = show_map(load_field(name), (600, 420))
-    for element in document.field.elements:
+    for element in document.state.field.elements:
         position = panel.position_of(element.name)
         qtbot.mouseClick(panel, Qt.MouseButton.LeftButton, pos=position.toPoint())
-        assert document.selected_class == element.name
+        assert document.state.selected_class == element.name
         assert panel.rect().contains(position.toPoint())
     assert not panel.grab().isNull()
 
@@ -81,7 +81,7 @@ def field_points(field: Field, name: str):
 
 def test_the_wheel_magnifies_what_is_under_the_cursor(show_map, qtbot: QtBot) -> None:
     panel, document = show_map(load_field("athletics"))
-    lanes = [e.name for e in document.field.elements if e.name.startswith("Lane line")][:2]
+    lanes = [e.name for e in document.state.field.elements if e.name.startswith("Lane line")][:2]
     apart = panel.position_of(lanes[0]) - panel.position_of(lanes[1])
     cursor = panel.position_of(lanes[0])
     turn_wheel(panel, cursor, 20)
@@ -89,14 +89,14 @@ def test_the_wheel_magnifies_what_is_under_the_cursor(show_map, qtbot: QtBot) ->
     wide = panel.position_of(lanes[0]) - panel.position_of(lanes[1])
     assert wide.manhattanLength() > 10 * apart.manhattanLength()
     qtbot.mouseClick(panel, Qt.MouseButton.LeftButton, pos=cursor.toPoint())
-    assert document.selected_class == lanes[0]
+    assert document.state.selected_class == lanes[0]
     # Dragged, it moves and nothing is chosen; a double click beside all lines shows it whole.
     start, end = QPoint(100, 100), QPoint(140, 90)
     QTest.mousePress(panel, Qt.MouseButton.LeftButton, pos=start)
     QTest.mouseMove(panel, end)
     QTest.mouseRelease(panel, Qt.MouseButton.LeftButton, pos=end)
     assert panel.position_of(lanes[0]).toPoint() == (cursor + QPointF(end - start)).toPoint()
-    assert document.selected_class == lanes[0]
+    assert document.state.selected_class == lanes[0]
     empty = next(
         p for p in (QPoint(x, 100) for x in range(300)) if panel.class_at(QPointF(p)) is None
     )
@@ -163,5 +163,5 @@ def test_a_spot_shows_its_state(window, qtbot: QtBot) -> None:
 
     before = picture()
     mark = Polyline("Penalty mark left", (Point(0.4, 0.5),))
-    document.commit_edit("draw", document.annotation.with_polyline(mark))
+    document.editing.commit_edit("draw", document.state.annotation.with_polyline(mark))
     qtbot.waitUntil(lambda: picture() != before)

@@ -43,7 +43,7 @@ def test_a_click_goes_to_a_frame_and_the_frame_is_marked(
     strip = there.filmstrip
     at = cell(there, 2)
     QTest.mouseClick(strip.viewport(), Qt.MouseButton.LeftButton, pos=at)
-    qtbot.waitUntil(lambda: there.document.frame_index == 2)
+    qtbot.waitUntil(lambda: there.document.state.frame_index == 2)
     qtbot.waitUntil(lambda: strip.currentIndex().column() == 2)
     assert there.canvas.hasFocus()  # keys go on drawing
     hand.key(Qt.Key.Key_A)
@@ -66,13 +66,13 @@ def test_it_shows_what_the_filter_lets_through(there: MainWindow, qtbot: QtBot) 
     qtbot.waitUntil(lambda: there.filmstrip.model().columnCount() == 1)
     assert there.filmstrip.model().index(0, 0).data() == "frame_2"
     QTest.mouseClick(there.filmstrip.viewport(), Qt.MouseButton.LeftButton, pos=cell(there, 0))
-    qtbot.waitUntil(lambda: there.document.frame_index == 2)
+    qtbot.waitUntil(lambda: there.document.state.frame_index == 2)
 
 
 def test_it_is_switched_off_and_comes_back(there: MainWindow) -> None:
     there.actions_["strip"].trigger()
     assert not there.filmstrip.isVisible()
-    there.document.next_frame()
+    there.document.walk.next_frame()
     assert not there.filmstrip.isVisible()
     there.actions_["strip"].trigger()
     assert there.filmstrip.isVisible()
@@ -113,7 +113,7 @@ def test_frames_are_gone_to_by_keys(there: MainWindow, qtbot: QtBot) -> None:
     assert strip.hasFocus()
     QTest.keyClick(strip, Qt.Key.Key_Right)
     QTest.keyClick(strip, Qt.Key.Key_Right)
-    assert there.document.frame_index == 0  # only looked at
+    assert there.document.state.frame_index == 0  # only looked at
     QTest.keyClick(strip, Qt.Key.Key_Return)
-    qtbot.waitUntil(lambda: there.document.frame_index == 2)
+    qtbot.waitUntil(lambda: there.document.state.frame_index == 2)
     assert strip.hasFocus()

@@ -50,15 +50,15 @@ def shown(window: MainWindow) -> np.ndarray:
 
 def test_half_its_size_is_shown_first_in_the_same_place(window: MainWindow, qtbot: QtBot) -> None:
     document = window.document
-    document.go_to(5)
+    document.walk.go_to(5)
     state = document.state
     assert state.half is not None
     assert state.picture is None
-    assert document.picture_size == SIZE
+    assert document.state.picture_size == SIZE
     first, place = shown(window), window.canvas.sceneRect()
     qtbot.waitUntil(lambda: document.state.picture is not None)
     assert document.state.half is None
-    assert document.picture_size == SIZE
+    assert document.state.picture_size == SIZE
     assert window.canvas.sceneRect() == place
     whole = shown(window)
     assert np.abs(first - whole).mean() < 2
@@ -77,8 +77,8 @@ def test_who_walks_on_before_it_is_painted_spares_the_whole_one(
         return get_ready(path)
 
     monkeypatch.setattr(document.cache, "get_ready", noted)
-    document.go_to(3)
-    document.go_to(5)
+    document.walk.go_to(3)
+    document.walk.go_to(5)
     qtbot.waitUntil(lambda: document.state.picture is not None)
     assert decoded == ["5"]
 
@@ -88,7 +88,7 @@ def test_zoomed_in_it_is_in_the_same_place_too(window: MainWindow, qtbot: QtBot)
     for _ in range(12):
         window.canvas.zoom_in()
     assert window.canvas.view_scale > 2
-    window.document.go_to(5)
+    window.document.walk.go_to(5)
     assert window.document.state.half is not None
     first = shown(window)
     qtbot.waitUntil(lambda: window.document.state.picture is not None)
@@ -97,14 +97,14 @@ def test_zoomed_in_it_is_in_the_same_place_too(window: MainWindow, qtbot: QtBot)
 
 def test_a_click_snaps_to_every_pixel(window: MainWindow) -> None:
     document, hand = window.document, Hand(window)
-    document.go_to(5)
+    document.walk.go_to(5)
     assert document.state.half is not None
-    document.select_class("Middle line")
+    document.selecting.select_class("Middle line")
     hand.click(LINE_X + 5, 300)
     assert document.state.picture is not None
     hand.click(LINE_X - 5, 700)
     hand.key(Qt.Key.Key_Return)
-    polyline = document.annotation.get("Middle line")
+    polyline = document.state.annotation.get("Middle line")
     assert polyline is not None
     assert [p.u * (SIZE[0] - 1) for p in polyline.points] == pytest.approx([LINE_X] * 2, abs=0.5)
 
@@ -112,16 +112,16 @@ def test_a_click_snaps_to_every_pixel(window: MainWindow) -> None:
 def test_a_frame_that_is_passed_is_not_waited_for(window: MainWindow, qtbot: QtBot) -> None:
     document = window.document
     for index in (5, 3, 0, 4):
-        document.go_to(index)
+        document.walk.go_to(index)
     qtbot.waitUntil(lambda: document.state.picture is not None)
-    assert document.frame_index == 4
+    assert document.state.frame_index == 4
     assert document.state.half is None
 
 
 def test_what_asks_for_the_picture_gets_all_of_it(window: MainWindow, large: Path) -> None:
-    window.document.go_to(5)
+    window.document.walk.go_to(5)
     assert window.document.state.half is not None
-    assert np.array_equal(window.document.picture, decode_bgra(large / "5.jpg"))
+    assert np.array_equal(window.document.walk.picture, decode_bgra(large / "5.jpg"))
 
 
 def test_the_loupe_shows_every_pixel(window: MainWindow) -> None:
@@ -129,7 +129,7 @@ def test_the_loupe_shows_every_pixel(window: MainWindow) -> None:
     hand.move(LINE_X, 500)
     canvas.set_loupe_always(True)
     assert canvas.loupe.isVisible()
-    window.document.go_to(5)
+    window.document.walk.go_to(5)
     assert canvas.loupe.isVisible()
     assert canvas.shown.pixels.shape[:2] == SIZE[::-1]
 
@@ -139,32 +139,32 @@ def test_a_picture_that_goes_before_all_of_it_was_read(
 ) -> None:
     document = window.document
     monkeypatch.setattr(document.cache, "get_ready", lambda path: decode_bgra(large / "gone.jpg"))
-    document.go_to(5)
+    document.walk.go_to(5)
     qtbot.waitUntil(lambda: document.state.half is None)
-    assert "gone.jpg" in document.frame_error
-    assert document.picture_size is None
-    assert not document.editable
+    assert "gone.jpg" in document.state.why_not_editable
+    assert document.state.picture_size is None
+    assert not document.state.editable
     monkeypatch.undo()
-    document.go_to(4)
+    document.walk.go_to(4)
     qtbot.waitUntil(lambda: document.state.picture is not None)
-    assert document.editable
+    assert document.state.editable
 
 
 def test_lines_are_enhanced_in_the_whole_picture_only(window: MainWindow, qtbot: QtBot) -> None:
     from procc_annotator.image.pixels import DisplayAdjustment
 
     window.canvas.set_look(DisplayAdjustment(enhance=True))
-    window.document.go_to(5)
+    window.document.walk.go_to(5)
     qtbot.waitUntil(lambda: window.document.state.picture is not None)
-    plain = window.document.picture
+    plain = window.document.walk.picture
     qtbot.waitUntil(lambda: not np.array_equal(window.canvas.shown.pixels, plain))
     assert window.canvas.shown.pixels.shape == plain.shape
 
 
 def test_a_wheel_and_a_key_meanwhile(window: MainWindow, qtbot: QtBot) -> None:
-    window.document.go_to(5)
+    window.document.walk.go_to(5)
     QTest.keyClick(window.canvas, Qt.Key.Key_A)
-    assert window.document.frame_index == 4
+    assert window.document.state.frame_index == 4
     qtbot.waitUntil(lambda: window.document.state.picture is not None)
 
 
@@ -201,7 +201,7 @@ def test_what_the_picture_shows_of_paint_is_told_once_the_whole_one_is_there(
     line = ((LINE_X, 100), (LINE_X, 900))
     points = [{"x": x / (SIZE[0] - 1), "y": y / (SIZE[1] - 1)} for x, y in line]
     (large / "5.json").write_text(json.dumps({"Middle line": points}))
-    document.go_to(5)
+    document.walk.go_to(5)
     assert document.state.half is not None
     qtbot.waitUntil(lambda: document.paint_watch.value is not None, timeout=20_000)
     (seen,) = document.paint_watch.value.values()

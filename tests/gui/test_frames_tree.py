@@ -56,7 +56,7 @@ def test_frames_lie_in_folders_of_which_the_one_on_screen_is_open(window: MainWi
 
 
 def test_going_on_opens_the_next_folder(window: MainWindow) -> None:
-    window.document.go_to(3)
+    window.document.walk.go_to(3)
     window.frames._follow_frames()
     assert _rows(window)[4:] == ["[b/img1]", "0", "1", "2"]
     assert _current(window) == 5
@@ -69,7 +69,7 @@ def test_a_click_on_a_folder_folds_it_and_stays_on_the_frame(
     place = view.visualRect(window.frames.model.index(0)).center()
     qtbot.mouseClick(view.viewport(), Qt.MouseButton.LeftButton, pos=place)
     assert _rows(window) == ["[a/img1]", "[b/img1]"]
-    assert window.document.frame_index == 0
+    assert window.document.state.frame_index == 0
     qtbot.mouseClick(view.viewport(), Qt.MouseButton.LeftButton, pos=place)
     assert _rows(window) == ["[a/img1]", "0", "1", "2", "[b/img1]"]
 
@@ -82,7 +82,7 @@ def test_a_click_on_a_folder_in_the_strip_unfolds_it(window: MainWindow, qtbot: 
     place = strip.visualRect(strip.model().index(0, column)).center()
     qtbot.mouseClick(strip.viewport(), Qt.MouseButton.LeftButton, pos=place)
     assert _rows(window) == ["[a/img1]", "0", "1", "2", "[b/img1]", "0", "1", "2"]
-    assert window.document.frame_index == 0
+    assert window.document.state.frame_index == 0
 
 
 def test_keys_fold_and_unfold(window: MainWindow, qtbot: QtBot) -> None:
@@ -93,11 +93,11 @@ def test_keys_fold_and_unfold(window: MainWindow, qtbot: QtBot) -> None:
     qtbot.keyClick(view, Qt.Key.Key_Left)
     assert _rows(window) == ["[a/img1]", "[b/img1]"]
     qtbot.keyClick(view, Qt.Key.Key_Down)
-    assert window.document.frame_index == 0
+    assert window.document.state.frame_index == 0
     qtbot.keyClick(view, Qt.Key.Key_Right)
     assert _rows(window) == ["[a/img1]", "[b/img1]", "0", "1", "2"]
     qtbot.keyClick(view, Qt.Key.Key_Right)
-    assert window.document.frame_index == 3
+    assert window.document.state.frame_index == 3
     qtbot.keyClick(view, Qt.Key.Key_Right, Qt.KeyboardModifier.ShiftModifier)
     assert len(_rows(window)) == 8
     qtbot.keyClick(view, Qt.Key.Key_Left, Qt.KeyboardModifier.ShiftModifier)
@@ -138,10 +138,10 @@ def test_words_of_a_folder() -> None:
 def test_an_edit_is_saved_beside_the_picture_of_its_match(
     window: MainWindow, hand: Hand, tree: Path
 ) -> None:
-    window.document.go_to(4)
+    window.document.walk.go_to(4)
     hand.draw("Middle line", (100, 50), (120, 200))
     assert [p.relative_to(tree).as_posix() for p in tree.rglob("*.json")] == ["b/img1/1.json"]
-    window.document.go_to(1)
+    window.document.walk.go_to(1)
     hand.draw("Middle line", (100, 50), (120, 200))
     names = {p.relative_to(tree).as_posix() for p in tree.rglob("*.json")}
     assert names == {"a/img1/1.json", "b/img1/1.json"}
@@ -158,14 +158,14 @@ def test_while_blind_no_folder_tells_a_score(
             shutil.copy(sample_data / f"00002{suffix}", folder)
         shutil.copy(sample_data / "cameras/pinhole/camera_00002.json", cameras)
     window = make_window(tmp_path / "season")
-    assert window.document.load_cameras(tmp_path / "cameras")
+    assert window.document.camera_sources.load_cameras(tmp_path / "cameras")
 
     def scores() -> list[float | None]:
         infos = map(window.frames.model.folder_info, range(window.frames.model.rowCount()))
         return [info.jac for info in infos if info is not None]
 
     qtbot.waitUntil(lambda: scores() == [1.0, 1.0], timeout=20_000)
-    window.document.set_blind(True)
+    window.document.blind_lock.set_blind(True)
     assert scores() == [None, None]
     all_done(qtbot)
     assert scores() == [None, None]
@@ -178,10 +178,10 @@ def test_an_annotation_without_the_folder_of_pictures_is_shown_and_saved_where_i
     path.parent.mkdir(parents=True)
     path.write_text(json.dumps({"Middle line": [{"x": 0.1, "y": 0.1}, {"x": 0.4, "y": 0.4}]}))
     window = make_window(tree)
-    assert [p.class_name for p in window.document.annotation.polylines] == ["Middle line"]
+    assert [p.class_name for p in window.document.state.annotation.polylines] == ["Middle line"]
     hand_on(window).draw("Side line top", (10, 30), (60, 30))
     qtbot.waitUntil(lambda: "Side line top" in json.loads(path.read_text()))
     assert [p.name for p in (tree / "annotations").rglob("*.json")] == ["0.json"]
-    window.document.go_to(1)
+    window.document.walk.go_to(1)
     hand_on(window).draw("Side line top", (10, 30), (60, 30))
     qtbot.waitUntil((tree / "annotations/a/img1/1.json").exists)

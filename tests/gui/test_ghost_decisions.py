@@ -73,15 +73,15 @@ class TestLeaving:
     ) -> None:
         document = begun.document
         hand.key(Key.Key_Return, SHIFT)
-        assert document.annotation.annotated == KEPT
+        assert document.state.annotation.annotated == KEPT
         hand.key(Key.Key_A)
-        assert document.frame.name == "00001"
-        done = document.workspace.read(1)
+        assert document.state.frame.name == "00001"
+        done = document.state.workspace.read(1)
         assert len(done.annotated) >= len(KEPT) + 4
         assert any(t.startswith("accepted ") and "on 00002" in t for t in told)
         hand.key(Key.Key_D)
         hand.key(Key.Key_Z, CTRL)
-        assert document.annotation.annotated == KEPT
+        assert document.state.annotation.annotated == KEPT
 
     def test_one_accepted_and_left_at_once(
         self, begun: MainWindow, hand: Hand, told: list[str]
@@ -91,8 +91,8 @@ class TestLeaving:
         name = current(begun)
         hand.key(Key.Key_Return)
         hand.key(Key.Key_A)
-        assert document.workspace.read(1).get(name) is not None
-        assert f"accepted {document.field.title_of(name)} on 00002" in told[-1]
+        assert document.state.workspace.read(1).get(name) is not None
+        assert f"accepted {document.state.field.title_of(name)} on 00002" in told[-1]
 
     def test_what_takes_too_long_is_said_to_be_dropped(
         self,
@@ -109,31 +109,31 @@ class TestLeaving:
         assert told[-1] == ("no ghost was accepted: looking for the line on 00002 took too long")
         go_on.set()
         let_work_end(qtbot)
-        assert begun.document.workspace.read(1).annotated == KEPT
+        assert begun.document.state.workspace.read(1).annotated == KEPT
 
     def test_tab_goes_on_once_it_is_accepted(self, begun: MainWindow, hand: Hand) -> None:
         hand.key(Key.Key_Tab)
         name = current(begun)
         hand.key(Key.Key_Return)
         hand.key(Key.Key_Tab)
-        assert begun.document.annotation.get(name) is not None
+        assert begun.document.state.annotation.get(name) is not None
 
 
 def test_undo_takes_back_what_is_waited_for_and_nothing_else(
     begun: MainWindow, hand: Hand, qtbot: QtBot, told: list[str], go_on: threading.Event
 ) -> None:
     document = begun.document
-    document.commit_edit("shorten", delete_point(document.annotation, KEPT[3], 0))
-    shortened = document.annotation
+    document.editing.commit_edit("shorten", delete_point(document.state.annotation, KEPT[3], 0))
+    shortened = document.state.annotation
     wait_for_ghosts(begun, qtbot)
     hand.key(Key.Key_Return, SHIFT)
     hand.key(Key.Key_Z, CTRL)
     assert told[-1] == "no ghost was accepted: taken back"
     go_on.set()
     let_work_end(qtbot)
-    assert document.annotation is shortened
+    assert document.state.annotation is shortened
     hand.key(Key.Key_Z, CTRL)
-    assert document.annotation is not shortened
+    assert document.state.annotation is not shortened
 
 
 def test_a_ghost_that_is_drawn_by_hand_after_all_is_not_accepted_as_well(
@@ -150,27 +150,27 @@ def test_a_ghost_that_is_drawn_by_hand_after_all_is_not_accepted_as_well(
     go_on.set()
     hand.key(Key.Key_Return)
     let_work_end(qtbot)
-    assert len(document.annotation.get(name).points) == 2
+    assert len(document.state.annotation.get(name).points) == 2
 
 
 def test_what_is_accepted_is_done_and_the_next_click_does_not_continue_it(
     begun: MainWindow, hand: Hand, qtbot: QtBot, told: list[str]
 ) -> None:
     document = begun.document
-    document.select_class("Middle line")
+    document.selecting.select_class("Middle line")
     hand.key(Key.Key_Tab)
     find(begun, qtbot)
     name = current(begun)
     hand.key(Key.Key_Return)
-    count = len(document.annotation.get(name).points)
-    assert document.selected_class != name
+    count = len(document.state.annotation.get(name).points)
+    assert document.state.selected_class != name
     assert begun.canvas.hint.startswith("GHOST the next one comes in a moment")
     hand.key(Key.Key_Period)  # there is no ghost yet that it could mean
     assert told[-1] == "the camera is being fitted: ghosts come in a moment"
     assert not document.review.not_visible("00002")
     hand.click(700, 400)
     hand.key(Key.Key_Return)
-    assert len(document.annotation.get(name).points) == count
+    assert len(document.state.annotation.get(name).points) == count
 
 
 def test_chosen_in_the_list_and_accepted_with_all_others(
@@ -178,27 +178,27 @@ def test_chosen_in_the_list_and_accepted_with_all_others(
 ) -> None:
     document = begun.document
     name = names(begun)[0]
-    document.select_class(name)
+    document.selecting.select_class(name)
     hand.key(Key.Key_Return, SHIFT)
-    qtbot.waitUntil(lambda: document.annotation.get(name) is not None, timeout=20_000)
-    assert document.selected_class is None
+    qtbot.waitUntil(lambda: document.state.annotation.get(name) is not None, timeout=20_000)
+    assert document.state.selected_class is None
 
 
 class TestTab:
     """It never throws the keyboard out of the picture, and says why there is nothing to go to."""
 
     def says(self, window: MainWindow, hand: Hand, told: list[str]) -> str:
-        frame = window.document.frame_index
+        frame = window.document.state.frame_index
         for _ in range(3):
             hand.key(Key.Key_Tab)
             assert QApplication.focusWidget() is window.canvas
-        assert window.document.frame_index == frame
+        assert window.document.state.frame_index == frame
         return told[-1]
 
     def test_in_blind_mode(self, begun: MainWindow, hand: Hand, told: list[str]) -> None:
         hand.key(Key.Key_B)
         assert "no ghosts in blind mode" in self.says(begun, hand, told)
-        begun.document.select_class(None)
+        begun.document.selecting.select_class(None)
         hand.key(Key.Key_Period)
         assert told[-1].startswith("no ghosts in blind mode")
         assert "choose an element first" in told[-1]
@@ -231,7 +231,7 @@ class TestTab:
         frames.setFocus()
         QTest.keyClick(frames, Key.Key_Tab)
         assert QApplication.focusWidget() is not frames
-        assert begun.document.frame_index == 1
+        assert begun.document.state.frame_index == 1
 
 
 def test_nothing_is_accepted_that_is_hidden(
@@ -248,7 +248,7 @@ def test_nothing_is_accepted_that_is_hidden(
     hand.key(Key.Key_Return)
     QTest.keyRelease(begun.canvas, Key.Key_X)
     let_work_end(qtbot)
-    assert begun.document.annotation.annotated == KEPT
+    assert begun.document.state.annotation.annotated == KEPT
 
 
 def test_a_walk_left_goes_on_where_the_status_bar_says(begun: MainWindow, hand: Hand) -> None:
@@ -280,10 +280,10 @@ class TestReadOnly:
         assert first.begin_edit()
         second = make_window(annotated)
         second.document.presence.set_dataset(annotated, "Ben")
-        second.document.go_to(0)
-        second.document.go_to(1)
+        second.document.walk.go_to(0)
+        second.document.walk.go_to(1)
         second.document.presence.look()
-        assert "Ada" in second.document.frame_error
+        assert "Ada" in second.document.state.why_not_editable
         wait_for_ghosts(second, qtbot)
         told.clear()
         second.document.message.connect(lambda text, level: told.append(text))
@@ -312,7 +312,7 @@ class TestReadOnly:
             assert "Ada" in told[-1], key
         let_work_end(qtbot)
         assert not document.review.not_visible("00002")
-        assert document.annotation.annotated == KEPT
+        assert document.state.annotation.annotated == KEPT
         assert not (annotated / "cameras" / "fitted").exists()
 
 

@@ -68,7 +68,7 @@ class TestShown:
     ) -> None:
         item = begun.canvas.overlay_item
         assert len(names(begun)) >= 5
-        assert not set(names(begun)) & set(begun.document.annotation.annotated)
+        assert not set(names(begun)) & set(begun.document.state.annotation.annotated)
         assert {s.layer for s in item.ghosts.strokes} == {"ghost"}
         QTest.keyPress(begun.canvas, Key.Key_X)
         assert item.ghosts is EMPTY_OVERLAY
@@ -96,8 +96,10 @@ class TestShown:
         self, begun: MainWindow, hand: Hand, qtbot: QtBot
     ) -> None:
         document, before = begun.document, names(begun)
-        points = document.annotation.get(KEPT[0]).points[:2]
-        document.commit_edit("draw", append_points(document.annotation, before[0], points))
+        points = document.state.annotation.get(KEPT[0]).points[:2]
+        document.editing.commit_edit(
+            "draw", append_points(document.state.annotation, before[0], points)
+        )
         assert document.live_fit.insight is None
         assert [g.name for g in document.ghosts.painted] == before[1:]
         assert not names(begun)  # none of them can be accepted
@@ -110,13 +112,13 @@ class TestWalk:
         self, begun: MainWindow, hand: Hand, told: list[str]
     ) -> None:
         document, canvas = begun.document, begun.canvas
-        document.select_class("Middle line")
+        document.selecting.select_class("Middle line")
         scale = canvas.view_scale
         visited = []
         for _ in names(begun):
             hand.key(Key.Key_Tab)
             visited.append(current(begun))
-            assert document.selected_class == current(begun)  # lists and field map show it
+            assert document.state.selected_class == current(begun)  # lists and field map show it
             left, top, right, bottom = ghost_extent(document.ghosts.current)
             a, b = canvas.to_view(left, top), canvas.to_view(right, bottom)
             room = canvas.viewport().rect().adjusted(-2, -2, 2, 2)
@@ -136,7 +138,7 @@ class TestWalk:
         hand.key(Key.Key_Tab)
         assert current(begun) is None
         assert canvas.view_scale == scale
-        assert document.selected_class == "Middle line"
+        assert document.state.selected_class == "Middle line"
         assert told[-1] == f"that was the last ghost; {len(visited)} ghosts left, Tab begins again"
         hand.key(Key.Key_Tab)
         assert current(begun) == visited[0]
@@ -161,15 +163,15 @@ class TestWalk:
         assert begun.canvas.view_scale == scale
         hand.click(right, bottom)
         hand.key(Key.Key_Return)  # finishes what is drawn
-        assert len(begun.document.annotation.get(name).points) == 2
+        assert len(begun.document.state.annotation.get(name).points) == 2
 
     def test_choosing_another_element_means_that_one(self, begun: MainWindow, hand: Hand) -> None:
         hand.key(Key.Key_Tab)
-        begun.document.select_class(names(begun)[2])
+        begun.document.selecting.select_class(names(begun)[2])
         assert current(begun) == names(begun)[2]
-        begun.document.select_class("Middle line")
+        begun.document.selecting.select_class("Middle line")
         assert current(begun) is None
-        assert begun.document.selected_class == "Middle line"
+        assert begun.document.state.selected_class == "Middle line"
 
     def test_the_status_bar_says_what_the_keys_do(
         self, begun: MainWindow, hand: Hand, qtbot: QtBot
@@ -177,7 +179,7 @@ class TestWalk:
         assert f"Tab: first of {len(names(begun))} ghosts" in begun.canvas.hint
         name = go(begun, hand, qtbot)
         count = len(begun.document.ghosts.found(name).points)
-        title = begun.document.field.title_of(name)
+        title = begun.document.state.field.title_of(name)
         assert f"GHOST {title}" in begun.canvas.hint
         assert f"Enter accepts {count} points" in begun.canvas.hint
         assert len(begun.canvas.overlay_item.ghosts.marks[0].centres) == count
@@ -192,17 +194,17 @@ class TestAccept:
         found = document.ghosts.found(name)
         following = names(begun)[1]
         hand.key(Key.Key_Return)
-        assert document.annotation.get(name).points == found.points
-        assert f"accepted {document.field.title_of(name)}" in told[-1]
+        assert document.state.annotation.get(name).points == found.points
+        assert f"accepted {document.state.field.title_of(name)}" in told[-1]
         wait_for_ghosts(begun, qtbot)
         assert current(begun) == following
-        counts = document.review.origin_counts(document.frame.name, document.annotation)
+        counts = document.review.origin_counts(document.state.frame.name, document.state.annotation)
         assert counts[OriginKind.SUGGESTED] == len(found.points)
         begun.actions_["colour_origin"].trigger()
         marks = [m for m in begun.canvas.overlay_item.overlay.marks if m.colour == "#CC79A7"]
         assert sum(len(m.centres) for m in marks if m.shape == "ring") == len(found.points)
         hand.key(Key.Key_Z, CTRL)
-        assert document.annotation.annotated == KEPT
+        assert document.state.annotation.annotated == KEPT
         wait_for_ghosts(begun, qtbot)
         assert name in names(begun)
 
@@ -221,7 +223,7 @@ class TestAccept:
             monkeypatch.setattr(module, "find_points", hidden)
         name = go(begun, hand, qtbot)
         hand.key(Key.Key_Return)
-        assert begun.document.annotation.get(name) is not None
+        assert begun.document.state.annotation.get(name) is not None
         assert "1 end cannot be seen: the points stop before" in told[-1]
 
     def test_enter_before_the_points_are_found_accepts_them_then(
@@ -230,8 +232,10 @@ class TestAccept:
         hand.key(Key.Key_Tab)
         name = current(begun)
         hand.key(Key.Key_Return)
-        assert begun.document.annotation.get(name) is None
-        qtbot.waitUntil(lambda: begun.document.annotation.get(name) is not None, timeout=20_000)
+        assert begun.document.state.annotation.get(name) is None
+        qtbot.waitUntil(
+            lambda: begun.document.state.annotation.get(name) is not None, timeout=20_000
+        )
 
     def test_an_edit_in_between_drops_it(
         self, begun: MainWindow, hand: Hand, qtbot: QtBot, told: list[str]
@@ -240,10 +244,10 @@ class TestAccept:
         hand.key(Key.Key_Tab)
         name = current(begun)
         hand.key(Key.Key_Return)
-        document.commit_edit("shorten", delete_point(document.annotation, KEPT[3], 0))
+        document.editing.commit_edit("shorten", delete_point(document.state.annotation, KEPT[3], 0))
         wait_for_ghosts(begun, qtbot)
         qtbot.waitUntil(lambda: document.ghosts.found(name) is not None, timeout=20_000)
-        assert document.annotation.get(name) is None
+        assert document.state.annotation.get(name) is None
         assert any("not accepted: the frame was edited meanwhile" in text for text in told)
 
     def test_without_a_line_in_the_picture_nothing_is_accepted(
@@ -255,11 +259,11 @@ class TestAccept:
         monkeypatch: pytest.MonkeyPatch,
     ) -> None:
         document = begun.document
-        document.store.set(picture=np.full_like(document.picture, 90))
+        document.store.set(picture=np.full_like(document.walk.picture, 90))
         name = go(begun, hand, qtbot)
         assert "no line is found along it" in begun.canvas.hint
         hand.key(Key.Key_Return)
-        assert document.annotation.get(name) is None
+        assert document.state.annotation.get(name) is None
         assert current(begun) == name
         assert "no painted line is found along it" in told[-1]
 
@@ -268,41 +272,41 @@ class TestAccept:
     ) -> None:
         document, known = begun.document, names(begun)
         hand.key(Key.Key_Return, SHIFT)
-        qtbot.waitUntil(lambda: document.annotation.annotated != KEPT, timeout=20_000)
-        accepted = document.annotation.annotated[len(KEPT) :]
+        qtbot.waitUntil(lambda: document.state.annotation.annotated != KEPT, timeout=20_000)
+        accepted = document.state.annotation.annotated[len(KEPT) :]
         left = set(known) - set(accepted)
         assert len(accepted) >= 4
         said = next(text for text in told if text.startswith("accepted"))
         if left:
             assert f"accepted {len(accepted)} of {len(known)} ghosts" in said
         for name in left:
-            assert document.field.title_of(name) in said
+            assert document.state.field.title_of(name) in said
         begun.canvas.undo()
-        assert document.annotation.annotated == KEPT
+        assert document.state.annotation.annotated == KEPT
 
     def test_one_key_accepts_all_and_goes_on(
         self, begun: MainWindow, hand: Hand, qtbot: QtBot
     ) -> None:
-        document, here = begun.document, begun.document.frame_index
+        document, here = begun.document, begun.document.state.frame_index
         hand.key(Key.Key_Return, ALT)
-        qtbot.waitUntil(lambda: document.frame_index == here + 1, timeout=20_000)
+        qtbot.waitUntil(lambda: document.state.frame_index == here + 1, timeout=20_000)
         let_work_end(qtbot)
-        assert document.frame_index == here + 1
-        document.go_to(here)
-        qtbot.waitUntil(lambda: document.frame_index == here, timeout=20_000)
-        assert len(document.annotation.annotated) >= len(KEPT) + 4
+        assert document.state.frame_index == here + 1
+        document.walk.go_to(here)
+        qtbot.waitUntil(lambda: document.state.frame_index == here, timeout=20_000)
+        assert len(document.state.annotation.annotated) >= len(KEPT) + 4
 
     def test_where_nothing_can_be_accepted_it_goes_on_all_the_same(
         self, begun: MainWindow, hand: Hand, qtbot: QtBot
     ) -> None:
         """The frame is annotated: what is left of its lines cannot be seen."""
-        document, here = begun.document, begun.document.frame_index
-        document.store.set(picture=np.full_like(document.picture, 90))
+        document, here = begun.document, begun.document.state.frame_index
+        document.store.set(picture=np.full_like(document.walk.picture, 90))
         hand.key(Key.Key_Return, ALT)
-        qtbot.waitUntil(lambda: document.frame_index == here + 1, timeout=20_000)
-        document.go_to(here)
-        qtbot.waitUntil(lambda: document.frame_index == here, timeout=20_000)
-        assert document.annotation.annotated == KEPT
+        qtbot.waitUntil(lambda: document.state.frame_index == here + 1, timeout=20_000)
+        document.walk.go_to(here)
+        qtbot.waitUntil(lambda: document.state.frame_index == here, timeout=20_000)
+        assert document.state.annotation.annotated == KEPT
 
     def test_the_share_asked_for_is_kept(
         self,
@@ -315,19 +319,19 @@ class TestAccept:
         monkeypatch.setattr(QInputDialog, "getInt", lambda *_: (100, True))
         begun.actions_["ghost_support"].trigger()
         assert begun.ghost_tasks.accepting.least_support == 1.0
-        picture = np.full_like(begun.document.picture, 90)
+        picture = np.full_like(begun.document.walk.picture, 90)
         begun.document.store.set(picture=picture)
         hand.key(Key.Key_Return, SHIFT)
         qtbot.waitUntil(lambda: not begun.ghost_tasks.accepting.busy, timeout=20_000)
         assert "no ghost was accepted, less than 100% of the line is seen" in told[-1]
-        assert begun.document.annotation.annotated == KEPT
+        assert begun.document.state.annotation.annotated == KEPT
 
     def test_while_drawing_the_keys_keep_their_meaning(self, begun: MainWindow, hand: Hand) -> None:
-        begun.document.select_class("Middle line")
+        begun.document.selecting.select_class("Middle line")
         hand.click(1000, 600)
         hand.click(1100, 650)
         hand.key(Key.Key_Return, SHIFT)
-        assert begun.document.annotation.annotated == (*KEPT, "Middle line")
+        assert begun.document.state.annotation.annotated == (*KEPT, "Middle line")
         assert not begun.ghost_tasks.accepting.busy
 
     def test_another_model_drops_what_was_asked_of_the_ghosts_before(
@@ -353,7 +357,7 @@ class TestAccept:
         go_on.set()
         wait_for_ghosts(begun, qtbot)
         let_work_end(qtbot)
-        assert document.annotation.annotated == KEPT
+        assert document.state.annotation.annotated == KEPT
 
     def test_enter_on_a_ghost_is_for_that_model(
         self, begun: MainWindow, hand: Hand, qtbot: QtBot, told: list[str]
@@ -366,22 +370,22 @@ class TestAccept:
         assert "is not accepted: the camera is another one meanwhile" in told[-1]
         wait_for_ghosts(begun, qtbot)
         qtbot.waitUntil(lambda: document.ghosts.found(name) is not None, timeout=20_000)
-        assert document.annotation.annotated == KEPT
+        assert document.state.annotation.annotated == KEPT
 
     def test_all_from_the_menu_while_drawing_finishes_that_first(
         self, begun: MainWindow, hand: Hand, qtbot: QtBot, told: list[str]
     ) -> None:
         document = begun.document
-        document.select_class("Middle line")
+        document.selecting.select_class("Middle line")
         hand.click(1000, 600)
         hand.click(1100, 650)
         begun.actions_["accept_ghosts"].trigger()
-        assert document.annotation.annotated == (*KEPT, "Middle line")
+        assert document.state.annotation.annotated == (*KEPT, "Middle line")
         assert told[-1] == "what was being drawn is finished: accept the ghosts of the new fit"
         begun.actions_["accept_ghosts"].trigger()
         assert told[-1] == "the camera is being fitted: ghosts come in a moment"
         let_work_end(qtbot)
-        assert document.annotation.annotated == (*KEPT, "Middle line")
+        assert document.state.annotation.annotated == (*KEPT, "Middle line")
 
 
 class TestNotVisible:
@@ -395,8 +399,8 @@ class TestNotVisible:
         assert name not in [ghost.name for ghost in document.ghosts.painted]
         qtbot.waitUntil(lambda: current(begun) == following, timeout=20_000)
         assert name not in [ghost.name for ghost in document.live_fit.insight.ghosts]
-        document.go_to(2)
-        document.go_to(1)
+        document.walk.go_to(2)
+        document.walk.go_to(1)
         wait_for_ghosts(begun, qtbot)
         assert name not in names(begun)
         hand.key(Key.Key_Period, CTRL)
@@ -406,23 +410,23 @@ class TestNotVisible:
         self, begun: MainWindow, hand: Hand, qtbot: QtBot
     ) -> None:
         document, name = begun.document, names(begun)[0]
-        document.select_class(name)
+        document.selecting.select_class(name)
         for hidden in (True, False):
             hand.key(Key.Key_Period)
-            assert (name in document.review.not_visible(document.frame.name)) is hidden
+            assert (name in document.review.not_visible(document.state.frame.name)) is hidden
         qtbot.waitUntil(lambda: name in names(begun), timeout=20_000)
 
     def test_an_annotated_element_is_visible(
         self, begun: MainWindow, hand: Hand, told: list[str]
     ) -> None:
-        begun.document.select_class(KEPT[0])
+        begun.document.selecting.select_class(KEPT[0])
         hand.key(Key.Key_Period)
         assert not begun.document.review.not_visible("00002")
         assert "is annotated here" in told[-1]
 
     def test_the_menu_lists_them(self, begun: MainWindow, hand: Hand, qtbot: QtBot) -> None:
         document, name = begun.document, names(begun)[0]
-        title = document.field.title_of(name)
+        title = document.state.field.title_of(name)
         begun.ghost_tasks.set_not_visible(name, True)
         menu = self.menu(begun)
         (submenu,) = [m for m in menu.findChildren(QMenu) if "take back" in m.title()]
@@ -443,7 +447,7 @@ class TestNotVisible:
         place = begun.canvas.place
         accept.trigger()
         qtbot.waitUntil(
-            lambda: begun.document.annotation.get("Side line top") is not None, timeout=20_000
+            lambda: begun.document.state.annotation.get("Side line top") is not None, timeout=20_000
         )
         assert begun.canvas.place == place
 
@@ -472,7 +476,7 @@ class TestNext:
         seen = image.pixelColor((ring * ratio).toPoint())
         assert seen.blue() > 150 > seen.red()
         QTest.mouseClick(field_map, Qt.MouseButton.LeftButton, pos=at.toPoint())
-        assert document.selected_class == best.name
+        assert document.state.selected_class == best.name
         begun.actions_["suggest"].trigger()
         assert document.ghosts.suggestion is None
 
@@ -485,21 +489,21 @@ class TestNext:
 
 class TestAutoAdvance:
     def finish(self, window: MainWindow, hand: Hand, name: str) -> str | None:
-        window.document.select_class(name)
+        window.document.selecting.select_class(name)
         hand.click(600, 300)
         hand.click(700, 350)
         hand.key(Key.Key_Return)
-        return window.document.selected_class
+        return window.document.state.selected_class
 
     def test_it_goes_on_to_what_tells_most(self, begun: MainWindow, hand: Hand) -> None:
         best = begun.document.ghosts.suggestion.name
         other = next(name for name in names(begun) if name != best)
-        begun.document.select_class(other)
+        begun.document.selecting.select_class(other)
         hand.click(600, 300)
-        assert f"goes on to {begun.document.field.title_of(best)}" in begun.canvas.hint
+        assert f"goes on to {begun.document.state.field.title_of(best)}" in begun.canvas.hint
         hand.click(700, 350)
         hand.key(Key.Key_Return)
-        assert begun.document.selected_class == best
+        assert begun.document.state.selected_class == best
 
     def test_never_to_what_is_not_in_sight(self, begun: MainWindow, hand: Hand) -> None:
         document = begun.document
@@ -513,8 +517,8 @@ class TestAutoAdvance:
         document.live_fit.set_wanted(False)
         assert not document.ghosts.out_of_sight
         expected = next_element(
-            document.field,
-            append_points(document.annotation, "Side line top", (Point(0.1, 0.1),)),
+            document.state.field,
+            append_points(document.state.annotation, "Side line top", (Point(0.1, 0.1),)),
             "Side line top",
             begun.canvas.editor.seen_before,
         )
@@ -574,8 +578,8 @@ class TestState:
         entries = json.loads(path.read_text())
         path.write_text(json.dumps({name: entries[name] for name in KEPT}))
         document = Document()
-        document.open_path(annotated)
-        document.go_to(1)
+        document.opening.open_path(annotated)
+        document.walk.go_to(1)
         qtbot.waitUntil(lambda: document.live_fit.insight is not None, timeout=20_000)
         yield document
         document.close()
@@ -583,7 +587,7 @@ class TestState:
     def test_a_walk(self, document: Document) -> None:
         ghosts = document.ghosts
         known = [ghost.name for ghost in ghosts.known]
-        assert known == sorted(known, key=document.field.index.__getitem__)
+        assert known == sorted(known, key=document.state.field.index.__getitem__)
         assert ghosts.step(-1).name == known[-1]  # from behind
         assert ghosts.step(1) is None
         assert not ghosts.walking
@@ -603,18 +607,18 @@ class TestState:
         ghosts.ended.connect(lambda: ends.append(True))
         first, *_, last = [ghost.name for ghost in ghosts.known]
         ghosts.go_to(last)
-        document.review.set_not_visible(document.frame.name, last, True)
+        document.review.set_not_visible(document.state.frame.name, last, True)
         assert ghosts.current is None
         qtbot.waitUntil(lambda: ghosts.current is not None, timeout=20_000)
         assert ghosts.current.name == first
         for name in [ghost.name for ghost in ghosts.known]:
-            document.review.set_not_visible(document.frame.name, name, True)
+            document.review.set_not_visible(document.state.frame.name, name, True)
         qtbot.waitUntil(lambda: not ghosts.walking, timeout=20_000)
         assert ends == [True]
 
     def test_another_frame_ends_the_walk(self, document: Document) -> None:
         document.ghosts.step(1)
-        document.go_to(2)
+        document.walk.go_to(2)
         assert not document.ghosts.walking
         assert document.ghosts.painted == ()
 
@@ -625,7 +629,7 @@ class TestState:
         settings: list[str] = []
         document.review.settingChanged.connect(settings.append)
         theirs = WorkspaceDatabase.open(annotated, "Ben")
-        theirs.set_not_visible(document.frame.name, name, True)
+        theirs.set_not_visible(document.state.frame.name, name, True)
         theirs.set_setting("length", "104.3")
         assert theirs.close()
 
@@ -641,7 +645,7 @@ class TestState:
         ghosts = document.ghosts
         name = ghosts.step(1).name
         qtbot.waitUntil(lambda: ghosts.found(name) is not None, timeout=20_000)
-        document.commit_edit("shorten", delete_point(document.annotation, KEPT[3], 0))
+        document.editing.commit_edit("shorten", delete_point(document.state.annotation, KEPT[3], 0))
         assert ghosts.found(name) is None
         assert ghosts.walking  # and goes on where it was
         qtbot.waitUntil(lambda: ghosts.current is not None, timeout=20_000)
@@ -653,8 +657,8 @@ def test_points_in_pictures_of_frames_that_were_left_are_let_go(
 ) -> None:
     """Each keeps the picture alive that it was looked for in."""
     name = go(begun, hand, qtbot)
-    begun.document.go_to(2)
-    begun.document.go_to(1)
+    begun.document.walk.go_to(2)
+    begun.document.walk.go_to(1)
     assert begun.document.ghosts.found(name) is None
     wait_for_ghosts(begun, qtbot)
     assert go(begun, hand, qtbot) == name

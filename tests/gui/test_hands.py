@@ -79,15 +79,15 @@ def clicks(on_pitch: MainWindow, hand_on: Callable[[MainWindow], Hand]) -> Hand:
 
 
 def px(window: MainWindow, name: str) -> np.ndarray:
-    polyline = window.document.annotation.get(name)
+    polyline = window.document.state.annotation.get(name)
     assert polyline is not None
     return points_px(polyline, SIZE)
 
 
 def kinds(window: MainWindow) -> dict[OriginKind, int]:
     document = window.document
-    assert document.frame is not None
-    return document.review.origin_counts(document.frame.name, document.annotation)
+    assert document.state.frame is not None
+    return document.review.origin_counts(document.state.frame.name, document.state.annotation)
 
 
 class TestSnapping:
@@ -108,7 +108,7 @@ class TestSnapping:
         assert kinds(on_pitch) == {OriginKind.CLICKED: 2}
 
     def test_ctrl_and_the_toggle_suspend_it(self, on_pitch: MainWindow, clicks: Hand) -> None:
-        on_pitch.document.select_class(MIDDLE)
+        on_pitch.document.selecting.select_class(MIDDLE)
         first = clicks.click(484, 200, CTRL)
         clicks.key(Qt.Key.Key_S)
         second = clicks.click(484, 300)
@@ -131,7 +131,7 @@ class TestSnapping:
     def test_the_ring_shows_where_the_click_will_land(
         self, on_pitch: MainWindow, clicks: Hand
     ) -> None:
-        on_pitch.document.select_class(MIDDLE)
+        on_pitch.document.selecting.select_class(MIDDLE)
         clicks.move(484, 300)
         draft = on_pitch.canvas.editor.draft(on_pitch.canvas.cursor_px)
         assert draft is not None
@@ -179,17 +179,17 @@ class TestLooks:
         self, on_pitch: MainWindow, qtbot: QtBot
     ) -> None:
         document, canvas = on_pitch.document, on_pitch.canvas
-        assert document.picture is not None
-        before = document.picture.copy()
+        assert document.walk.picture is not None
+        before = document.walk.picture.copy()
         on_pitch.rail.looks.set_look(DisplayAdjustment(brightness=0.3))
         canvas.set_look(DisplayAdjustment(brightness=0.3))
         assert canvas.shown.pixels is not None
         assert canvas.shown.pixels.mean() > before.mean() + 10
-        assert np.array_equal(document.picture, before)
-        document.next_frame()
-        assert canvas.shown.pixels.mean() > document.picture.mean() + 10
+        assert np.array_equal(document.walk.picture, before)
+        document.walk.next_frame()
+        assert canvas.shown.pixels.mean() > document.walk.picture.mean() + 10
         canvas.set_look(DisplayAdjustment(enhance=True))
-        qtbot.waitUntil(lambda: not np.array_equal(canvas.shown.pixels, document.picture))
+        qtbot.waitUntil(lambda: not np.array_equal(canvas.shown.pixels, document.walk.picture))
 
 
 class TestNextElement:
@@ -197,33 +197,33 @@ class TestNextElement:
         self, on_pitch: MainWindow, clicks: Hand
     ) -> None:
         document = on_pitch.document
-        document.select_class("Big rect. left main")
+        document.selecting.select_class("Big rect. left main")
         clicks.click(300, 300)
         announced = on_pitch.canvas.editor.upcoming
         assert announced is not None
-        element = document.field.element(announced)
+        element = document.state.field.element(announced)
         assert element is not None
         assert element.title in on_pitch.canvas.hint
         clicks.key(Qt.Key.Key_Return)
-        assert document.selected_class == announced
+        assert document.state.selected_class == announced
 
     def test_shift_enter_and_the_option_refuse_it(self, on_pitch: MainWindow, clicks: Hand) -> None:
         document = on_pitch.document
-        document.select_class("Big rect. left main")
+        document.selecting.select_class("Big rect. left main")
         clicks.click(300, 300)
         clicks.key(Qt.Key.Key_Return, SHIFT)
-        assert document.selected_class == "Big rect. left main"
+        assert document.state.selected_class == "Big rect. left main"
         on_pitch.actions_["auto_advance"].trigger()
-        document.select_class("Big rect. left main", continues=True)
+        document.selecting.select_class("Big rect. left main", continues=True)
         clicks.click(300, 400)
         clicks.key(Qt.Key.Key_Return)
-        assert document.selected_class == "Big rect. left main"
+        assert document.state.selected_class == "Big rect. left main"
 
     def test_two_clicks_finish_a_straight_element_on_request(
         self, on_pitch: MainWindow, clicks: Hand
     ) -> None:
         on_pitch.actions_["two_clicks"].trigger()
-        on_pitch.document.select_class(MIDDLE)
+        on_pitch.document.selecting.select_class(MIDDLE)
         clicks.click(300, 300)
         clicks.click(300, 400)
         assert not on_pitch.canvas.editor.drawing
@@ -237,18 +237,18 @@ class TestLeaving:
         self, on_pitch: MainWindow, clicks: Hand, pitch: Path, qtbot: QtBot
     ) -> None:
         document = on_pitch.document
-        document.select_class(MIDDLE)
+        document.selecting.select_class(MIDDLE)
         clicks.click(480, 130)
         told = qtbot.waitSignal(
             document.message,
             check_params_cb=lambda text, _: text.startswith("kept 1 click of Half"),
         )
         with told:
-            document.next_frame()
-        document.save_now()
+            document.walk.next_frame()
+        document.editing.save_now()
         assert not (pitch / "0.json").exists()
-        document.previous_frame()
-        assert document.annotation.get_unconfirmed(MIDDLE) is not None
+        document.walk.previous_frame()
+        assert document.state.annotation.get_unconfirmed(MIDDLE) is not None
         clicks.draw(MIDDLE, (480, 530))
         assert len(px(on_pitch, MIDDLE)) == 2
         assert kinds(on_pitch) == {OriginKind.SNAPPED: 2}
@@ -258,7 +258,7 @@ class TestLeaving:
         self, on_pitch: MainWindow, clicks: Hand, pitch: Path, make_window: MakeWindow
     ) -> None:
         document = on_pitch.document
-        document.select_class(MIDDLE)
+        document.selecting.select_class(MIDDLE)
         clicks.click(480, 130)
         clicks.click(480, 530)
         assert document.review.database is not None
@@ -279,7 +279,7 @@ class TestRegularise:
         self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot
     ) -> None:
         clicks.draw(MIDDLE, (482, 130), (478, 530))
-        on_pitch.document.select_class(MIDDLE)
+        on_pitch.document.selecting.select_class(MIDDLE)
         with qtbot.waitSignal(on_pitch.document.annotationChanged):
             clicks.key(Qt.Key.Key_R)
         found = px(on_pitch, MIDDLE)
@@ -295,31 +295,31 @@ class TestRegularise:
     ) -> None:
         clicks.draw(MIDDLE, (482, 130), (478, 530))
         clicks.draw(TOP, (5, 121), (955, 119))
-        before = on_pitch.document.annotation
+        before = on_pitch.document.state.annotation
         with qtbot.waitSignal(on_pitch.document.annotationChanged):
             clicks.key(Qt.Key.Key_R, SHIFT)
         assert len(px(on_pitch, MIDDLE)) > 3
         assert len(px(on_pitch, TOP)) > 3
-        on_pitch.document.undo()
-        assert on_pitch.document.annotation == before
+        on_pitch.document.editing.undo()
+        assert on_pitch.document.state.annotation == before
 
     def test_r_reaches_what_was_just_drawn(
         self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot
     ) -> None:
         """Finished, with the next element chosen already; and not finished yet."""
         for finish in (True, False):
-            on_pitch.document.select_class(MIDDLE)
+            on_pitch.document.selecting.select_class(MIDDLE)
             clicks.click(484, 130)
             clicks.click(477, 530)
             if finish:
                 clicks.key(Qt.Key.Key_Return)
-                assert on_pitch.document.selected_class != MIDDLE
+                assert on_pitch.document.state.selected_class != MIDDLE
             with qtbot.waitSignal(
                 on_pitch.document.message, check_params_cb=lambda text, _: "regularised" in text
             ):
                 clicks.key(Qt.Key.Key_R)
             assert len(px(on_pitch, MIDDLE)) > 2
-            while on_pitch.document.annotation.annotated:
+            while on_pitch.document.state.annotation.annotated:
                 clicks.key(Qt.Key.Key_Z, CTRL)
 
     @pytest.mark.parametrize("key", [(Qt.Key.Key_Z, CTRL), (Qt.Key.Key_Escape,)])
@@ -328,27 +328,27 @@ class TestRegularise:
     ) -> None:
         clicks.draw(MIDDLE, (484, 130), (477, 530))
         clicks.draw(TOP, (5, 118), (955, 122))
-        before = on_pitch.document.annotation
+        before = on_pitch.document.state.annotation
         clicks.key(Qt.Key.Key_R, SHIFT)
         clicks.key(*key)
         assert "taken back" in on_pitch.document.state.told.text
         all_done(qtbot)
-        assert on_pitch.document.annotation == before
+        assert on_pitch.document.state.annotation == before
         clicks.key(Qt.Key.Key_Z, CTRL)  # and this takes back the last step
-        assert on_pitch.document.annotation.annotated == (MIDDLE,)
+        assert on_pitch.document.state.annotation.annotated == (MIDDLE,)
 
     def test_a_frame_that_is_left_is_not_regularised_and_that_is_said(
         self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot
     ) -> None:
         clicks.draw(MIDDLE, (484, 130), (477, 530))
-        before, said = on_pitch.document.annotation, []
+        before, said = on_pitch.document.state.annotation, []
         on_pitch.document.message.connect(lambda text, level: said.append(text))
         clicks.key(Qt.Key.Key_R, SHIFT)
         clicks.key(Qt.Key.Key_D)
         assert "the frame was left: nothing was regularised" in said
         clicks.key(Qt.Key.Key_A)
         all_done(qtbot)
-        assert on_pitch.document.annotation == before
+        assert on_pitch.document.state.annotation == before
 
     def test_what_is_regular_stays(self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot) -> None:
         clicks.draw(MIDDLE, (484, 130), (477, 530))
@@ -370,11 +370,13 @@ class TestRegularise:
                 document.message, check_params_cb=lambda text, _: "regularised" in text
             ):
                 clicks.key(Qt.Key.Key_R)
-            line = document.annotation.get(MIDDLE)
+            line = document.state.annotation.get(MIDDLE)
             assert line is not None
             assert len(line.points) > 3
             thin = Polyline(MIDDLE, (line.points[0], line.points[-1]))
-            document.edit("thin out", lambda annotation, thin=thin: annotation.with_polyline(thin))
+            document.editing.edit(
+                "thin out", lambda annotation, thin=thin: annotation.with_polyline(thin)
+            )
 
     def test_on_a_real_frame_it_is_done_once_and_lies_on_the_paint(
         self,
@@ -396,12 +398,12 @@ class TestRegularise:
             said, check_params_cb=lambda text, _: "regularised" in text, timeout=60_000
         ):
             hand.key(Qt.Key.Key_R, SHIFT)
-        once = window.document.annotation
+        once = window.document.state.annotation
         assert once != annotation
         with qtbot.waitSignal(said, check_params_cb=lambda text, _: "regular already" in text):
             hand.key(Qt.Key.Key_R, SHIFT)
             all_done(qtbot)
-        assert window.document.annotation == once
+        assert window.document.state.annotation == once
         bars = [e for e in frame.elements if e.kind in ("post", "crossbar")]
         assert len(bars) == 3
         for bar in bars:
@@ -427,7 +429,7 @@ class TestCopying:
     def copy(self, window: MainWindow, clicks: Hand, qtbot: QtBot) -> None:
         clicks.draw(MIDDLE, (480, 130), (480, 530))
         clicks.draw(TOP, (5, 120), (955, 120))
-        window.document.next_frame()
+        window.document.walk.next_frame()
         with qtbot.waitSignal(window.document.annotationChanged, timeout=10_000):
             clicks.key(Qt.Key.Key_V)
 
@@ -436,11 +438,11 @@ class TestCopying:
     ) -> None:
         self.copy(on_pitch, clicks, qtbot)
         document = on_pitch.document
-        assert document.annotation.annotated == ()
-        waiting = document.annotation.get_unconfirmed(MIDDLE)
+        assert document.state.annotation.annotated == ()
+        waiting = document.state.annotation.get_unconfirmed(MIDDLE)
         assert waiting is not None
         assert points_px(waiting, SIZE)[:, 0] == pytest.approx(UPRIGHT - SIZE[0] // 10, abs=1.5)
-        document.save_now()
+        document.editing.save_now()
         assert not (pitch / "1.json").exists()
 
     def test_shift_v_confirms_all_and_they_are_saved_as_copied(
@@ -448,7 +450,7 @@ class TestCopying:
     ) -> None:
         self.copy(on_pitch, clicks, qtbot)
         clicks.key(Qt.Key.Key_V, SHIFT)
-        assert set(on_pitch.document.annotation.annotated) == {MIDDLE, TOP}
+        assert set(on_pitch.document.state.annotation.annotated) == {MIDDLE, TOP}
         qtbot.waitUntil((pitch / "1.json").exists)
         assert set(kinds(on_pitch)) == {OriginKind.COPIED}
 
@@ -458,37 +460,37 @@ class TestCopying:
         self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot, done: str, goes_on: bool
     ) -> None:
         document = on_pitch.document
-        document.set_option("auto_advance", goes_on)
+        document.selecting.set_option("auto_advance", goes_on)
         if done in ("finished", "seen again"):
             clicks.draw(MIDDLE, (480, 130), (480, 530))
-            document.select_class(MIDDLE)
+            document.selecting.select_class(MIDDLE)
             if done == "seen again":
-                document.next_frame()
-                document.previous_frame()
+                document.walk.next_frame()
+                document.walk.previous_frame()
         else:
             self.copy(on_pitch, clicks, qtbot)
             for _ in range(2 if done == "confirmed" else 0):
                 clicks.key(Qt.Key.Key_Return)
             if done == "all":
                 clicks.key(Qt.Key.Key_V, SHIFT)
-        before = document.annotation
+        before = document.state.annotation
         clicks.click(300, 300)
         clicks.key(Qt.Key.Key_Return)
         for name in (MIDDLE, TOP):
-            assert document.annotation.get(name) == before.get(name)
-            assert document.annotation.get_unconfirmed(name) == before.get_unconfirmed(name)
+            assert document.state.annotation.get(name) == before.get(name)
+            assert document.state.annotation.get_unconfirmed(name) == before.get_unconfirmed(name)
 
     def test_dragging_a_copy_confirms_it_alone(
         self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot
     ) -> None:
         self.copy(on_pitch, clicks, qtbot)
         clicks.key(Qt.Key.Key_W)
-        waiting = on_pitch.document.annotation.get_unconfirmed(MIDDLE)
+        waiting = on_pitch.document.state.annotation.get_unconfirmed(MIDDLE)
         assert waiting is not None
         (x, y), *_ = points_px(waiting, SIZE)
         clicks.drag((x, y), (x, y + 12))
-        assert on_pitch.document.annotation.annotated == (MIDDLE,)
-        assert on_pitch.document.annotation.get_unconfirmed(TOP) is not None
+        assert on_pitch.document.state.annotation.annotated == (MIDDLE,)
+        assert on_pitch.document.state.annotation.get_unconfirmed(TOP) is not None
 
     def test_clicking_on_goes_on_from_the_copy(
         self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot
@@ -502,33 +504,33 @@ class TestCopying:
         self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot
     ) -> None:
         self.copy(on_pitch, clicks, qtbot)
-        assert on_pitch.document.selected_class == MIDDLE  # chosen by itself
+        assert on_pitch.document.state.selected_class == MIDDLE  # chosen by itself
         clicks.key(Qt.Key.Key_Return)
-        assert on_pitch.document.annotation.annotated == (MIDDLE,)
+        assert on_pitch.document.state.annotation.annotated == (MIDDLE,)
         with qtbot.waitSignal(
             on_pitch.document.message, check_params_cb=lambda text, _: "regular" in text
         ):
             clicks.key(Qt.Key.Key_R)  # means the one just confirmed
-        assert on_pitch.document.annotation.annotated == (MIDDLE,)
+        assert on_pitch.document.state.annotation.annotated == (MIDDLE,)
         clicks.key(Qt.Key.Key_Return)
-        assert set(on_pitch.document.annotation.annotated) == {MIDDLE, TOP}
+        assert set(on_pitch.document.state.annotation.annotated) == {MIDDLE, TOP}
 
     def test_shift_delete_drops_them_and_undo_brings_them_back(
         self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot
     ) -> None:
         self.copy(on_pitch, clicks, qtbot)
         clicks.key(Qt.Key.Key_Delete, SHIFT)
-        assert on_pitch.document.annotation.unconfirmed == ()
+        assert on_pitch.document.state.annotation.unconfirmed == ()
         clicks.key(Qt.Key.Key_Z, CTRL)
-        assert len(on_pitch.document.annotation.unconfirmed) == 2
+        assert len(on_pitch.document.state.annotation.unconfirmed) == 2
 
     def test_reversing_a_copy_confirms_it(
         self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot
     ) -> None:
         self.copy(on_pitch, clicks, qtbot)
-        waiting = on_pitch.document.annotation.get_unconfirmed(MIDDLE)
+        waiting = on_pitch.document.state.annotation.get_unconfirmed(MIDDLE)
         assert waiting is not None
-        on_pitch.document.select_class(MIDDLE)
+        on_pitch.document.selecting.select_class(MIDDLE)
         clicks.key(Qt.Key.Key_R, CTRL)
         assert px(on_pitch, MIDDLE) == pytest.approx(points_px(waiting, SIZE)[::-1], abs=1e-9)
 
@@ -538,9 +540,9 @@ class TestCopying:
         self.copy(on_pitch, clicks, qtbot)
         on_pitch.close()
         again = make_window(pitch)
-        assert again.document.frame is not None
-        assert again.document.frame.name == "1"  # and the window opens where one left
-        assert again.document.annotation.get_unconfirmed(MIDDLE) is not None
+        assert again.document.state.frame is not None
+        assert again.document.state.frame.name == "1"  # and the window opens where one left
+        assert again.document.state.annotation.get_unconfirmed(MIDDLE) is not None
 
 
 class TestUndoInTheMiddle:
@@ -549,7 +551,7 @@ class TestUndoInTheMiddle:
     ) -> None:
         before = clicks.draw(MIDDLE, (300, 300), (400, 300))
         clicks.draw(TOP, (300, 200), (400, 200))
-        on_pitch.document.set_mode("edit")
+        on_pitch.document.selecting.set_mode("edit")
         viewport = on_pitch.canvas.viewport()
         left, none = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
         QTest.mousePress(viewport, left, none, clicks.at(300, 300))
@@ -557,13 +559,13 @@ class TestUndoInTheMiddle:
         clicks.key(Qt.Key.Key_Z, CTRL)
         QTest.mouseRelease(viewport, left, none, clicks.at(320, 340))
         assert px(on_pitch, MIDDLE) == pytest.approx(before, abs=1e-9)
-        assert on_pitch.document.annotation.annotated == (MIDDLE, TOP)
+        assert on_pitch.document.state.annotation.annotated == (MIDDLE, TOP)
 
     def test_a_point_inserted_and_taken_back_leaves_no_other_point_chosen(
         self, on_pitch: MainWindow, clicks: Hand
     ) -> None:
         before = clicks.draw(MIDDLE, (300, 300), (400, 300), (500, 300))
-        on_pitch.document.set_mode("edit")
+        on_pitch.document.selecting.set_mode("edit")
         viewport = on_pitch.canvas.viewport()
         left, alt = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.AltModifier
         QTest.mousePress(viewport, left, alt, clicks.at(350, 300))
@@ -571,7 +573,7 @@ class TestUndoInTheMiddle:
         QTest.mouseRelease(viewport, left, alt, clicks.at(352, 330))
         assert len(px(on_pitch, MIDDLE)) == 4
         clicks.key(Qt.Key.Key_Z, CTRL)
-        assert on_pitch.document.selected_point is None
+        assert on_pitch.document.state.selection.point is None
         clicks.key(Qt.Key.Key_Z, CTRL)
         clicks.key(Qt.Key.Key_Y, CTRL)
         assert px(on_pitch, MIDDLE) == pytest.approx(before, abs=1e-9)
@@ -593,9 +595,9 @@ class TestHints:
         self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot
     ) -> None:
         told = on_pitch.status.hint.text
-        on_pitch.document.set_option("draw_first", False)
+        on_pitch.document.selecting.set_option("draw_first", False)
         clicks.click(300, 300)  # no element is chosen: a message says so
-        on_pitch.document.select_class(MIDDLE)
+        on_pitch.document.selecting.select_class(MIDDLE)
         clicks.click(300, 300)
         qtbot.waitUntil(lambda: "DRAW Halfway line, 1 point" in told())
         assert "choose an element first" in told()
@@ -606,7 +608,7 @@ class TestHints:
         TestCopying().copy(on_pitch, clicks, qtbot)
         clicks.key(Qt.Key.Key_W)
         clicks.move(700, 500)
-        on_pitch.document.select_class(None)
+        on_pitch.document.selecting.select_class(None)
         clicks.key(Qt.Key.Key_A, CTRL)
         words = on_pitch.canvas.hint
         assert "Delete removes 4 points" in words
@@ -620,7 +622,7 @@ class TestSeveralPoints:
         before = clicks.draw(MIDDLE, (300, 300), (340, 320), (600, 420))
         clicks.key(Qt.Key.Key_W)
         clicks.drag((270, 270), (380, 350))
-        assert on_pitch.document.selected_points == {(MIDDLE, 0), (MIDDLE, 1)}
+        assert on_pitch.document.state.selection.points == {(MIDDLE, 0), (MIDDLE, 1)}
         clicks.key(Qt.Key.Key_Down)
         assert px(on_pitch, MIDDLE)[:2] == pytest.approx(before[:2] + np.array([0, 1]), abs=1e-6)
         assert px(on_pitch, MIDDLE)[2] == pytest.approx(before[2], abs=1e-6)
@@ -634,10 +636,10 @@ class TestSeveralPoints:
         clicks.key(Qt.Key.Key_W)
         clicks.click(300, 300)
         clicks.click(500, 300, SHIFT)
-        assert on_pitch.document.selected_points == {(MIDDLE, 0), (MIDDLE, 2)}
+        assert on_pitch.document.state.selection.points == {(MIDDLE, 0), (MIDDLE, 2)}
         clicks.click(500, 300, SHIFT)
-        assert on_pitch.document.selected_point == (MIDDLE, 0)
-        assert not on_pitch.document.selected_points
+        assert on_pitch.document.state.selection.point == (MIDDLE, 0)
+        assert not on_pitch.document.state.selection.points
 
     def test_a_click_on_one_of_several_means_that_one(
         self, on_pitch: MainWindow, clicks: Hand
@@ -645,10 +647,10 @@ class TestSeveralPoints:
         clicks.draw(MIDDLE, (300, 300), (400, 300))
         clicks.key(Qt.Key.Key_W)
         clicks.key(Qt.Key.Key_A, CTRL)
-        assert len(on_pitch.document.selected_points) == 2
+        assert len(on_pitch.document.state.selection.points) == 2
         clicks.click(400, 300)
-        assert on_pitch.document.selected_point == (MIDDLE, 1)
-        assert not on_pitch.document.selected_points
+        assert on_pitch.document.state.selection.point == (MIDDLE, 1)
+        assert not on_pitch.document.state.selection.points
 
 
 class TestWholeElements:
@@ -668,12 +670,12 @@ class TestWholeElements:
     def test_the_menu_changes_and_swaps_classes(self, on_pitch: MainWindow, clicks: Hand) -> None:
         first = clicks.draw(MIDDLE, (300, 300), (400, 300))
         second = clicks.draw(TOP, (300, 350), (400, 350))
-        on_pitch.document.select_class(MIDDLE)
+        on_pitch.document.selecting.select_class(MIDDLE)
         choose(on_pitch, "Change class to (swaps with an annotated one)", TOP)
         assert px(on_pitch, TOP) == pytest.approx(first, abs=1e-9)
         assert px(on_pitch, MIDDLE) == pytest.approx(second, abs=1e-9)
-        assert on_pitch.document.selected_class == TOP
-        on_pitch.document.undo()
+        assert on_pitch.document.state.selected_class == TOP
+        on_pitch.document.editing.undo()
         assert px(on_pitch, MIDDLE) == pytest.approx(first, abs=1e-9)
 
     def test_the_menu_splits_at_a_point_and_merges_again(
@@ -684,8 +686,8 @@ class TestWholeElements:
         clicks.click(400, 300)
         choose(on_pitch, "Split here: the rest becomes", TOP)
         assert len(px(on_pitch, MIDDLE)) == len(px(on_pitch, TOP)) == 2
-        on_pitch.document.select_point(None)
-        on_pitch.document.select_class(TOP)
+        on_pitch.document.selecting.select_point(None)
+        on_pitch.document.selecting.select_class(TOP)
         choose(on_pitch, "Merge into", MIDDLE)
         assert len(px(on_pitch, MIDDLE)) == 3
 
@@ -694,13 +696,13 @@ class TestWholeElements:
     ) -> None:
         clicks.draw(MIDDLE, (300, 300), (400, 300))
         clicks.key(Qt.Key.Key_W)
-        on_pitch.document.select_class(None)
+        on_pitch.document.selecting.select_class(None)
         on_pitch.canvas.editor.point_at((350.0, 301.0))
-        assert on_pitch.document.selected_class == MIDDLE
+        assert on_pitch.document.state.selected_class == MIDDLE
         on_pitch.canvas.editor.point_at((400.0, 300.0))
-        assert on_pitch.document.selected_point == (MIDDLE, 1)
+        assert on_pitch.document.state.selection.point == (MIDDLE, 1)
         on_pitch.canvas.editor.point_at((350.0, 301.0))
-        assert on_pitch.document.selected_point is None
+        assert on_pitch.document.state.selection.point is None
         on_pitch.canvas.editor.point_at((700.0, 450.0))
         assert on_pitch.canvas.editor.on_ground
         menu = canvas_menu(
@@ -716,9 +718,9 @@ class TestWholeElements:
         self, on_pitch: MainWindow, clicks: Hand
     ) -> None:
         clicks.draw("Big rect. left top", (300, 300), (400, 300))
-        on_pitch.document.select_class("Big rect. left top")
+        on_pitch.document.selecting.select_class("Big rect. left top")
         clicks.key(Qt.Key.Key_D, CTRL)
-        waiting = on_pitch.document.annotation.get_unconfirmed("Big rect. right bottom")
+        waiting = on_pitch.document.state.annotation.get_unconfirmed("Big rect. right bottom")
         assert waiting is not None
         clicks.drag((350, 300), (350, 360))  # unconfirmed elements are not pinned
         assert px(on_pitch, "Big rect. right bottom")[:, 1] == pytest.approx(360, abs=1.5)
@@ -729,18 +731,18 @@ class TestWholeElements:
         path = tmp_path / "square.toml"
         path.write_text(_square())
         document = on_pitch.document
-        document.set_field(load_field(path))
+        document.terms.set_field(load_field(path))
         clicks.draw("Side right", (300, 300), (400, 300))
         for expected in ("Side bottom", "Side left"):
-            document.select_class("Side right")
+            document.selecting.select_class("Side right")
             clicks.key(Qt.Key.Key_D, CTRL)
-            assert document.annotation.get_unconfirmed(expected) is not None
+            assert document.state.annotation.get_unconfirmed(expected) is not None
             on_pitch.element_edits.confirm_all()
-        document.set_mode("draw")
+        document.selecting.set_mode("draw")
         clicks.draw("Side top", (300, 200), (400, 200))
         texts: list[str] = []
         document.message.connect(lambda text, level: texts.append(text))
-        document.select_class("Side right")
+        document.selecting.select_class("Side right")
         clicks.key(Qt.Key.Key_D, CTRL)
         assert texts[-1] == "Side bottom, Side left, Side top are annotated already"
 

@@ -45,12 +45,12 @@ def test_of_two_sources_of_one_colour_the_legend_names_the_one_that_is_drawn(
     audited: MainWindow,
 ) -> None:
     document = audited.document
-    judged, other = document.sources[:2]
-    assert document.active_source is judged
-    for source in document.sources[2:]:
-        document.set_source_visible(source, False)
-    document.set_source_colour(other, judged.colour)
-    document.set_source_visible(other, True)
+    judged, other = document.state.sources[:2]
+    assert document.state.active is judged
+    for source in document.state.sources[2:]:
+        document.camera_sources.set_source_visible(source, False)
+    document.camera_sources.set_source_colour(other, judged.colour)
+    document.camera_sources.set_source_visible(other, True)
     named = [name for name, _ in audited.canvas.comparison.names_of_others()]
     assert named == [other.name]
 
@@ -63,11 +63,11 @@ def test_who_is_editing_is_another_one_than_before(window: MainWindow, dataset: 
     )
     assert ann.acquire("frame_0") is None
     document.presence.look()
-    assert "Ann" in document.frame_error
+    assert "Ann" in document.state.why_not_editable
     ann.release("frame_0")
     assert bob.acquire("frame_0") is None
     document.presence.look()
-    assert "Bob" in document.frame_error
+    assert "Bob" in document.state.why_not_editable
     bob.release("frame_0")
 
 
@@ -93,10 +93,10 @@ def test_frames_that_are_saved_by_now_leave_the_list_of_unsaved_ones(
     settle(window, qtbot)
     with monkeypatch.context() as broken:
         broken.setattr("procc_annotator.formats.atomic.os.open", full)
-        window.document.undo()
+        window.document.editing.undo()
         window.frames.filter.setText("is:unsaved")
         qtbot.waitUntil(lambda: window.frames.model.shown == 1)
-    window.document.save_now()
+    window.document.editing.save_now()
     qtbot.waitUntil(lambda: window.frames.model.shown == 0)
 
 
@@ -107,20 +107,20 @@ class TestBlind:
         panel, document = audited.agreement, audited.document
         panel.open(second_annotator)
         qtbot.waitUntil(lambda: panel.rows.rowCount() > 0)
-        document.set_blind(True)
+        document.blind_lock.set_blind(True)
         qtbot.waitUntil(lambda: panel.rows.rowCount() == 0)
         assert panel.frame.text().startswith("Hidden")
-        document.commit_frame()
+        document.editing.commit_frame()
         qtbot.waitUntil(lambda: panel.rows.rowCount() > 0)
 
     def test_a_camera_that_cannot_be_read_is_told_of_once_the_frame_is_committed(
         self, audited: MainWindow, qtbot: QtBot
     ) -> None:
         document, model = audited.document, audited.frames.model
-        name = document.frame.name
-        document.active_source.problems[name] = "cannot be read"
+        name = document.state.frame.name
+        document.state.active.problems[name] = "cannot be read"
         assert model._camera_problem(name)
-        document.set_blind(True)
+        document.blind_lock.set_blind(True)
         assert not model._camera_problem(name)
         audited.frames.filter.setText("camera:unreadable")
         qtbot.waitUntil(lambda: model.shown == 0)
@@ -136,7 +136,7 @@ def test_the_sheet_of_keys_shows_the_elements_of_the_field_there_is(
         return [row.text for row in sheet.columns.sections[-1].rows]
 
     assert "Halfway line" in " ".join(elements())
-    window.document.set_field(load_field("basketball_fiba"))
+    window.document.terms.set_field(load_field("basketball_fiba"))
     assert "Halfway line" not in " ".join(elements())
     sheet.close()
 
@@ -152,7 +152,7 @@ class TestDamage:
         return window
 
     def test_nobody_is_done_with_a_frame_that_cannot_be_read(self, damaged: MainWindow) -> None:
-        damaged.document.commit_frame()
+        damaged.document.editing.commit_frame()
         assert damaged.document.review.status("frame_0") is not Status.DONE
 
     def test_an_earlier_version_takes_the_place_of_a_file_that_cannot_be_read(
@@ -162,7 +162,7 @@ class TestDamage:
         database = document.review.database
         version = database.versions("frame_0")[-1].id
         apply_version(document, version)
-        assert document.annotation.annotated == (MIDDLE,)
+        assert document.state.annotation.annotated == (MIDDLE,)
         assert not document.state.damage
         assert list(json.loads((dataset / "frame_0.json").read_text())) == [MIDDLE]
         kept = [database.version_data(v.id) for v in database.versions("frame_0")]
@@ -179,7 +179,7 @@ class TestDamage:
         window.document.message.connect(lambda text, _: heard.append(text))
         for name in ("regularise", "regularise_all", "close_gaps"):
             heard.clear()
-            window.document.select_class(window.document.annotation.annotated[0])
+            window.document.selecting.select_class(window.document.state.annotation.annotated[0])
             window.actions_[name].trigger()
             assert any(first.name in text for text in heard), name
 
@@ -191,8 +191,8 @@ def test_a_dataset_whose_pictures_lie_in_a_folder_of_it_is_opened_when_dropped(
     inner.mkdir(parents=True)
     (inner / "a.png").write_bytes(striped[0])
     window.opening.drop([tmp_path / "match"])
-    assert window.document.workspace.root == tmp_path / "match"
-    assert not window.document.sources
+    assert window.document.state.workspace.root == tmp_path / "match"
+    assert not window.document.state.sources
 
 
 class TestWhatWasLeft:
@@ -201,33 +201,33 @@ class TestWhatWasLeft:
     ) -> None:
         box, document = window.review.text, window.document
         box.setText("the post is")
-        document.go_to(1)
+        document.walk.go_to(1)
         assert box.text() == ""
-        document.go_to(0)
+        document.walk.go_to(0)
         assert box.text() == "the post is"
-        document.open_path(annotated)
+        document.opening.open_path(annotated)
         assert box.text() == ""
 
     def test_approved_in_the_panel_stays_when_a_line_was_under_way(
         self, window: MainWindow, hand: Hand
     ) -> None:
-        window.document.select_class(MIDDLE)
+        window.document.selecting.select_class(MIDDLE)
         hand.click(100, 100)
         box = window.review.status
         box.setCurrentIndex(box.findText("Approved"))
         box.activated.emit(box.currentIndex())
-        window.document.go_to(1)
+        window.document.walk.go_to(1)
         assert window.document.review.status("frame_0") is Status.APPROVED
 
     def test_a_frame_left_before_its_fit_came_keeps_no_fit_of_other_clicks(
         self, begun: MainWindow, qtbot: QtBot
     ) -> None:
         document = begun.document
-        name, fits = document.frame.name, document.fit_source
+        name, fits = document.state.frame.name, document.fit_source
         qtbot.waitUntil(lambda: name in fits.cameras.fits)
-        first = document.annotation.annotated[0]
-        document.edit("taken out", lambda seen: seen.without(first))
-        document.next_frame()
+        first = document.state.annotation.annotated[0]
+        document.editing.edit("taken out", lambda seen: seen.without(first))
+        document.walk.next_frame()
         assert name not in fits.cameras.fits
         settle(begun, qtbot)
 
@@ -237,10 +237,12 @@ class TestWhatWasLeft:
         panel, document = audited.agreement, audited.document
         panel.open(second_annotator)
         qtbot.waitUntil(lambda: "median 0.00 px" in panel.noise.text())
-        line = document.annotation.polylines[0]
+        line = document.state.annotation.polylines[0]
         moved = tuple(point._replace(v=point.v + 0.02) for point in line.points)
-        others = tuple(p for p in document.annotation.polylines if p is not line)
-        document.commit_edit("moved", FrameAnnotation((replace(line, points=moved), *others)))
+        others = tuple(p for p in document.state.annotation.polylines if p is not line)
+        document.editing.commit_edit(
+            "moved", FrameAnnotation((replace(line, points=moved), *others))
+        )
         before = document.state.noise_floor
         qtbot.waitUntil(lambda: document.state.noise_floor != before)
         settle(audited, qtbot)
@@ -250,14 +252,14 @@ def test_what_is_regularised_first_is_done_when_the_next_is_asked_for(
     begun: MainWindow, qtbot: QtBot
 ) -> None:
     document = begun.document
-    for name in document.annotation.annotated[:2]:
-        document.select_class(name)
+    for name in document.state.annotation.annotated[:2]:
+        document.selecting.select_class(name)
         begun.assistant.regularise_named(name)
     qtbot.waitUntil(lambda: not begun.assistant.busy)
     steps = []
     while (step := document.editing.steps[0]) is not None:
         steps.append(step)
-        document.undo()
+        document.editing.undo()
     assert sum("regularise" in step for step in steps) == 2
 
 
@@ -266,6 +268,6 @@ class TestPaintedWidth:
         document = audited.document
         document.painted_width.set_wanted(True)
         qtbot.waitUntil(lambda: document.painted_width.value is not None)
-        document.next_frame()
+        document.walk.next_frame()
         qtbot.waitUntil(lambda: document.painted_width.value is not None)
         document.painted_width.set_wanted(False)

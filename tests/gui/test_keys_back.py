@@ -43,7 +43,7 @@ def test_the_first_key_in_a_new_window_is_for_the_picture(dataset: Path, qtbot: 
         window.show()
         window.activateWindow()
     press("d")
-    assert window.document.frame_index == 1
+    assert window.document.state.frame_index == 1
     window.document.close()
 
 
@@ -55,10 +55,10 @@ def test_a_threshold_that_was_typed_leaves_the_keys_to_the_picture(
     box.setFocus()
     box.selectAll()
     press("7", end)
-    assert window.document.tau == box.value() == tau
+    assert window.document.state.tau == box.value() == tau
     assert window.canvas.hasFocus()
     press("d")
-    assert window.document.frame_index == 1
+    assert window.document.state.frame_index == 1
 
 
 def test_a_threshold_out_of_range_is_not_taken_and_that_is_said(
@@ -72,7 +72,7 @@ def test_a_threshold_out_of_range_is_not_taken_and_that_is_said(
         box.setFocus()
         box.selectAll()
         press(*typed, Qt.Key.Key_Return)
-        assert window.document.tau == box.value() == 5.0
+        assert window.document.state.tau == box.value() == 5.0
         assert told == [f"not {typed}: 0.5 to 30 px"]
 
 
@@ -130,11 +130,11 @@ class TestWhileDrawing:
     @pytest.fixture
     def box(self, audited: MainWindow, qtbot: QtBot) -> QWidget:
         audited.panels.show("cameras")
-        audited.document.go_to(4)
+        audited.document.walk.go_to(4)
         box = audited.findChild(QCheckBox, "cameras_action_split")
         qtbot.waitUntil(box.isVisible)
-        audited.document.select_class("Middle line")
-        audited.document.set_mode("draw")
+        audited.document.selecting.select_class("Middle line")
+        audited.document.selecting.set_mode("draw")
         hand = Hand(audited)
         hand.click(100, 100)
         hand.click(200, 220)
@@ -155,7 +155,7 @@ class TestWhileDrawing:
         self, audited: MainWindow, box: QWidget, key: Qt.Key, points: int, drawing: bool
     ) -> None:
         press(key)
-        line = audited.document.annotation.get("Middle line")
+        line = audited.document.state.annotation.get("Middle line")
         assert len(line.points if line is not None else ()) == points
         assert audited.canvas.editor.drawing is drawing
         assert audited.canvas.hasFocus()

@@ -60,7 +60,7 @@ def annotated(annotated: Path) -> Path:
 def window(make_window: MakeWindow, annotated: Path, qtbot: QtBot) -> MainWindow:
     """The window on the sample, at a frame with a dozen right labels."""
     window = make_window(annotated)
-    window.document.go_to(window.document.workspace.index["00002"])  # type: ignore[union-attr]
+    window.document.walk.go_to(window.document.state.workspace.index["00002"])  # type: ignore[union-attr]
     wholly_checked(window, qtbot)
     return window
 
@@ -85,7 +85,7 @@ def press(
 
 def swap(window: MainWindow, qtbot: QtBot, a: str = FRONT, b: str = SMALL_FRONT) -> None:
     document = window.document
-    document.commit_edit("swap", editing.swap_classes(document.annotation, a, b))
+    document.editing.commit_edit("swap", editing.swap_classes(document.state.annotation, a, b))
     checked(window, qtbot)
 
 
@@ -100,11 +100,11 @@ def concerned(window: MainWindow) -> set[str]:
 def put(window: MainWindow, *findings: Finding) -> None:
     """Let the check of the frame on screen have found this."""
     document = window.document
-    size, frame = document.picture_size, document.frame
+    size, frame = document.state.picture_size, document.state.frame
     assert size is not None
     assert frame is not None
     fit = FitResult("R", size, None)
-    document.label_check._take(frame.name, store_check(document.annotation, findings, fit))
+    document.label_check._take(frame.name, store_check(document.state.annotation, findings, fit))
     QApplication.processEvents()  # what is drawn together waits for the end of the turn
 
 
@@ -128,18 +128,18 @@ def about(name: str, severity: Severity, rule: Rule = Rule.RESIDUAL) -> Finding:
 
 def test_swapped_labels_are_found_and_mended_with_one_key(window: MainWindow, qtbot: QtBot) -> None:
     document = window.document
-    right = document.annotation
+    right = document.state.annotation
     assert not document.label_check.shown
     swap(window, qtbot)
     assert concerned(window) >= {FRONT, SMALL_FRONT}
     press(window, Qt.Key.Key_F12)
-    assert document.annotation.same_content(right)
+    assert document.state.annotation.same_content(right)
     told = window.status.hint.text()
     assert told.startswith("swapped")
     assert "Ctrl+Z takes it back" in told
     checked(window, qtbot)
     assert not document.label_check.shown
-    document.undo()
+    document.editing.undo()
     checked(window, qtbot)
     assert concerned(window) >= {FRONT, SMALL_FRONT}
 
@@ -147,7 +147,7 @@ def test_swapped_labels_are_found_and_mended_with_one_key(window: MainWindow, qt
 def test_a_mended_element_keeps_how_its_points_came_to_be(window: MainWindow, qtbot: QtBot) -> None:
     document = window.document
     swap(window, qtbot)
-    frame = document.frame
+    frame = document.state.frame
     assert frame is not None
     before = dict(document.review.origins(frame.name))
     press(window, Qt.Key.Key_F12)
@@ -177,29 +177,29 @@ def test_findings_are_marked_on_picture_list_and_map(window: MainWindow, qtbot: 
 def test_signs_of_untouched_elements_stay_while_an_edit_is_checked(window: MainWindow) -> None:
     document = window.document
     put(window, about(FRONT, Severity.ERROR), about("Circle left", Severity.ERROR))
-    moved = shifted(document.annotation, FRONT)
-    document.commit_edit("move", moved)
+    moved = shifted(document.state.annotation, FRONT)
+    document.editing.commit_edit("move", moved)
     assert reasons(window) == ["Circle left is off"]
     assert document.label_check.checked is None
 
 
 def test_a_bad_point_is_removed_with_one_key(window: MainWindow) -> None:
     document = window.document
-    before = document.annotation.get(FRONT)
+    before = document.state.annotation.get(FRONT)
     assert before is not None
     remedy = Remedy(RemedyKind.REMOVE_POINT, "remove point 2")
     put(window, Finding(Rule.POINT, Severity.WARNING, (FRONT,), "off", (remedy,), 1, 15.0))
     ring = window.canvas.overlay_item.overlay.marks[-1]
-    width, height = document.picture_size or (0, 0)
+    width, height = document.state.picture_size or (0, 0)
     point = before.points[1]
     np.testing.assert_allclose(ring.centres, [[point.u * (width - 1), point.v * (height - 1)]])
     press(window, Qt.Key.Key_F12)
-    after = document.annotation.get(FRONT)
+    after = document.state.annotation.get(FRONT)
     assert after is not None
     assert after.points == (*before.points[:1], *before.points[2:])
     assert "removed point 2 of Left penalty front" in window.status.hint.text()
-    document.undo()
-    assert document.annotation.get(FRONT) == before
+    document.editing.undo()
+    assert document.state.annotation.get(FRONT) == before
 
 
 def test_a_remedy_of_elements_that_changed_meanwhile_is_not_done(window: MainWindow) -> None:
@@ -207,9 +207,9 @@ def test_a_remedy_of_elements_that_changed_meanwhile_is_not_done(window: MainWin
     remedy = Remedy(RemedyKind.RELABEL, "relabel", ((FRONT, "Big rect. right main"),))
     put(window, Finding(Rule.RESIDUAL, Severity.ERROR, (FRONT,), "off", (remedy,)))
     found = document.label_check.shown[0]
-    document.commit_edit("move", shifted(document.annotation, FRONT))
+    document.editing.commit_edit("move", shifted(document.state.annotation, FRONT))
     window.label_check.apply(found, remedy)
-    assert document.annotation.get("Big rect. right main") is None
+    assert document.state.annotation.get("Big rect. right main") is None
     assert "changed since" in window.status.hint.text()
 
 
@@ -219,7 +219,7 @@ def test_the_menu_over_an_element_offers_its_remedies(window: MainWindow) -> Non
         RemedyKind.RELABEL, "relabel to Right penalty front", ((FRONT, "Big rect. right main"),)
     )
     put(window, Finding(Rule.RESIDUAL, Severity.ERROR, (FRONT,), "off", (remedy,)))
-    document.select_class(FRONT)
+    document.selecting.select_class(FRONT)
 
     def entries() -> dict[str, object]:
         menu = canvas_menu(
@@ -228,11 +228,11 @@ def test_the_menu_over_an_element_offers_its_remedies(window: MainWindow) -> Non
         return {action.text(): action for action in menu.actions()}
 
     entries()["Relabel to Right penalty front"].trigger()  # type: ignore[attr-defined]
-    assert document.annotation.get("Big rect. right main") is not None
-    assert document.annotation.get(FRONT) is None
-    assert document.selected_class == "Big rect. right main"
-    document.undo()
-    document.select_class("Circle left")
+    assert document.state.annotation.get("Big rect. right main") is not None
+    assert document.state.annotation.get(FRONT) is None
+    assert document.state.selected_class == "Big rect. right main"
+    document.editing.undo()
+    document.selecting.select_class("Circle left")
     assert "Relabel to Right penalty front" not in entries()
 
 
@@ -273,18 +273,18 @@ def test_walking_over_a_set_visits_every_finding(mistaken: MainWindow, qtbot: Qt
     for _ in range(len(found)):
         press(window, Qt.Key.Key_F10)
         checked(window, qtbot)
-        frame, current = document.frame, check.current
+        frame, current = document.state.frame, check.current
         assert frame is not None
         assert current is not None
-        assert document.selected_class == current.places[0][0]
+        assert document.state.selected_class == current.places[0][0]
         visited.append((frame.name, current.key))
     assert visited == [(frame, one.key) for frame, one in check.known.in_set()]
     press(window, Qt.Key.Key_F10)
     assert check.current is not None
     assert check.current.key == visited[0][1]
     press(window, Qt.Key.Key_F10, SHIFT)
-    assert document.frame is not None
-    assert document.frame.name == "00003"
+    assert document.state.frame is not None
+    assert document.state.frame.name == "00003"
     qtbot.waitUntil(lambda: window.findings.list.currentIndex().isValid())
 
 
@@ -294,8 +294,8 @@ def test_mending_goes_on_with_the_next_frame(mistaken: MainWindow, qtbot: QtBot)
     for name in ("00002", "00003"):
         press(window, Qt.Key.Key_F10)
         checked(window, qtbot)
-        assert document.frame is not None
-        assert document.frame.name == name
+        assert document.state.frame is not None
+        assert document.state.frame.name == name
         press(window, Qt.Key.Key_F12)
         checked(window, qtbot)
         assert not document.label_check.shown
@@ -308,7 +308,9 @@ def test_mending_goes_on_with_the_next_frame(mistaken: MainWindow, qtbot: QtBot)
 def test_nothing_is_called_clean_that_is_still_looked_at(window: MainWindow, qtbot: QtBot) -> None:
     document = window.document
     assert not document.label_check.shown
-    document.commit_edit("swap", editing.swap_classes(document.annotation, FRONT, SMALL_FRONT))
+    document.editing.commit_edit(
+        "swap", editing.swap_classes(document.state.annotation, FRONT, SMALL_FRONT)
+    )
     for key in (Qt.Key.Key_F10, Qt.Key.Key_F12):
         document.say("")
         press(window, key)
@@ -323,13 +325,15 @@ def test_another_dataset_is_walked_from_its_first_finding(
     window: MainWindow, tmp_path: Path, qtbot: QtBot
 ) -> None:
     document = window.document
-    workspace = document.workspace
+    workspace = document.state.workspace
     assert workspace is not None
     again = Path(shutil.copytree(workspace.folder, tmp_path / "again"))
     for folder in (None, again):
         if folder is not None:
             window.opening.open_path(folder)
-        document.commit_edit("swap", editing.swap_classes(document.annotation, FRONT, SMALL_FRONT))
+        document.editing.commit_edit(
+            "swap", editing.swap_classes(document.state.annotation, FRONT, SMALL_FRONT)
+        )
         wholly_checked(window, qtbot)
         press(window, Qt.Key.Key_F10)
         assert "finding 1 of" in window.status.hint.text()
@@ -359,7 +363,7 @@ def test_what_changed_while_the_set_was_checked_is_not_overwritten(
     mistaken: MainWindow, qtbot: QtBot
 ) -> None:
     window, document = mistaken, mistaken.document
-    document.go_to(1)
+    document.walk.go_to(1)
     checked(window, qtbot)
     assert document.label_check.shown
     window.label_check.check_set()
@@ -373,8 +377,10 @@ def test_a_frame_left_before_its_check_is_checked_by_itself(
     window: MainWindow, qtbot: QtBot
 ) -> None:
     document, check = window.document, window.document.label_check
-    document.commit_edit("swap", editing.swap_classes(document.annotation, FRONT, SMALL_FRONT))
-    document.go_to(0)  # before any fit can have ended
+    document.editing.commit_edit(
+        "swap", editing.swap_classes(document.state.annotation, FRONT, SMALL_FRONT)
+    )
+    document.walk.go_to(0)  # before any fit can have ended
     assert check.known.severities_of("00002") is None
     qtbot.waitUntil(lambda: check.known.is_known("00002"), timeout=20_000)
     assert check.known.worst("00002") is Severity.ERROR
@@ -385,13 +391,13 @@ def test_what_was_found_in_clicks_that_are_gone_is_not_kept(
 ) -> None:
     window, document = mistaken, mistaken.document
     check = document.label_check
-    document.go_to(1)
+    document.walk.go_to(1)
     checked(window, qtbot)
     before = check.known.check_of("00002")
     assert before is not None
     assert before.found
-    document.commit_edit("clear", FrameAnnotation(document.annotation.polylines[2:]))
-    document.go_to(0)
+    document.editing.commit_edit("clear", FrameAnnotation(document.state.annotation.polylines[2:]))
+    document.walk.go_to(0)
     check._take_arrived([("00002", before)])  # read by the check of the set before the edit
     assert check.known.check_of("00002") != before
     qtbot.waitUntil(lambda: check.known.is_known("00002"), timeout=20_000)
@@ -438,7 +444,7 @@ def test_the_list_shows_what_the_signs_above_let_through(window: MainWindow, qtb
     qtbot.waitUntil(lambda: panel.model.rowCount() == 1)
     assert panel.model.severity(0) is Severity.HINT
     press(window, Qt.Key.Key_F10)
-    assert window.document.selected_class == "Circle left"
+    assert window.document.state.selected_class == "Circle left"
     panel.severity_buttons[Severity.HINT].click()
     qtbot.waitUntil(lambda: "2 more are not listed" in panel.empty.text())
 
@@ -475,10 +481,10 @@ def test_a_click_in_the_list_goes_there_and_buttons_mend(window: MainWindow, qtb
     qtbot.waitUntil(lambda: panel.model.rowCount() == 2)
     at = panel.list.visualRect(panel.model.index(1)).center()
     QTest.mouseClick(panel.list.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(at.x(), at.y()))
-    assert document.selected_class == FRONT
+    assert document.state.selected_class == FRONT
     qtbot.waitUntil(lambda: any(button.isVisible() for button in panel.remedy_buttons))
     panel.remedy_buttons[0].click()
-    assert document.annotation.get("Big rect. right main") is not None
+    assert document.state.annotation.get("Big rect. right main") is not None
 
 
 # --- ignoring -------------------------------------------------------------------------------------
@@ -497,11 +503,11 @@ def test_an_ignored_finding_is_gone_until_its_element_changes(
     window.findings.list.setFocus()
     QTest.keyClick(window.findings.list, Qt.Key.Key_Delete)
     assert [found.key for found in check.shown] == keys[1:]
-    document.save_now()
+    document.editing.save_now()
     assert document.review.database is not None
     document.review.database.flush()
     other = make_window(annotated)  # remembered by the dataset
-    other.document.go_to(document.frame_index)
+    other.document.walk.go_to(document.state.frame_index)
     checked(other, qtbot)
     assert [found.key for found in other.document.label_check.shown] == keys[1:]
     qtbot.waitUntil(lambda: "1 ignored" in window.findings.note.text()
@@ -512,7 +518,7 @@ def test_an_ignored_finding_is_gone_until_its_element_changes(
 
 def ignore(window: MainWindow, name: str) -> None:
     """Ignore the finding about an element of the frame on screen."""
-    frame = window.document.frame
+    frame = window.document.state.frame
     assert frame is not None
     for found in window.document.label_check.shown:
         if found.finding.elements == (name,):
@@ -533,7 +539,7 @@ def test_two_windows_that_ignore_at_once_lose_nothing_and_hear_of_each_other(
     window: MainWindow, make_window: MakeWindow, annotated: Path, qtbot: QtBot
 ) -> None:
     other = make_window(annotated)
-    other.document.go_to(window.document.frame_index)
+    other.document.walk.go_to(window.document.state.frame_index)
     wholly_checked(other, qtbot)
     for each, name in ((window, FRONT), (other, "Circle left")):
         put(each, about(FRONT, Severity.ERROR), about("Circle left", Severity.HINT))
@@ -564,43 +570,43 @@ def test_blind_mode_shows_only_what_no_camera_was_needed_for(
     window, document = mistaken, mistaken.document
     check = document.label_check
     check_set(window, qtbot)
-    document.go_to(1)
+    document.walk.go_to(1)
     checked(window, qtbot)
     assert check.shown
-    document.set_blind(True)
+    document.blind_lock.set_blind(True)
     checked(window, qtbot)
-    size = document.picture_size
+    size = document.state.picture_size
     assert size is not None
-    alone = check_without_fit(document.annotation, document.field, size=size)
+    alone = check_without_fit(document.state.annotation, document.state.field, size=size)
     assert check.shown == alone.found
     assert {frame for frame, _ in check.known.in_set()} <= {"00002"}  # no other one was checked so
     check_set(window, qtbot)
-    for name, index in document.workspace.index.items():  # type: ignore[union-attr]
-        if annotation := document.workspace.read(index):  # type: ignore[union-attr]
+    for name, index in document.state.workspace.index.items():  # type: ignore[union-attr]
+        if annotation := document.state.workspace.read(index):  # type: ignore[union-attr]
             assert (
                 check.known.of(name)
-                == check_without_fit(annotation, document.field, size=size).found
+                == check_without_fit(annotation, document.state.field, size=size).found
             ), name
     window.findings.scope.setCurrentIndex(0)
     window.panels.show("findings")
     qtbot.waitUntil(lambda: "Blind" in window.findings.empty.text() + window.findings.note.text())
-    document.commit_frame()
+    document.editing.commit_frame()
     qtbot.waitUntil(lambda: bool(check.shown), timeout=20_000)
 
 
 def test_rules_without_a_camera_are_looked_at_while_blind(window: MainWindow, qtbot: QtBot) -> None:
     document = window.document
-    document.set_blind(True)
+    document.blind_lock.set_blind(True)
     bent = Polyline(
         "Side line top", tuple(Point(0.1 + 0.2 * i, 0.2 + 0.1 * (i % 2)) for i in range(5))
     )
-    document.commit_edit("bend", document.annotation.with_polyline(bent))
+    document.editing.commit_edit("bend", document.state.annotation.with_polyline(bent))
     checked(window, qtbot)
     assert Rule.BENT in {found.finding.rule for found in document.label_check.shown}
-    document.undo()
-    turned = mirrored_names(document.field, MIRROR_Y)
+    document.editing.undo()
+    turned = mirrored_names(document.state.field, MIRROR_Y)
     assert turned is not None
-    document.commit_edit("turn", relabelled(document.annotation, turned))
+    document.editing.commit_edit("turn", relabelled(document.state.annotation, turned))
     checked(window, qtbot)
     assert Rule.REFLECTED in {found.finding.rule for found in document.label_check.shown}
 
@@ -628,30 +634,31 @@ def test_a_turned_frame_is_told_by_the_set_and_turned_back(
 ) -> None:
     window, document = turned, turned.document
     check = document.label_check
-    document.go_to(1)
+    document.walk.go_to(1)
     wholly_checked(window, qtbot)
 
     def told() -> list[Rule]:
         return [found.finding.rule for found in check.shown]
 
     assert Rule.OTHER_SIDE not in told()
-    before = document.annotation
+    before = document.state.annotation
     check_set(window, qtbot)
     assert told()[0] is Rule.OTHER_SIDE
-    document.go_to(0)
-    document.go_to(1)
+    document.walk.go_to(0)
+    document.walk.go_to(1)
     wholly_checked(window, qtbot)
     assert told()[0] is Rule.OTHER_SIDE  # also once the frame was looked at anew
     press(window, Qt.Key.Key_F12)
     checked(window, qtbot)
     turned_back, turned_line = (
-        a.get(f"Side line {side}") for a, side in ((document.annotation, "right"), (before, "left"))
+        a.get(f"Side line {side}")
+        for a, side in ((document.state.annotation, "right"), (before, "left"))
     )
     assert turned_back is not None
     assert turned_line is not None
     assert turned_back.points == turned_line.points
     assert Rule.OTHER_SIDE not in told()
-    document.undo()
+    document.editing.undo()
     checked(window, qtbot)
     assert told()[0] is Rule.OTHER_SIDE
 
@@ -667,13 +674,13 @@ def test_the_panel_says_why_it_is_empty(window: MainWindow, qtbot: QtBot) -> Non
         qtbot.waitUntil(lambda: words in panel.empty.text(), timeout=20_000)
 
     says("Nothing found in this frame.")
-    document.commit_edit("clear", FrameAnnotation())
+    document.editing.commit_edit("clear", FrameAnnotation())
     says("Nothing is annotated in this frame.")
-    document.undo()
-    two = FrameAnnotation(document.annotation.polylines[:2])
-    document.commit_edit("two", two)
+    document.editing.undo()
+    two = FrameAnnotation(document.state.annotation.polylines[:2])
+    document.editing.commit_edit("two", two)
     says("No camera fits yet")
-    document.undo()
+    document.editing.undo()
     panel.scope.setCurrentIndex(1)
     says("not checked yet")
 

@@ -63,8 +63,10 @@ def on_screen(window: MainWindow) -> np.ndarray:
 
 def test_what_gives_way_leaves_no_stain(audited: MainWindow, qtbot: QtBot) -> None:
     document, canvas = audited.document, audited.canvas
-    document.set_active_camera(next(i for i, s in enumerate(document.sources) if s.name == "bad"))
-    document.set_mode("edit")
+    document.camera_sources.set_active_camera(
+        next(i for i, s in enumerate(document.state.sources) if s.name == "bad")
+    )
+    document.selecting.set_mode("edit")
     settle(audited, qtbot)
     assert len(canvas.overlay_item.overlay.labels[0].texts) > 2
 
@@ -75,8 +77,8 @@ def test_what_gives_way_leaves_no_stain(audited: MainWindow, qtbot: QtBot) -> No
         settle(audited, qtbot)
         assert np.array_equal(part_by_part, on_screen(audited))
 
-    point = document.annotation.polylines[0].points[0]
-    width, height = document.picture_size
+    point = document.state.annotation.polylines[0].points[0]
+    width, height = document.state.picture_size
     x, y = point.u * (width - 1), point.v * (height - 1)
     viewport, none = canvas.viewport(), Qt.KeyboardModifier.NoModifier
     begin = canvas.to_view(x, y).toPoint()
@@ -84,7 +86,7 @@ def test_what_gives_way_leaves_no_stain(audited: MainWindow, qtbot: QtBot) -> No
     QTest.mouseMove(viewport, begin + QPoint(30, -20))
     QTest.mouseRelease(viewport, Qt.MouseButton.LeftButton, none, begin + QPoint(30, -20))
     check()
-    document.undo()
+    document.editing.undo()
     check()
     canvas.zoom_in()
     canvas.go_along(QPointF(60, 25))

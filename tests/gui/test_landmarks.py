@@ -81,23 +81,23 @@ def test_a_named_landmark_is_placed_by_the_clicks_in_two_views(
     assert mark.position is not None
     assert np.abs(np.array(mark.position) - CLOCK).max() < 2
     assert (mark.surveyed, mark.frames) == (False, ("17_left", "17_right"))
-    element = seen.document.field.element("Clock")
+    element = seen.document.state.field.element("Clock")
     assert element is not None
     assert element.is_spot
-    assert seen.document.selected_class == "Clock"
+    assert seen.document.state.selected_class == "Clock"
     again = load_landmarks(match / "landmarks.json")
     assert again == seen.document.landmarks.file
 
 
 def test_a_landmark_without_a_place_is_not_judged(seen: MainWindow, match: Path) -> None:
-    assert seen.document.load_cameras(match / "cameras")
+    assert seen.document.camera_sources.load_cameras(match / "cameras")
     document = seen.document
-    assert document.score is not None
-    before = document.score.fn  # six classes that nobody knows
+    assert document.judge.score is not None
+    before = document.judge.score.fn  # six classes that nobody knows
     name_landmark(seen, "Clock")
-    assert document.score.fn == before - 1
-    assert "Clock" in document.annotation.annotated
-    assert "Clock" not in [element.name for element in document.score.elements]
+    assert document.judge.score.fn == before - 1
+    assert "Clock" in document.state.annotation.annotated
+    assert "Clock" not in [element.name for element in document.judge.score.elements]
 
 
 def test_a_moving_landmark_is_explained_as_it_is_in_this_frame(
@@ -113,8 +113,8 @@ def test_a_moving_landmark_is_explained_as_it_is_in_this_frame(
     (dataset / "cameras").mkdir()
     (dataset / "cameras" / "camera_frame_0.json").write_text(json.dumps(camera_file(0.0)))
     window = make_window(dataset)
-    assert window.document.load_cameras(dataset / "cameras")
-    window.document.set_protocol(protocol="procc")
+    assert window.document.camera_sources.load_cameras(dataset / "cameras")
+    window.document.terms.set_protocol(protocol="procc")
     window.panels.show("scores")
 
     def why() -> str:
@@ -129,31 +129,31 @@ def test_a_landmark_shows_its_uncertainty_in_the_other_views(
     seen: MainWindow, match: Path, qtbot: QtBot
 ) -> None:
     triangulated(seen, qtbot, "Clock")
-    assert seen.document.load_cameras(match / "cameras")
+    assert seen.document.camera_sources.load_cameras(match / "cameras")
     for frame in (LEFT, CLOSE):
-        seen.document.go_to(frame)
+        seen.document.walk.go_to(frame)
         qtbot.waitUntil(lambda: len(seen.document.landmarks.ellipses) == 1)
         (shown,) = seen.document.landmarks.ellipses
         drawn = seen.canvas.overlay_item.overlay.strokes
         assert any(stroke.colour == shown.colour and stroke.dash for stroke in drawn)
     assert shown.ellipse.semi_axes_px[0] > 8  # the close-up shows a decimetre as many pixels
-    clicked = seen.document.annotation.get("Clock")
+    clicked = seen.document.state.annotation.get("Clock")
     assert clicked is not None
     click_px = np.array([clicked.points[0].u * 959, clicked.points[0].v * 539])
     assert np.hypot(*(shown.ellipse.centre_px - click_px)) < 20
-    seen.document.set_blind(True)
+    seen.document.blind_lock.set_blind(True)
     assert seen.document.landmarks.ellipses == ()
 
 
 def test_the_other_views_are_a_click_away(seen: MainWindow, qtbot: QtBot) -> None:
     panel = seen.landmarks
-    assert seen.document.frame_index == CLOSE
+    assert seen.document.state.frame_index == CLOSE
     texts = [panel.views.item(i).text() for i in range(panel.views.count())]
     assert texts == ["left  (17_left)", "right  (17_right)"]
     item = panel.views.item(1)
     place = panel.views.visualItemRect(item).center()
     QTest.mouseClick(panel.views.viewport(), Qt.MouseButton.LeftButton, pos=place)
-    assert seen.document.frame_index == RIGHT
+    assert seen.document.state.frame_index == RIGHT
     qtbot.waitUntil(lambda: panel.views.item(0).text() == "close  (17_close)")
 
 
@@ -168,7 +168,7 @@ def test_a_surveyed_place_is_kept_and_used(
         panel.place.selectAll()
         QTest.keyClicks(panel.place, text)
         press(panel.survey)
-        assert (seen.document.field.element("Mast") is not None) is placed
+        assert (seen.document.state.field.element("Mast") is not None) is placed
     assert "is no place" in seen.message_bar.label.text()
     (mark,) = load_landmarks(match / "landmarks.json").landmarks
     assert (mark.position, mark.surveyed) == ((14.5, -60.0, -11.0), True)
@@ -177,12 +177,12 @@ def test_a_surveyed_place_is_kept_and_used(
     QTest.keyClicks(panel.title, "The mast")
     QTest.keyClick(panel.title, Qt.Key.Key_Return)
     qtbot.waitUntil(lambda: rows(seen)[0][:2] == ["The mast", "14.50, -60.00, -11.00"])
-    assert seen.document.field.title_of("Mast") == "The mast"
+    assert seen.document.state.field.title_of("Mast") == "The mast"
     monkeypatch.setattr("procc_annotator.gui.panels.landmarks.ask_to_delete", lambda *_: True)
     press(panel.remove)
-    assert seen.document.field.element("Mast") is None
+    assert seen.document.state.field.element("Mast") is None
     assert json.loads((match / "landmarks.json").read_text()) == {"landmarks": []}
-    assert "Mast" in seen.document.annotation.annotated  # clicks are nobody's to throw away
+    assert "Mast" in seen.document.state.annotation.annotated  # clicks are nobody's to throw away
 
 
 def test_a_surveyed_place_is_not_triangulated(seen: MainWindow, match: Path, qtbot: QtBot) -> None:
@@ -280,10 +280,10 @@ def test_landmarks_are_back_once_the_field_knows_no_class_of_their_name(
     window.document.field_choice.take(load_field("tennis"))
     entry = {"name": clash, "position": [12, -52, -11]}
     (match / "landmarks.json").write_text(json.dumps({"landmarks": [entry]}))
-    assert window.document.open_path(match)
+    assert window.document.opening.open_path(match)
     assert "are not used" in window.document.landmarks.problem
     window.document.field_choice.take(load_field("soccer"))
-    qtbot.waitUntil(lambda: window.document.field.element(clash) is not None)
+    qtbot.waitUntil(lambda: window.document.state.field.element(clash) is not None)
     assert window.document.landmarks.problem == ""
     assert [mark.name for mark in window.document.landmarks.entries] == [clash]
 
@@ -293,7 +293,7 @@ def test_views_are_counted_while_hands_click(seen: MainWindow, qtbot: QtBot) -> 
     qtbot.waitUntil(lambda: rows(seen) == [["Lamp", "", "", "0"]])
     Hand(seen).draw("Lamp", (300, 200))
     qtbot.waitUntil(lambda: rows(seen)[0][3] == "1")
-    seen.document.undo()
+    seen.document.editing.undo()
     qtbot.waitUntil(lambda: rows(seen)[0][3] == "0")
 
 
@@ -317,7 +317,7 @@ def test_what_another_program_writes_is_shown_at_once(
     (match / "landmarks.json").write_text(json.dumps({"landmarks": entries}))
     qtbot.waitUntil(lambda: [row[0] for row in rows(seen)] == ["Clock", "Mast"])
     qtbot.waitUntil(lambda: [row[3] for row in rows(seen)] == ["3", "3"])
-    assert seen.document.field.element("Clock") is not None
+    assert seen.document.state.field.element("Clock") is not None
     assert seen.landmarks.views.count() == 2
     (match / "views.csv").unlink()
     qtbot.waitUntil(lambda: seen.landmarks.views.count() == 0)
@@ -346,7 +346,7 @@ def test_damage_by_another_program_is_told_and_the_last_good_stays(
     path.write_text(text)
     qtbot.waitUntil(lambda: words in seen.message_bar.label.text())
     qtbot.waitUntil(lambda: words in seen.landmarks.note.text())
-    assert seen.document.field.element("Clock") is not None
+    assert seen.document.state.field.element("Clock") is not None
     assert not seen.document.landmarks.remove("Clock")
     assert path.read_text() == text
     path.write_bytes(good)
@@ -378,8 +378,8 @@ def test_the_landmarks_of_one_dataset_are_not_those_of_the_next(
     seen: MainWindow, dataset: Path, qtbot: QtBot
 ) -> None:
     triangulated(seen, qtbot, "Clock")
-    assert seen.document.open_path(dataset)
-    assert not seen.document.field.knows("Clock")
+    assert seen.document.opening.open_path(dataset)
+    assert not seen.document.state.field.knows("Clock")
     qtbot.waitUntil(lambda: rows(seen) == [])
 
 

@@ -167,16 +167,16 @@ def _draw_and_ask(window: MainWindow) -> None:
     hand, document = Hand(window), window.document
     hand.move(200, 200)
     window._show_menu(QPoint(0, 0))
-    document.select_class("Middle line")
+    document.selecting.select_class("Middle line")
     hand.click(300, 100)
     window._show_menu(QPoint(0, 0))
     hand.click(310, 300)
     hand.key(Qt.Key.Key_Return)
-    document.set_mode("edit")
-    document.select_point("Middle line", 0)
+    document.selecting.set_mode("edit")
+    document.selecting.select_point("Middle line", 0)
     window._show_menu(QPoint(0, 0))
-    document.undo()
-    document.set_mode("draw")
+    document.editing.undo()
+    document.selecting.set_mode("draw")
 
 
 @pytest.mark.new_window
@@ -210,7 +210,7 @@ def test_nor_is_one_of_ghosts_findings_and_a_second_annotator(
     pseudo: None, begun: MainWindow, monkeypatch: pytest.MonkeyPatch, qtbot: QtBot, tmp_path: Path
 ) -> None:
     asked, found = Asked(monkeypatch), paint_spy(monkeypatch)
-    document, workspace = begun.document, begun.document.workspace
+    document, workspace = begun.document, begun.document.state.workspace
     assert workspace is not None
     document.message.connect(lambda text, _: found.append(("told", text)))
     begun.canvas.hintChanged.connect(lambda text: found.append(("hint", text)))
@@ -220,14 +220,14 @@ def test_nor_is_one_of_ghosts_findings_and_a_second_annotator(
         begun.actions_[action].trigger()
         begun._show_menu(QPoint(0, 0))
     all_done(qtbot)
-    swapped = editing.swap_classes(document.annotation, "Big rect. left main", "Circle left")
-    document.commit_edit("swap", swapped)
+    swapped = editing.swap_classes(document.state.annotation, "Big rect. left main", "Circle left")
+    document.editing.commit_edit("swap", swapped)
     all_done(qtbot)
     assert document.label_check.shown
     for action in ("next_finding", "check_set"):
         begun.actions_[action].trigger()
         all_done(qtbot)
-    document.select_class("Circle left")
+    document.selecting.select_class("Circle left")
     begun._show_menu(QPoint(0, 0))
     begun.agreement.open(second)
     all_done(qtbot)
@@ -294,7 +294,7 @@ def test_what_is_looked_for_is_found_by_its_name_and_its_english_one(
         assert shown == ["font_percent"]
     dialog.close()
 
-    keys = KeymapDialog(window.document.field, window.document.state.keymap, window)
+    keys = KeymapDialog(window.document.state.field, window.document.state.keymap, window)
     for words in ("blindmodus", "blind mode"):
         keys.search.setText(words)
         assert "Blindmodus" in keys.model.rows[0].text

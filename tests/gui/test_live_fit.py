@@ -44,7 +44,7 @@ def fitted(make_window: MakeWindow, annotated: Path, qtbot: QtBot) -> MainWindow
     assert not database_free.exists()
     window = make_window(annotated)
     window.document.live_fit.set_model("P")  # the quickest
-    window.document.go_to(1)
+    window.document.walk.go_to(1)
     arrive(window, qtbot)
     return window
 
@@ -97,22 +97,22 @@ class TestFit:
         fit = document.live_fit.result
         true = read_camera((annotated / "cameras" / "true" / "camera_00002.json").read_bytes(),
                            path="")  # fmt: skip
-        assert fit.size == document.picture_size
+        assert fit.size == document.state.picture_size
         assert np.hypot(*np.subtract(fit.camera.position_world, true.camera.position_world)[:2]) < 8
 
     def test_of_a_burst_of_edits_only_the_last_one_is_shown(
         self, fitted: MainWindow, qtbot: QtBot, slow_fits: Callable[[], threading.Event]
     ) -> None:
-        document, start = fitted.document, fitted.document.annotation
+        document, start = fitted.document, fitted.document.state.annotation
         go, shown = slow_fits(), []
         document.live_fit.changed.connect(lambda: shown.append(document.live_fit.insight))
         for step in range(1, 6):
-            assert document.commit_edit("nudge", nudged(start, 0.002 * step))
+            assert document.editing.commit_edit("nudge", nudged(start, 0.002 * step))
             assert document.live_fit.insight is None
             assert document.live_fit.working
         go.set()
         insight = arrive(fitted, qtbot)
-        assert insight.annotation is document.annotation
+        assert insight.annotation is document.state.annotation
         assert {id(i) for i in shown if i is not None} == {id(insight)}
         let_work_end(qtbot)
         assert document.live_fit.insight is insight
@@ -129,11 +129,11 @@ class TestFit:
             return real(annotation, *more, **terms)
 
         monkeypatch.setattr(live_fit, "analyse_frame", wait)
-        document, start = fitted.document, fitted.document.annotation
-        document.commit_edit("nudge", nudged(start, 0.001))
+        document, start = fitted.document, fitted.document.state.annotation
+        document.editing.commit_edit("nudge", nudged(start, 0.001))
         qtbot.waitUntil(lambda: len(begun) == 1)
         for step in range(2, 12):
-            document.commit_edit("nudge", nudged(start, 0.001 * step))
+            document.editing.commit_edit("nudge", nudged(start, 0.001 * step))
         go.set()
         arrive(fitted, qtbot)
         assert len(begun) == 2  # the one under way, and the newest
@@ -150,16 +150,16 @@ class TestFit:
         monkeypatch.setattr(live_fit, "analyse_frame", note)
         document = fitted.document
         for _ in range(4):
-            document.next_frame()
+            document.walk.next_frame()
             assert document.live_fit.working
         arrive(fitted, qtbot)
-        assert [id(annotation) for annotation in begun] == [id(document.annotation)]
+        assert [id(annotation) for annotation in begun] == [id(document.state.annotation)]
 
     def test_a_closed_window_works_for_nobody(
         self, fitted: MainWindow, qtbot: QtBot, slow_fits: Callable[[], threading.Event]
     ) -> None:
         document, go = fitted.document, slow_fits()
-        document.commit_edit("nudge", nudged(document.annotation, 0.004))
+        document.editing.commit_edit("nudge", nudged(document.state.annotation, 0.004))
         fitted.close()
         go.set()
         document.live_fit.look()
@@ -172,17 +172,17 @@ class TestFit:
     ) -> None:
         document = fitted.document
         second = document.live_fit.insight
-        document.commit_edit("nudge", nudged(document.annotation, 0.004))
+        document.editing.commit_edit("nudge", nudged(document.state.annotation, 0.004))
         arrive(fitted, qtbot)
-        document.go_to(2)
+        document.walk.go_to(2)
         third = arrive(fitted, qtbot)
         assert third is not second
         go = slow_fits()
-        document.go_to(1)
+        document.walk.go_to(1)
         assert document.live_fit.insight is not None
-        document.undo()
+        document.editing.undo()
         assert document.live_fit.insight is second
-        document.go_to(2)
+        document.walk.go_to(2)
         assert document.live_fit.insight is third
         go.set()
 
@@ -190,22 +190,25 @@ class TestFit:
         self, fitted: MainWindow, qtbot: QtBot, slow_fits: Callable[[], threading.Event]
     ) -> None:
         document = fitted.document
-        document.set_active_camera(0)
-        assert document.score is not None
+        document.camera_sources.set_active_camera(0)
+        assert document.judge.score is not None
         go = slow_fits()
-        document.go_to(4)  # nothing is annotated
+        document.walk.go_to(4)  # nothing is annotated
         assert document.live_fit.insight is None
-        assert document.score is None
+        assert document.judge.score is None
         assert document.fit_source.cameras.camera("00005", (960, 540)) is None
         go.set()
-        assert arrive(fitted, qtbot).annotation is document.annotation
+        assert arrive(fitted, qtbot).annotation is document.state.annotation
         assert document.live_fit.result.failure is not None
 
     def test_a_drag_is_fitted_once_it_ends(self, fitted: MainWindow, qtbot: QtBot) -> None:
         document, hand = fitted.document, Hand(fitted)
-        document.set_mode("edit")
+        document.selecting.set_mode("edit")
         before = document.live_fit.insight
-        u, v = document.annotation.get(FAR).points[0].u, document.annotation.get(FAR).points[0].v
+        u, v = (
+            document.state.annotation.get(FAR).points[0].u,
+            document.state.annotation.get(FAR).points[0].v,
+        )
         start = u * 1279, v * 719
         first, viewport = hand.at(*start), fitted.canvas.viewport()
         QTest.mousePress(viewport, Qt.MouseButton.LeftButton, pos=first)
@@ -213,12 +216,14 @@ class TestFit:
             last = hand.at(start[0] + 4, start[1] + down)
             hand._move(last, Qt.MouseButton.LeftButton)
             let_work_end(qtbot)
-            assert document.shown_annotation is not document.annotation  # the drag is under way
+            assert (
+                document.state.shown_annotation is not document.state.annotation
+            )  # the drag is under way
             assert document.live_fit.insight is before
         QTest.mouseRelease(viewport, Qt.MouseButton.LeftButton, pos=last)
         insight = arrive(fitted, qtbot)
         assert insight is not before
-        assert insight.annotation is document.annotation
+        assert insight.annotation is document.state.annotation
 
     def test_switched_off_and_on_and_remembered(
         self, fitted: MainWindow, make_window: MakeWindow, annotated: Path, qtbot: QtBot
@@ -226,7 +231,7 @@ class TestFit:
         fitted.actions_["live_fit"].trigger()
         document = fitted.document
         assert document.live_fit.insight is None
-        assert document.sources == []
+        assert document.state.sources == []
         fitted.close()
         again = make_window(annotated)
         assert not again.actions_["live_fit"].isChecked()
@@ -234,7 +239,7 @@ class TestFit:
         assert again.document.live_fit.model == "P"
         again.actions_["live_fit"].trigger()
         arrive(again, qtbot)
-        qtbot.waitUntil(lambda: [s.name for s in again.document.sources] == ["fit"])
+        qtbot.waitUntil(lambda: [s.name for s in again.document.state.sources] == ["fit"])
 
 
 @pytest.fixture
@@ -260,14 +265,14 @@ class TestBugs:
         document.message.connect(lambda text, level: told.append((text, level)))
         with monkeypatch.context() as broken:
             broken.setattr(live_fit, "analyse_frame", fail)
-            document.commit_edit("nudge", nudged(document.annotation, 0.004))
+            document.editing.commit_edit("nudge", nudged(document.state.annotation, 0.004))
             qtbot.waitUntil(lambda: bool(told))
         (text, level), (bug,) = told[0], bugs
         assert level == "warning"
         assert "the fit failed: unexpected error (ZeroDivisionError: in a fit)" in text
         assert isinstance(bug, ZeroDivisionError)
         assert not document.live_fit.working
-        document.commit_edit("nudge", nudged(document.annotation, 0.004))
+        document.editing.commit_edit("nudge", nudged(document.state.annotation, 0.004))
         arrive(fitted, qtbot)
 
     def test_clicks_made_while_a_fit_failed_are_fitted(
@@ -288,11 +293,11 @@ class TestBugs:
             return analyse_frame(annotation, *more, **terms)
 
         monkeypatch.setattr(live_fit, "analyse_frame", fail_first)
-        document.commit_edit("nudge", nudged(document.annotation, 0.004))
+        document.editing.commit_edit("nudge", nudged(document.state.annotation, 0.004))
         qtbot.waitUntil(lambda: len(begun) == 1)
-        document.commit_edit("nudge", nudged(document.annotation, 0.004))
+        document.editing.commit_edit("nudge", nudged(document.state.annotation, 0.004))
         go.set()
-        assert arrive(fitted, qtbot).annotation is document.annotation
+        assert arrive(fitted, qtbot).annotation is document.state.annotation
         assert len(bugs) == 1
 
 
@@ -301,16 +306,16 @@ class TestSource:
         self, fitted: MainWindow, qtbot: QtBot
     ) -> None:
         document = fitted.document
-        assert [s.name for s in document.sources] == ["fit"]
-        assert document.active_source is None
-        assert document.score is None
+        assert [s.name for s in document.state.sources] == ["fit"]
+        assert document.state.active is None
+        assert document.judge.score is None
         fitted.panels.show("cameras")
         qtbot.waitUntil(lambda: fitted.findChild(QLabel, "cameras_matched_0") is not None)
         qtbot.waitUntil(
             lambda: fitted.findChild(QLabel, "cameras_matched_0").text() == "1 frame fitted"
         )
-        document.set_active_camera(0)
-        assert document.score.jac > 0.9
+        document.camera_sources.set_active_camera(0)
+        assert document.judge.score.jac > 0.9
         assert fitted.top_bar.camera_bar.jac.text().endswith("of the fit")
 
     def test_it_says_that_it_is_of_these_clicks(
@@ -318,69 +323,78 @@ class TestSource:
     ) -> None:
         document = fitted.document
         folder = annotated / "cameras" / "kept"
-        name = document.frame.name
+        name = document.state.frame.name
         fit = document.live_fit.insight.fit
-        save_fit(folder, name, document.annotation, fit, field=document.field.name)
-        document.load_cameras(folder)
+        save_fit(folder, name, document.state.annotation, fit, field=document.state.field.name)
+        document.camera_sources.load_cameras(folder)
         fitted.panels.show("cameras")
         settle(fitted, qtbot)
         mark = "fitted on these clicks"
-        marks = {s.name: s.fitted.mark for s in document.sources}
+        marks = {s.name: s.fitted.mark for s in document.state.sources}
         assert marks == {"kept": mark, "fit": mark}
         for row in (0, 1):
             label = fitted.findChild(QLabel, f"cameras_model_{row}")
             qtbot.waitUntil(lambda label=label: mark in label.toolTip())
         request, _ = PlotSources(document).request("set", None)
         assert all(source.fitted for source in request.sources)
-        document.commit_edit("nudge", nudged(document.annotation, 0.05))
+        document.editing.commit_edit("nudge", nudged(document.state.annotation, 0.05))
         arrive(fitted, qtbot)
         settle(fitted, qtbot)
         other = "fitted to another version of these annotations"
-        assert {s.name: s.fitted.mark for s in document.sources} == {"kept": other, "fit": mark}
+        assert {s.name: s.fitted.mark for s in document.state.sources} == {
+            "kept": other,
+            "fit": mark,
+        }
         label = fitted.findChild(QLabel, "cameras_model_0")
         qtbot.waitUntil(lambda: other in label.toolTip())
 
     def test_three_elements_show_the_field(self, fitted: MainWindow, qtbot: QtBot) -> None:
-        document, whole = fitted.document, fitted.document.annotation
-        document.set_active_camera(0)
-        document.commit_edit("fewer", without(whole, 2))
+        document, whole = fitted.document, fitted.document.state.annotation
+        document.camera_sources.set_active_camera(0)
+        document.editing.commit_edit("fewer", without(whole, 2))
         insight = arrive(fitted, qtbot)
         assert insight.fit.failure == "2 elements, 3 needed"
-        assert document.score is None
-        assert "2 elements, 3 needed" in document.camera_notice
-        document.commit_edit("more", without(whole, 3))
+        assert document.judge.score is None
+        assert "2 elements, 3 needed" in document.judge.shown.notice
+        document.editing.commit_edit("more", without(whole, 3))
         arrive(fitted, qtbot)
-        assert document.score is not None
-        assert len(document.measurement.projected.pieces) > 3
+        assert document.judge.score is not None
+        assert len(document.judge.measurement.projected.pieces) > 3
 
     def test_its_score_follows_the_clicks(self, fitted: MainWindow, qtbot: QtBot) -> None:
         document = fitted.document
-        document.set_active_camera(0)
-        name = document.frame.name
-        assert document.active_audits[name].jac_at(5.0) == pytest.approx(document.score.jac)
-        document.commit_edit("nudge", nudged(document.annotation, 0.05))
+        document.camera_sources.set_active_camera(0)
+        name = document.state.frame.name
+        assert document.auditing.active_audits[name].jac_at(5.0) == pytest.approx(
+            document.judge.score.jac
+        )
+        document.editing.commit_edit("nudge", nudged(document.state.annotation, 0.05))
         arrive(fitted, qtbot)
-        worst = max(e.max_distance or 0.0 for e in document.score.elements)
+        worst = max(e.max_distance or 0.0 for e in document.judge.score.elements)
         assert worst > 5.0
-        assert document.active_audits[name].jac_at(5.0) == pytest.approx(document.score.jac)
-        document.set_protocol("procc")
+        assert document.auditing.active_audits[name].jac_at(5.0) == pytest.approx(
+            document.judge.score.jac
+        )
+        document.terms.set_protocol("procc")
         settle(fitted, qtbot)
-        assert document.active_audits[name].jac_at(5.0) == pytest.approx(document.score.jac)
+        assert document.auditing.active_audits[name].jac_at(5.0) == pytest.approx(
+            document.judge.score.jac
+        )
 
     def test_it_is_compared_with_a_method(self, fitted: MainWindow, annotated: Path,
                                           qtbot: QtBot) -> None:  # fmt: skip
         document = fitted.document
-        document.load_cameras(annotated / "cameras" / "bad")
+        document.camera_sources.load_cameras(annotated / "cameras" / "bad")
         settle(fitted, qtbot)
-        assert [s.name for s in document.sources] == ["bad", "fit"]
-        assert document.compared.name == "fit"
-        measurement, score = document.compared_drawing
+        assert [s.name for s in document.state.sources] == ["bad", "fit"]
+        assert document.state.compared.name == "fit"
+        measurement, score = document.judge.compared
         assert measurement is not None
-        assert score.jac > document.score.jac
+        assert score.jac > document.judge.score.jac
         document.disagreement.set_wanted(True)
         qtbot.waitUntil(lambda: document.disagreement.value is not None, timeout=20_000)
         before = document.disagreement.value
-        document.commit_edit("nudge", nudged(document.annotation, 0.05))
+        document.editing.commit_edit("nudge", nudged(document.state.annotation, 0.05))
         arrive(fitted, qtbot)
         qtbot.waitUntil(
             lambda: (
@@ -396,15 +410,15 @@ class TestSource:
     ) -> None:
         """While the set is audited, only the fit of a frame is known anew, nothing of a method."""
         document = fitted.document
-        document.load_cameras(annotated / "cameras" / "true")
+        document.camera_sources.load_cameras(annotated / "cameras" / "true")
         document.live_fit.set_model("R")
         arrive(fitted, qtbot)
         settle(fitted, qtbot)
-        assert "00002" in document.active_audits
+        assert "00002" in document.auditing.active_audits
 
     def test_only_frames_looked_at_count(self, fitted: MainWindow, qtbot: QtBot) -> None:
         document = fitted.document
-        document.go_to(2)
+        document.walk.go_to(2)
         arrive(fitted, qtbot)
         settle(fitted, qtbot)
         assert set(document.fit_source.source.audits) == {"00002", "00003"}
@@ -414,7 +428,7 @@ class TestSource:
         self, fitted: MainWindow, annotated: Path, tmp_path: Path, qtbot: QtBot
     ) -> None:
         document = fitted.document
-        document.set_active_camera(0)
+        document.camera_sources.set_active_camera(0)
         told = []
         document.message.connect(lambda text, level: told.append(text))
         out = tmp_path / "jac.csv"
@@ -424,7 +438,7 @@ class TestSource:
         fitted.triage.mark("fine")
         assert "follows the clicks" in told[-1]
         assert document.review.all_verdicts() == {}
-        document.load_cameras(annotated / "cameras" / "true")
+        document.camera_sources.load_cameras(annotated / "cameras" / "true")
         assert [e["name"] for e in Settings().entries(SOURCES, str(annotated.resolve()))] == [
             "true"
         ]
@@ -440,32 +454,32 @@ class TestSource:
         self, fitted: MainWindow, annotated: Path, qtbot: QtBot
     ) -> None:
         document = fitted.document
-        document.load_cameras(annotated / "cameras" / "true")
-        document.set_active_camera(1)
+        document.camera_sources.load_cameras(annotated / "cameras" / "true")
+        document.camera_sources.set_active_camera(1)
         fitted.panels.show("cameras")
         qtbot.waitUntil(lambda: fitted.findChild(QToolButton, "cameras_remove_1") is not None)
         fitted.findChild(QToolButton, "cameras_remove_1").click()
         assert not fitted.actions_["live_fit"].isChecked()
-        assert [s.name for s in document.sources] == ["true"]
-        assert document.active_source.name == "true"
+        assert [s.name for s in document.state.sources] == ["true"]
+        assert document.state.active.name == "true"
 
     def test_a_folder_called_fit_gets_another_name(
         self, fitted: MainWindow, annotated: Path
     ) -> None:
         (annotated / "cameras" / "true").rename(annotated / "cameras" / "fit")
-        assert fitted.document.load_cameras(annotated / "cameras" / "fit")
-        assert [s.name for s in fitted.document.sources] == ["fit (2)", "fit"]
-        fitted.document.rename_source(fitted.document.sources[1], "method")
-        assert fitted.document.sources[1].name == "fit"
+        assert fitted.document.camera_sources.load_cameras(annotated / "cameras" / "fit")
+        assert [s.name for s in fitted.document.state.sources] == ["fit (2)", "fit"]
+        fitted.document.camera_sources.rename_source(fitted.document.state.sources[1], "method")
+        assert fitted.document.state.sources[1].name == "fit"
 
     def test_whoever_judges_it_finds_it_judged_the_next_time(
         self, fitted: MainWindow, make_window: MakeWindow, annotated: Path, qtbot: QtBot
     ) -> None:
-        fitted.document.set_active_camera(0)
+        fitted.document.camera_sources.set_active_camera(0)
         fitted.close()
         again = make_window(annotated)
-        qtbot.waitUntil(lambda: again.document.active_source is not None, timeout=20_000)
-        assert again.document.active_source.name == "fit"
+        qtbot.waitUntil(lambda: again.document.state.active is not None, timeout=20_000)
+        assert again.document.state.active.name == "fit"
 
 
 class TestPanel:
@@ -490,7 +504,7 @@ class TestPanel:
     ) -> None:
         panel, document = fitted.fit, fitted.document
         fitted.panels.show("fit")
-        document.commit_edit("wrong", nudged(document.annotation, 0.2))
+        document.editing.commit_edit("wrong", nudged(document.state.annotation, 0.2))
         arrive(fitted, qtbot)
         qtbot.waitUntil(lambda: any(row.left_out for row in panel.rows.rows))
         row = panel.rows.rows[0]
@@ -499,8 +513,8 @@ class TestPanel:
         document.flyTo.connect(lambda x, y: flown.append((x, y)))
         place = panel.table.visualRect(panel.rows.index(0, 0)).center()
         QTest.mouseClick(panel.table.viewport(), Qt.MouseButton.LeftButton, pos=place)
-        assert document.selected_point == (FAR, 0)
-        point = document.annotation.get(FAR).points[0]
+        assert document.state.selection.point == (FAR, 0)
+        point = document.state.annotation.get(FAR).points[0]
         assert flown == [pytest.approx((point.u * 1279, point.v * 719))]
 
     def test_a_row_of_the_clicks_before_leads_to_an_element_that_has_got_shorter(
@@ -508,9 +522,9 @@ class TestPanel:
     ) -> None:
         panel, document = fitted.fit, fitted.document
         fitted.panels.show("fit")
-        whole = document.annotation
+        whole = document.state.annotation
         last = len(whole.get(FAR).points) - 1
-        document.commit_edit("wrong", nudged(whole, 0.2, last))
+        document.editing.commit_edit("wrong", nudged(whole, 0.2, last))
         arrive(fitted, qtbot)
         qtbot.waitUntil(
             lambda: [(row.class_name, row.point) for row in panel.rows.rows[:1]] == [(FAR, last)]
@@ -518,11 +532,11 @@ class TestPanel:
         at = next(i for i, row in enumerate(panel.rows.rows) if row.class_name == FAR)
         go, flown = slow_fits(), []
         document.flyTo.connect(lambda x, y: flown.append((x, y)))
-        document.commit_edit("shorten", delete_point(document.annotation, FAR, last))
+        document.editing.commit_edit("shorten", delete_point(document.state.annotation, FAR, last))
         place = panel.table.visualRect(panel.rows.index(at, 0)).center()
         QTest.mouseClick(panel.table.viewport(), Qt.MouseButton.LeftButton, pos=place)
-        assert document.selected_class == FAR
-        first = document.annotation.get(FAR).points[0]
+        assert document.state.selected_class == FAR
+        first = document.state.annotation.get(FAR).points[0]
         assert flown == [pytest.approx((first.u * 1279, first.v * 719))]
         go.set()
 
@@ -533,7 +547,7 @@ class TestPanel:
         fitted.panels.show("fit")
         whole = "12 of 12 annotated elements within 5 px"
         qtbot.waitUntil(lambda: panel.counted.text() == whole)
-        document.commit_edit("fewer", without(document.annotation, 5))
+        document.editing.commit_edit("fewer", without(document.state.annotation, 5))
         said = re.compile(
             r"5 of 5 annotated elements within 5 px; (\d+) in sight not annotated yet"
         )
@@ -544,13 +558,13 @@ class TestPanel:
     def test_it_says_why_there_is_no_camera(self, fitted: MainWindow, qtbot: QtBot) -> None:
         panel, document = fitted.fit, fitted.document
         fitted.panels.show("fit")
-        document.commit_edit("fewer", without(document.annotation, 2))
+        document.editing.commit_edit("fewer", without(document.state.annotation, 2))
         qtbot.waitUntil(lambda: "2 elements, 3 needed" in panel.empty.text())
         assert panel.empty.isVisible()
         assert not panel.save.isEnabled()
-        document.set_blind(True)
+        document.blind_lock.set_blind(True)
         qtbot.waitUntil(lambda: panel.empty.text().startswith("Hidden"))
-        document.set_blind(False)
+        document.blind_lock.set_blind(False)
         panel.on.click()
         qtbot.waitUntil(lambda: panel.empty.text().startswith("The live fit is off"))
 
@@ -592,7 +606,7 @@ class TestSaving:
         qtbot.waitUntil(lambda: panel.chosen.text().startswith("P"))
         assert panel.weak.isHidden()
         assert "hardly determined" not in self.save(fitted, qtbot)
-        document.commit_edit("fewer", without(document.annotation, 3))
+        document.editing.commit_edit("fewer", without(document.state.annotation, 3))
         qtbot.waitUntil(panel.weak.isVisible, timeout=20_000)
         left_open = ill_conditioned_reason(document.live_fit.result)
         assert panel.weak.text().endswith(f": {left_open}")
@@ -608,26 +622,28 @@ class TestSaving:
         assert str(path) in self.save(window, qtbot)
         assert path.exists()
         document = window.document
-        document.load_cameras(path.parent)
-        assert document.verdicts.place(document.sources[0]).endswith(":cameras/fitted")
+        document.camera_sources.load_cameras(path.parent)
+        assert document.verdicts.place(document.state.sources[0]).endswith(":cameras/fitted")
 
     def test_a_loaded_folder_shows_the_new_camera(
         self, fitted: MainWindow, annotated: Path, qtbot: QtBot
     ) -> None:
         document = fitted.document
         self.save(fitted, qtbot)
-        document.load_cameras(annotated / "cameras" / "fitted")
+        document.camera_sources.load_cameras(annotated / "cameras" / "fitted")
         settle(fitted, qtbot)
-        assert document.active_source.name == "fitted"
-        before = document.score
-        document.commit_edit("nudge", nudged(document.annotation, 0.03))
+        assert document.state.active.name == "fitted"
+        before = document.judge.score
+        document.editing.commit_edit("nudge", nudged(document.state.annotation, 0.03))
         arrive(fitted, qtbot)
-        source, fit = document.active_source, document.live_fit.result
+        source, fit = document.state.active, document.live_fit.result
         self.save(fitted, qtbot)
-        qtbot.waitUntil(lambda: len(document.sources) == 2 and document.score is not before)
+        qtbot.waitUntil(
+            lambda: len(document.state.sources) == 2 and document.judge.score is not before
+        )
         settle(fitted, qtbot)
-        assert document.active_source is source
-        shown = document.camera.position_world
+        assert document.state.active is source
+        shown = document.judge.camera.position_world
         assert shown == pytest.approx(fit.camera.position_world)
 
     def test_a_camera_of_somebody_else_stays(
@@ -659,40 +675,40 @@ class TestBlind:
         self, fitted: MainWindow, qtbot: QtBot
     ) -> None:
         document = fitted.document
-        document.set_active_camera(0)
+        document.camera_sources.set_active_camera(0)
         for name in ("cameras", "fit", "scores"):
             fitted.panels.show(name)
-        document.set_blind(True)
+        document.blind_lock.set_blind(True)
         assert document.live_fit.insight is None
-        assert document.score is None
-        assert document.camera is None
+        assert document.judge.score is None
+        assert document.judge.camera is None
         assert document.fit_source.source.audits == {}
         assert not document.fit_source.cameras.fits
-        document.commit_edit("nudge", nudged(document.annotation, 0.004))
+        document.editing.commit_edit("nudge", nudged(document.state.annotation, 0.004))
         let_work_end(qtbot)
         assert document.live_fit.insight is None
         assert not document.fit_source.cameras.fits
         assert not document.live_fit.working
-        document.commit_frame()
+        document.editing.commit_frame()
         arrive(fitted, qtbot)
-        assert document.score is not None
+        assert document.judge.score is not None
 
     def test_a_locked_dataset_is_blind_for_everybody(
         self, fitted: MainWindow, make_window: MakeWindow, annotated: Path, qtbot: QtBot
     ) -> None:
         fitted.actions_["lock_blind"].trigger()
         document = fitted.document
-        assert document.blind
+        assert document.state.blind
         told = []
         document.message.connect(lambda text, level: told.append(text))
         fitted.actions_["blind"].trigger()
-        assert document.blind
+        assert document.state.blind
         assert fitted.actions_["blind"].isChecked()
         assert "locked this dataset to blind mode" in told[-1]
         assert "locked this dataset" in fitted.actions_["blind"].toolTip()
         fitted.close()
         again = make_window(annotated)
-        assert again.document.blind
+        assert again.document.state.blind
         assert again.document.live_fit.insight is None
         assert again.actions_["lock_blind"].isChecked()
 
@@ -701,24 +717,26 @@ class TestBlind:
     ) -> None:
         document = fitted.document
         fitted.panels.show("fit")
-        document.load_cameras(annotated / "cameras" / "bad")
+        document.camera_sources.load_cameras(annotated / "cameras" / "bad")
         settle(fitted, qtbot)
         fitted.actions_["lock_blind"].trigger()
-        document.commit_frame()
+        document.editing.commit_frame()
         settle(fitted, qtbot)
-        assert document.score is not None  # cameras from files are judged once it is committed
+        assert (
+            document.judge.score is not None
+        )  # cameras from files are judged once it is committed
         all_done(qtbot)
         assert document.live_fit.insight is None
         assert not document.live_fit.working
         assert not document.ghosts.painted
         assert document.ghosts.suggestion is None
-        assert document.fit_source.source not in document.sources
-        before = document.annotation
+        assert document.fit_source.source not in document.state.sources
+        before = document.state.annotation
         told = []
         document.message.connect(lambda text, level: told.append(text))
         Hand(fitted).key(Qt.Key.Key_Return, Qt.KeyboardModifier.ShiftModifier)
         fitted.actions_["accept_ghosts"].trigger()
-        assert document.annotation is before
+        assert document.state.annotation is before
         fitted.actions_["live_fit"].trigger()
         assert not fitted.actions_["live_fit"].isChecked()
         assert "no live fit" in told[-1]
@@ -757,25 +775,25 @@ class TestBlind:
 
         press(QMessageBox.ButtonRole.RejectRole)
         fitted.actions_["lock_blind"].trigger()
-        assert document.blind
+        assert document.state.blind
         assert fitted.actions_["lock_blind"].isChecked()
         press(QMessageBox.ButtonRole.AcceptRole)
         fitted.actions_["lock_blind"].trigger()
-        assert not document.blind
+        assert not document.state.blind
         assert not fitted.actions_["lock_blind"].isChecked()
         assert "recorded" in asked[0]
         events = json.loads(document.review.setting("blind lock"))
         assert [(e["locked"], e["author"]) for e in events] == [
-            (True, document.author),
-            (False, document.author),
+            (True, document.state.author),
+            (False, document.state.author),
         ]
 
     def test_the_annotators_own_choice_comes_back_with_another_dataset(
         self, fitted: MainWindow, dataset: Path
     ) -> None:
         fitted.actions_["lock_blind"].trigger()
-        assert fitted.document.blind
-        assert fitted.document.open_path(dataset)
-        assert not fitted.document.blind
+        assert fitted.document.state.blind
+        assert fitted.document.opening.open_path(dataset)
+        assert not fitted.document.state.blind
         QApplication.processEvents()
         assert not fitted.actions_["blind"].isChecked()

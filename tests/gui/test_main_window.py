@@ -88,7 +88,7 @@ class TestActions:
             assert spec.text.lstrip("-") in text
             for keys in spec.keys:
                 assert QKeySequence(keys).toString(QKeySequence.SequenceFormat.NativeText) in text
-        for element in window.document.field.elements:
+        for element in window.document.state.field.elements:
             assert element.title in text
 
     @pytest.mark.parametrize("size", [(1280, 720), (1920, 1080)])
@@ -119,7 +119,7 @@ class TestActions:
         keys = [QKeySequence(k).toString() for spec in ACTIONS for k in spec.keys]
         keys += [
             QKeySequence(e.shortcut).toString()
-            for e in window.document.field.elements
+            for e in window.document.state.field.elements
             if e.shortcut
         ]
         keys += ["X", "Space"]  # held down in the canvas
@@ -131,19 +131,19 @@ class TestActions:
                 assert QKeySequence(keys).toString(), (spec.name, keys)
 
     def test_keys_of_the_field_choose_elements(self, window: MainWindow, qtbot: QtBot) -> None:
-        for element in window.document.field.elements:
+        for element in window.document.state.field.elements:
             if element.shortcut:
                 combination = QKeySequence(element.shortcut)[0]
                 QTest.keyClick(window.canvas, combination.key(), combination.keyboardModifiers())
-                assert window.document.selected_class == element.name
+                assert window.document.state.selected_class == element.name
 
     def test_q_and_e_step_through_the_elements(self, window: MainWindow) -> None:
-        names = [e.name for e in window.document.field.elements]
+        names = [e.name for e in window.document.state.field.elements]
         QTest.keyClick(window.canvas, Qt.Key.Key_E)
-        assert window.document.selected_class == names[0]
+        assert window.document.state.selected_class == names[0]
         QTest.keyClick(window.canvas, Qt.Key.Key_E)
         QTest.keyClick(window.canvas, Qt.Key.Key_Q)
-        assert window.document.selected_class == names[0]
+        assert window.document.state.selected_class == names[0]
 
     def test_letters_typed_into_a_search_box_are_text(self, window: MainWindow) -> None:
         QTest.keyClick(window.canvas, Qt.Key.Key_Slash)
@@ -151,18 +151,20 @@ class TestActions:
         assert box.hasFocus()
         QTest.keyClicks(box, "bad")
         assert box.text() == "bad"
-        assert not window.document.blind
-        assert window.document.frame_index == 0
+        assert not window.document.state.blind
+        assert window.document.state.frame_index == 0
 
 
 class TestCameras:
     def test_tau_decides_live_whether_an_element_passes(
         self, window: MainWindow, hand: Hand, cameras: Path
     ) -> None:
-        window.document.set_option("snapping", False)  # the digits on the pictures are white too
+        window.document.selecting.set_option(
+            "snapping", False
+        )  # the digits on the pictures are white too
         hand.draw(MIDDLE, *middle_line_points(window, shift=4.0))
-        assert window.document.load_cameras(cameras)
-        score = window.document.score
+        assert window.document.camera_sources.load_cameras(cameras)
+        score = window.document.judge.score
         assert score is not None
         largest = next(e.max_distance for e in score.elements if e.name == MIDDLE)
         assert 2.5 < largest < 5.0
@@ -170,21 +172,21 @@ class TestCameras:
         jac = window.top_bar.camera_bar.jac.text()
         for _ in range(6):
             QTest.keyClick(window.canvas, Qt.Key.Key_Minus)
-        assert window.document.tau == 2.0
+        assert window.document.state.tau == 2.0
         assert window.top_bar.camera_bar.tau.spin.value() == 2.0
         assert window.top_bar.camera_bar.tau.slider.value() == 20
-        assert window.document.score.tp == 0
+        assert window.document.judge.score.tp == 0
         assert window.top_bar.camera_bar.jac.text() != jac
         QTest.keyClick(window.canvas, Qt.Key.Key_Plus)
-        assert window.document.tau == 2.5
+        assert window.document.state.tau == 2.5
         window.top_bar.camera_bar.tau.slider.setValue(300)
-        assert window.document.tau == 30.0
-        assert window.document.score.tp == 1
+        assert window.document.state.tau == 30.0
+        assert window.document.judge.score.tp == 1
 
     def test_the_protocol_and_size_stand_beside_the_score(
         self, window: MainWindow, cameras: Path
     ) -> None:
-        window.document.load_cameras(cameras)
+        window.document.camera_sources.load_cameras(cameras)
         assert window.top_bar.camera_bar.terms.text() == "soccernet, 960x540"
         window.actions_["protocol_procc"].trigger()
         assert window.top_bar.camera_bar.terms.text() == "procc, 960x540"
@@ -195,7 +197,7 @@ class TestCameras:
         x, y = middle_line_points(window)[1]
         hand.move(x, y)
         assert window.status.metres.text() == ""
-        window.document.load_cameras(cameras)
+        window.document.camera_sources.load_cameras(cameras)
         hand.move(x + 3, y)
         hand.move(x, y)
         metres = [float(v) for v in window.status.metres.text().split()[:2]]
@@ -205,21 +207,21 @@ class TestCameras:
         self, window: MainWindow, hand: Hand, cameras: Path, qtbot: QtBot
     ) -> None:
         hand.draw(MIDDLE, *middle_line_points(window))
-        window.document.load_cameras(cameras)
-        qtbot.waitUntil(lambda: "frame_0" in window.document.frame_scores)
+        window.document.camera_sources.load_cameras(cameras)
+        qtbot.waitUntil(lambda: "frame_0" in window.document.auditing.frame_scores)
         qtbot.waitUntil(lambda: not window.document.set_scores.running)
-        scores = window.document.frame_scores
-        assert scores["frame_0"] == pytest.approx(window.document.score.jac, abs=1e-6)
+        scores = window.document.auditing.frame_scores
+        assert scores["frame_0"] == pytest.approx(window.document.judge.score.jac, abs=1e-6)
         assert "frame_1" not in scores  # not annotated
-        window.document.next_frame()
+        window.document.walk.next_frame()
         hand.draw(MIDDLE, *middle_line_points(window))
-        qtbot.waitUntil(lambda: window.document.frame_scores.get("frame_1", 0) > 0)
+        qtbot.waitUntil(lambda: window.document.auditing.frame_scores.get("frame_1", 0) > 0)
 
     def test_a_frame_without_camera_says_so(self, window: MainWindow, cameras: Path) -> None:
-        window.document.load_cameras(cameras)
-        window.document.go_to(2)
+        window.document.camera_sources.load_cameras(cameras)
+        window.document.walk.go_to(2)
         assert "no camera" in window.top_bar.camera_bar.jac.text()
-        assert window.document.score is None
+        assert window.document.judge.score is None
 
     def test_a_file_that_is_no_camera_is_told_in_a_bar(
         self, window: MainWindow, tmp_path: Path
@@ -227,10 +229,10 @@ class TestCameras:
         bad = tmp_path / "bad"
         bad.mkdir()
         (bad / "camera_frame_0.json").write_text('{"pan_degrees": NaN}')
-        window.document.load_cameras(bad)
-        assert window.document.score is None
-        assert "camera_frame_0.json" in window.document.camera_error
-        assert window.document.load_cameras(tmp_path / "missing") is False
+        window.document.camera_sources.load_cameras(bad)
+        assert window.document.judge.score is None
+        assert "camera_frame_0.json" in window.document.judge.shown.error
+        assert window.document.camera_sources.load_cameras(tmp_path / "missing") is False
         assert "missing" in window.message_bar.label.text()
 
     def test_flying_to_a_point_brings_it_to_the_middle(self, window: MainWindow) -> None:
@@ -245,31 +247,31 @@ class TestBlindMode:
         self, window: MainWindow, hand: Hand, cameras: Path, qtbot: QtBot
     ) -> None:
         hand.draw(MIDDLE, *middle_line_points(window))
-        window.document.load_cameras(cameras)
-        qtbot.waitUntil(lambda: "frame_0" in window.document.frame_scores)
+        window.document.camera_sources.load_cameras(cameras)
+        qtbot.waitUntil(lambda: "frame_0" in window.document.auditing.frame_scores)
         shown = strokes(window)
         hand.key(Qt.Key.Key_B)
         assert strokes(window) < shown
-        assert window.document.measurement is None
+        assert window.document.judge.measurement is None
         assert "JaC 0" not in window.top_bar.camera_bar.jac.text()
-        assert "frame_0" not in window.document.frame_scores
+        assert "frame_0" not in window.document.auditing.frame_scores
         hand.key(Qt.Key.Key_Return, CTRL)
         assert strokes(window) == shown
-        assert "frame_0" in window.document.frame_scores
+        assert "frame_0" in window.document.auditing.frame_scores
         hand.key(Qt.Key.Key_D)
-        assert window.document.measurement is None
+        assert window.document.judge.measurement is None
 
     def test_committing_takes_a_draft_along(
         self, window: MainWindow, hand: Hand, cameras: Path
     ) -> None:
         hand.key(Qt.Key.Key_B)
-        window.document.load_cameras(cameras)
-        window.document.select_class(MIDDLE)
+        window.document.camera_sources.load_cameras(cameras)
+        window.document.selecting.select_class(MIDDLE)
         for point in middle_line_points(window):
             hand.click(*point)
         hand.key(Qt.Key.Key_Return, CTRL)
-        assert window.document.score is not None
-        assert window.document.score.tp == 1
+        assert window.document.judge.score is not None
+        assert window.document.judge.score.tp == 1
 
 
 def strokes(window: MainWindow) -> int:
@@ -303,32 +305,32 @@ class TestWindow:
             shutil.copy(sample_data / name, tmp_path)
         window = make_window(tmp_path)
         document = window.document
-        document.load_cameras(sample_data / "cameras" / "true")
-        qtbot.waitUntil(lambda: document.frame_scores.get("00002", 0) > 0.5)
+        document.camera_sources.load_cameras(sample_data / "cameras" / "true")
+        qtbot.waitUntil(lambda: document.auditing.frame_scores.get("00002", 0) > 0.5)
         (tmp_path / "00002.json").unlink()
-        assert document.begin_edit()  # looks at the file first
-        assert document.annotation.annotated == ()
-        qtbot.waitUntil(lambda: not document.frame_scores.get("00002"))
+        assert document.editing.begin_edit()  # looks at the file first
+        assert document.state.annotation.annotated == ()
+        qtbot.waitUntil(lambda: not document.auditing.frame_scores.get("00002"))
 
     def test_a_folder_of_folders_of_cameras_says_which_to_load(
         self, window: MainWindow, sample_data: Path
     ) -> None:
-        assert not window.document.load_cameras(sample_data / "cameras")
+        assert not window.document.camera_sources.load_cameras(sample_data / "cameras")
         assert "bad, homography" in window.message_bar.label.text()
-        assert window.document.camera_sets == []
+        assert [look.cameras for look in window.document.state.looks] == []
 
     def test_what_was_open_last_is_offered_to_go_on_with(
         self, make_window: MakeWindow, dataset: Path
     ) -> None:
         first = make_window()
         first.opening.open_path(dataset)
-        first.document.go_to(1)
+        first.document.walk.go_to(1)
         first.close()
         second = make_window()
         (button,) = second.welcome.findChildren(QPushButton, "welcomeRecent")
         assert button.text().startswith("dataset")
         button.click()
-        assert second.document.frame_index == 1
+        assert second.document.state.frame_index == 1
         menu = second.findChild(RecentMenu)
         assert menu is not None
         menu.fill()
@@ -357,8 +359,8 @@ class TestWindow:
             )
             window.dropEvent(event)
         assert window.canvas.isVisible()
-        assert len(window.document.workspace.frames) == 3
-        assert window.document.active_camera.name == "cameras"
+        assert len(window.document.state.workspace.frames) == 3
+        assert window.document.state.active_cameras.name == "cameras"
         assert window.top_bar.camera_bar.cameras.currentText() == "cameras"
 
     def test_one_key_hides_all_panels_and_brings_them_back(self, window: MainWindow) -> None:
@@ -371,14 +373,14 @@ class TestWindow:
 
     def test_layout_and_settings_come_back(self, make_window: MakeWindow, dataset: Path) -> None:
         first = make_window(dataset)
-        first.document.set_tau(7.5)
+        first.document.terms.set_tau(7.5)
         first.actions_["protocol_procc"].trigger()
         first.actions_["keep_zoom"].trigger()
         first.docks["frames"].close()
         first.close()
         second = make_window(dataset)
-        assert second.document.tau == 7.5
-        assert second.document.setup.protocol == "procc"
+        assert second.document.state.tau == 7.5
+        assert second.document.state.setup.protocol == "procc"
         assert second.actions_["protocol_procc"].isChecked()
         assert second.canvas.keep_zoom
         assert second.actions_["keep_zoom"].isChecked()
@@ -390,7 +392,7 @@ class TestWindow:
         (dataset / "frame_0.png").write_bytes(b"not a picture")
         window = make_window(dataset)
         assert "frame_0.png" in window.frame_bar.label.text()
-        window.document.next_frame()
+        window.document.walk.next_frame()
         assert not window.frame_bar.isVisible()
 
     @pytest.mark.parametrize("size", [(1280, 720), (1920, 1080)])
@@ -416,18 +418,18 @@ class TestExport:
         self, window: MainWindow, hand: Hand, cameras: Path, tmp_path: Path, qtbot: QtBot
     ) -> None:
         hand.draw(MIDDLE, *middle_line_points(window))
-        window.document.load_cameras(cameras)
+        window.document.camera_sources.load_cameras(cameras)
         out, scores = tmp_path / "out", tmp_path / "jac.json"
         window.exporter.write_annotations(out)
         window.exporter.write_scores(scores)
         qtbot.waitUntil(lambda: (out / "frame_0.json").exists() and scores.exists())
-        dataset_file = window.document.frame.annotation_path
+        dataset_file = window.document.state.frame.annotation_path
         assert json.loads((out / "frame_0.json").read_text()) == json.loads(
             dataset_file.read_text()
         )
         written = json.loads(scores.read_text())
         image = next(i for i in written["images"] if i["name"] == "frame_0")
-        assert image["results"]["5"]["jac"] == window.document.score.jac
+        assert image["results"]["5"]["jac"] == window.document.judge.score.jac
         assert written["protocol"] == "soccernet"
 
 
@@ -443,13 +445,13 @@ class TestNotices:
         self, window: MainWindow, cameras: Path
     ) -> None:
         np.save(cameras / "frame_0.npy", np.eye(3))
-        window.document.load_cameras(cameras)
+        window.document.camera_sources.load_cameras(cameras)
         assert "has a JSON camera and a homography" in window.message_bar.label.text()
 
     def test_opening_another_dataset_keeps_the_polyline_under_way(
         self, window: MainWindow, hand: Hand, dataset: Path, saved: ReadPoints
     ) -> None:
-        window.document.select_class("Middle line")
+        window.document.selecting.select_class("Middle line")
         clicked = [hand.click(100, 50), hand.click(120, 200)]
         window.opening.open_path(dataset)
         np.testing.assert_allclose(saved(), clicked, atol=1e-9)
@@ -474,8 +476,8 @@ def test_the_field_map_keeps_its_room_whatever_panel_is_opened(
     make_window: MakeWindow, annotated: Path, qtbot: QtBot
 ) -> None:
     window = make_window(annotated, size=(1280, 720))
-    window.document.load_cameras(annotated / "cameras" / "bad")
-    window.document.go_to(1)
+    window.document.camera_sources.load_cameras(annotated / "cameras" / "bad")
+    window.document.walk.go_to(1)
     qtbot.waitUntil(lambda: window.document.live_fit.result is not None, timeout=20_000)
     height = window.field_map.height()
     assert height >= 220
@@ -505,11 +507,11 @@ def test_keys_draw_again_after_a_click_in_the_list_of_frames(
     frames = window.frames.list
     place = frames.visualRect(window.frames.model.index(2, 0)).center()
     QTest.mouseClick(frames.viewport(), Qt.MouseButton.LeftButton, pos=place)
-    assert window.document.frame_index == 2
+    assert window.document.state.frame_index == 2
     assert window.canvas.hasFocus()
     frames.setFocus()
     QTest.keyClick(frames, Qt.Key.Key_Up)  # arrows walk the list on
-    assert window.document.frame_index == 1
+    assert window.document.state.frame_index == 1
     assert frames.hasFocus()
     QTest.keyClick(frames, Qt.Key.Key_Return)
     assert window.canvas.hasFocus()
@@ -520,11 +522,11 @@ def test_long_titles_of_elements_are_cut_in_their_middle(window: MainWindow) -> 
     title = (
         "Far touchline of the pitch that was repainted beside the old athletics track, number 20"
     )
-    field = document.field
+    field = document.state.field
     far = replace(field.elements[field.index["Side line top"]], title=title)
     others = [e for e in field.elements if e.name != far.name]
-    document.set_field(replace(field, elements=(*others, far)))
-    document.select_class(far.name)
+    document.terms.set_field(replace(field, elements=(*others, far)))
+    document.selecting.select_class(far.name)
     figures = [status.pixels.geometry(), status.metres.geometry()]
     for name in (title, "Near touchline"):
         status.tell(f"removed point 2 of {name}, 3 are left")
@@ -560,7 +562,7 @@ def test_a_panel_behind_another_tab_waits_until_it_is_looked_at(
     window.panels.show("cameras")
     qtbot.waitUntil(lambda: protocol.currentData() == "soccernet")
     window.panels.show("elements")
-    window.document.set_protocol("procc")
+    window.document.terms.set_protocol("procc")
     qtbot.waitUntil(lambda: "procc" in window.top_bar.camera_bar.terms.text())
     QApplication.processEvents()
     assert protocol.currentData() == "soccernet"  # nobody sees it

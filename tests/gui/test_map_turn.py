@@ -54,7 +54,7 @@ def cameras(tmp_path: Path) -> Path:
 @pytest.fixture
 def judged(make_window: MakeWindow, dataset: Path, cameras: Path, qtbot: QtBot) -> MainWindow:
     window = make_window(dataset)
-    assert window.document.load_cameras(cameras)
+    assert window.document.camera_sources.load_cameras(cameras)
     see(window, qtbot)
     return window
 
@@ -103,7 +103,7 @@ def test_left_on_the_map_is_left_in_the_picture(judged: MainWindow, qtbot: QtBot
     middle = field_map.to_widget(0, 0)
     assert far.y() < middle.y()
     assert left.x() < middle.x()
-    document.go_to(1)
+    document.walk.go_to(1)
     qtbot.waitUntil(lambda: document.map_sight.turns == 1)
     # From behind the right goal its far side is the left one, and its own goal lies near.
     px, _ = SIDES[1].project(np.array([(40, 20, 0), (40, -20, 0), (48, 0, 0), (30, 0, 0.0)]))
@@ -113,8 +113,8 @@ def test_left_on_the_map_is_left_in_the_picture(judged: MainWindow, qtbot: QtBot
     # Clicks mean what they hit.
     at = field_map.position_of("Goal right crossbar")
     qtbot.mouseClick(field_map, Qt.MouseButton.LeftButton, pos=at.toPoint())
-    assert document.selected_class == "Goal right crossbar"
-    document.go_to(2)  # without a camera: it stays turned, and nothing is out of sight
+    assert document.state.selected_class == "Goal right crossbar"
+    document.walk.go_to(2)  # without a camera: it stays turned, and nothing is out of sight
     qtbot.waitUntil(lambda: document.map_sight.shown is None)
     assert document.map_sight.turns == 1
     window.actions_["turn_map"].trigger()
@@ -133,13 +133,13 @@ def test_what_is_out_of_sight_is_faint(judged: MainWindow, qtbot: QtBot) -> None
         return max(abs(image.pixelColor(p).lightnessF() - ground) for p in around)
 
     assert contrast("Middle line") > 2 * contrast("Big rect. left main")
-    judged.document.select_class("Big rect. left main")
+    judged.document.selecting.select_class("Big rect. left main")
     assert contrast("Big rect. left main") > 0.2  # who asks for it sees it
 
 
 def test_the_half_in_sight_takes_the_room(judged: MainWindow, qtbot: QtBot) -> None:
     document, field_map = judged.document, judged.field_map
-    document.go_to(1)
+    document.walk.go_to(1)
     qtbot.waitUntil(lambda: document.map_sight.half == 1)
 
     def metre() -> float:
@@ -147,10 +147,10 @@ def test_the_half_in_sight_takes_the_room(judged: MainWindow, qtbot: QtBot) -> N
         return abs(apart.x()) + abs(apart.y())
 
     large = metre()
-    document.select_class("Goal left crossbar")  # out of sight, but asked for
+    document.selecting.select_class("Goal left crossbar")  # out of sight, but asked for
     whole = metre()
     assert large > 1.2 * whole
-    document.select_class(None)
+    document.selecting.select_class(None)
     judged.actions_["turn_map"].trigger()
     assert metre() != large
     assert document.map_sight.shown is None

@@ -23,7 +23,7 @@ UNKNOWN = "Line unknown"
 
 def drawn(window: MainWindow, hand: Hand, qtbot: QtBot, *points: tuple[float, float]) -> QMenu:
     """Draw a line with no class chosen; the menu that asks its name."""
-    window.document.select_class(None)
+    window.document.selecting.select_class(None)
     window.naming.menu = None
     for point in points:
         hand.click(*point)
@@ -57,7 +57,7 @@ def test_a_line_without_a_class_is_kept_and_named(
     assert not menu.isVisible()
     assert len(saved(name)) == 3
     assert len(saved(UNKNOWN)) == 0
-    assert window.document.selected_class is None  # the next line is drawn first, too
+    assert window.document.state.selected_class is None  # the next line is drawn first, too
 
 
 def test_two_points_are_no_curve_without_a_word(
@@ -65,7 +65,7 @@ def test_two_points_are_no_curve_without_a_word(
 ) -> None:
     menu = drawn(window, hand, qtbot, (100, 100), (300, 120))
     assert not window.canvas.editor.curved & set(offered(menu))
-    circle = window.document.field.element("Circle central")
+    circle = window.document.state.field.element("Circle central")
     assert circle is not None
     QTest.keySequence(menu, circle.shortcut)
     assert len(saved("Circle central")) == 2
@@ -98,7 +98,7 @@ def test_escape_leaves_it_as_it_is(
 def test_an_elements_key_names_the_line_under_way(
     window: MainWindow, hand: Hand, saved: ReadPoints
 ) -> None:
-    window.document.select_class(None)
+    window.document.selecting.select_class(None)
     hand.click(100, 100)
     hand.click(300, 120)
     assert "an element's key names it" in window.canvas.hint
@@ -112,11 +112,11 @@ def test_an_elements_key_names_the_line_under_way(
 def test_a_frame_that_is_left_keeps_its_line(
     window: MainWindow, hand: Hand, saved: ReadPoints
 ) -> None:
-    window.document.select_class(None)
+    window.document.selecting.select_class(None)
     hand.click(100, 100)
     hand.click(300, 120)
     hand.key(Qt.Key.Key_D)
-    assert window.document.frame_index == 1
+    assert window.document.state.frame_index == 1
     assert len(saved(UNKNOWN)) == 2
 
 
@@ -149,7 +149,7 @@ def test_where_a_camera_is_known_the_line_below_the_pen_comes_first(
 
 def test_it_can_be_switched_off(window: MainWindow, hand: Hand) -> None:
     window.actions_["draw_first"].trigger()
-    window.document.select_class(None)
+    window.document.selecting.select_class(None)
     hand.click(100, 100)
     assert not window.canvas.editor.drawing
     assert "choose an element first" in window.document.state.told.text
@@ -159,7 +159,7 @@ def test_a_camera_known_from_few_clicks_names_every_line_in_sight(
     begun: MainWindow, sample_data: Path
 ) -> None:
     """Also those that it knows too little of for a ghost, and while it is fitted anew."""
-    size = begun.document.picture_size
+    size = begun.document.state.picture_size
     assert size is not None
     truth = json.loads((sample_data / "00002.json").read_text())
     missing = [name for name in truth if name not in KEPT and len(truth[name]) > 1]

@@ -24,7 +24,7 @@ def test_pictures_are_ordered_by_their_names_without_suffix(
 ) -> None:
     for old, new in zip(sorted(dataset.iterdir()), ("a10", "a", "a2"), strict=True):
         old.rename(dataset / f"{new}{old.suffix}")
-    workspace = make_window(dataset).document.workspace
+    workspace = make_window(dataset).document.state.workspace
     assert [frame.name for frame in workspace.frames] == ["a", "a2", "a10"]
 
 
@@ -47,13 +47,15 @@ def test_no_distance_reads_as_if_it_were_on_the_other_side_of_tau(
 ) -> None:
     """Threshold and distance differ by less than a tenth: in the picture and in the table."""
     document = audited.document
-    document.set_active_camera(1)
+    document.camera_sources.set_active_camera(1)
     audited.panels.show("scores")
     table = audited.findChild(QTableView, "scores_table")
-    distances = [e.max_distance for e in document.score.elements if e.max_distance is not None]
+    distances = [
+        e.max_distance for e in document.judge.score.elements if e.max_distance is not None
+    ]
     near = next(d for d in distances if 1 < d < 19 and 0.004 < d % 0.1 < 0.046)
     tau = round(near - near % 0.1, 1)
-    document.set_tau(tau)
+    document.terms.set_tau(tau)
     wanted = px_text(near, tau)
     assert float(wanted) > tau
     texts = [t for labels in audited.canvas.overlay_item.overlay.labels for t in labels.texts]
@@ -92,6 +94,6 @@ def test_the_sample_is_tried_on_a_copy(
     files = {path: path.stat().st_mtime_ns for path in sample_copy.rglob("*")}
     window.actions_["open_sample"].trigger()
     own = tmp_path / "data" / "procc-annotator" / "sample"
-    qtbot.waitUntil(lambda: own.is_dir() and window.document.workspace.folder == own)
+    qtbot.waitUntil(lambda: own.is_dir() and window.document.state.workspace.folder == own)
     assert str(own) in window.document.state.told.text
     assert {path: path.stat().st_mtime_ns for path in sample_copy.rglob("*")} == files

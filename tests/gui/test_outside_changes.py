@@ -45,7 +45,7 @@ def evaluated(dataset: Path, cameras: str = "true") -> dict[str, float]:
 def shown(window: MainWindow, cameras: str = "true") -> dict[str, float]:
     """The same as the frame list and the Cameras panel have it."""
     document = window.document
-    source = next(s for s in document.sources if s.name == cameras)
+    source = next(s for s in document.state.sources if s.name == cameras)
     found = {name: audit.jac_at(TAU) for name, audit in source.audits.items()}
     mean = source.mean_jac(TAU)
     return {**found, "": mean if mean is not None else -1.0}
@@ -61,7 +61,7 @@ def test_what_is_taken_back_counts_nowhere(
     audited: MainWindow, annotated: Path, hand_on: HandOn, qtbot: QtBot
 ) -> None:
     path = annotated / "00005.json"
-    audited.document.go_to(4)
+    audited.document.walk.go_to(4)
     settle(audited, qtbot)
     before = evaluated(annotated)
     hand_on(audited).draw("Middle line", (100, 100), (200, 200))
@@ -80,11 +80,11 @@ def test_a_file_without_elements_counts_as_it_does_for_evaluate(
     (annotated / "00003.json").write_text("{}")
     window = make_window(annotated)
     window.document.live_fit.set_wanted(False)
-    window.document.load_cameras(annotated / "cameras" / "true")
+    window.document.camera_sources.load_cameras(annotated / "cameras" / "true")
     settle(window, qtbot)
     assert evaluated(annotated)["00003"] == 0.0
     assert shown(window) == pytest.approx(evaluated(annotated), abs=1e-6)
-    window.document.go_to(2)
+    window.document.walk.go_to(2)
     assert "0.000" in window.top_bar.camera_bar.jac.text()
 
 
@@ -101,7 +101,7 @@ def test_a_file_written_after_the_set_was_judged_counts_when_its_frame_is_visite
     row(audited, 5)
     qtbot.waitUntil(lambda: row(audited, 5).count not in (None, 3))
     change(annotated / "00006.json", 3)
-    document.go_to(5)
+    document.walk.go_to(5)
     settle(audited, qtbot)
     let_work_end(qtbot)
     expected = evaluated(annotated)
@@ -110,23 +110,23 @@ def test_a_file_written_after_the_set_was_judged_counts_when_its_frame_is_visite
     assert shown(audited, "bad") == pytest.approx(evaluated(annotated, "bad"), abs=1e-6)
     assert row(audited, 5).count == 3
     (annotated / "00006.json").unlink()
-    document.look_at_frame()
-    assert not document.annotation.annotated
+    document.editing.look_at_frame()
+    assert not document.state.annotation.annotated
     assert "nothing annotated" in audited.top_bar.camera_bar.jac.text()
     change(annotated / "00002.json", 2)  # it was on screen already
-    document.go_to(1)
-    assert len(document.annotation.annotated) == 2
+    document.walk.go_to(1)
+    assert len(document.state.annotation.annotated) == 2
     for _ in range(2):  # it is somebody else's work: the first time is told only
-        document.undo()
-    assert len(document.annotation.annotated) > 2  # what was read is a step of the history
+        document.editing.undo()
+    assert len(document.state.annotation.annotated) > 2  # what was read is a step of the history
 
 
 def test_the_whole_set_follows_once_the_window_is_active_again(
     audited: MainWindow, annotated: Path, qtbot: QtBot
 ) -> None:
     document = audited.document
-    document.go_to(2)
-    document.go_to(1)
+    document.walk.go_to(2)
+    document.walk.go_to(1)
     for index in (2, 5, 3):
         row(audited, index)
     qtbot.waitUntil(lambda: row(audited, 3).count is not None)
@@ -153,17 +153,17 @@ def test_a_file_in_the_middle_of_being_written_costs_no_history(
     said: list[str] = []
     document.message.connect(lambda text, _: said.append(text))
     path.write_text(whole[:20])
-    document.look_at_frame()
+    document.editing.look_at_frame()
     assert not said  # it was not read; the frame says why
-    assert not document.editable
-    assert not document.annotation.annotated
+    assert not document.state.editable
+    assert not document.state.annotation.annotated
     path.write_text(whole)
-    document.look_at_frame()
-    assert document.editable
+    document.editing.look_at_frame()
+    assert document.state.editable
     assert "read again" in said[-1]
-    drawn = document.annotation
-    document.undo()
-    assert document.annotation != drawn
+    drawn = document.state.annotation
+    document.editing.undo()
+    assert document.state.annotation != drawn
 
 
 def test_own_edits_that_are_not_saved_stay(
@@ -172,10 +172,10 @@ def test_own_edits_that_are_not_saved_stay(
     change(annotated / "00002.json", 2)
     hand_on(audited).draw("Middle line", (100, 100), (200, 200))
     change(annotated / "00002.json", 1)
-    audited.document.workspace.edit(1, "mine", FrameAnnotation())
+    audited.document.state.workspace.edit(1, "mine", FrameAnnotation())
     activate(audited)
     let_work_end(qtbot)
-    assert not audited.document.workspace.read(1).annotated
+    assert not audited.document.state.workspace.read(1).annotated
     assert audited.document.saver.save(1) is False
     assert not audited.conflict_bar.isHidden()
 
@@ -184,7 +184,7 @@ def test_the_frame_on_screen_follows_its_file_at_once(
     audited: MainWindow, annotated: Path, qtbot: QtBot
 ) -> None:
     change(annotated / "00002.json", 2)
-    qtbot.waitUntil(lambda: len(audited.document.annotation.annotated) == 2)
+    qtbot.waitUntil(lambda: len(audited.document.state.annotation.annotated) == 2)
 
 
 @pytest.mark.parametrize("how", ["active again", "visited"])
@@ -193,13 +193,13 @@ def test_cameras_written_anew_are_judged(
 ) -> None:
     cameras = annotated / "cameras"
     document = audited.document
-    assert document.score.jac == pytest.approx(1.0)
+    assert document.judge.score.jac == pytest.approx(1.0)
     for frame in ("00002", "00003"):
         worse = (cameras / "bad" / f"camera_{frame}.json").read_text()
         (cameras / "true" / f"camera_{frame}.json").write_text(worse)
     (cameras / "true" / "camera_00006.json").unlink()
     if how == "visited":
-        document.go_to(2)
+        document.walk.go_to(2)
     else:
         activate(audited)
     let_work_end(qtbot)
@@ -208,7 +208,7 @@ def test_cameras_written_anew_are_judged(
     assert expected["00002"] < 1.0
     assert "00006" not in expected
     assert shown(audited) == pytest.approx(expected, abs=1e-6)
-    assert document.score.jac == pytest.approx(expected[document.frame.name])
+    assert document.judge.score.jac == pytest.approx(expected[document.state.frame.name])
 
 
 def test_a_frame_that_no_figure_counts_has_no_score(
@@ -216,8 +216,8 @@ def test_a_frame_that_no_figure_counts_has_no_score(
 ) -> None:
     document, judged = audited.document, audited.top_bar.camera_bar
     audited.panels.show("scores")
-    document.go_to(4)
-    assert document.score is not None  # its projection is drawn all the same
+    document.walk.go_to(4)
+    assert document.judge.score is not None  # its projection is drawn all the same
     assert "–" in judged.jac.text()
     assert "nothing annotated yet" in judged.jac.text()
     scores = audited.scores
@@ -227,7 +227,7 @@ def test_a_frame_that_no_figure_counts_has_no_score(
     assert "–" not in judged.jac.text()
     qtbot.waitUntil(lambda: not scores.empty.isVisible())
     (annotated / "00003.json").write_text("{")
-    document.go_to(2)
+    document.walk.go_to(2)
     assert "annotation cannot be read" in judged.jac.text()
     qtbot.waitUntil(lambda: "annotation cannot be read" in scores.empty.text())
 

@@ -21,19 +21,19 @@ SVG = "{http://www.w3.org/2000/svg}"
 
 def judged_window(make_window, annotated: Path):
     window = make_window(annotated)
-    assert window.document.load_cameras(annotated / "cameras" / "bad")
-    assert window.document.score is not None
+    assert window.document.camera_sources.load_cameras(annotated / "cameras" / "bad")
+    assert window.document.judge.score is not None
     return window
 
 
 def scene_of(window, **changes) -> Scene:
     document = window.document
     given = {
-        "image_path": document.frame.image_path,
-        "annotation": document.annotation,
-        "setup": document.setup,
-        "measurement": document.measurement,
-        "score": document.score,
+        "image_path": document.state.frame.image_path,
+        "annotation": document.state.annotation,
+        "setup": document.state.setup,
+        "measurement": document.judge.measurement,
+        "score": document.judge.score,
         "title": "A <frame> & more",
     }
     return Scene(**(given | changes))
@@ -48,7 +48,7 @@ def decoded(data: bytes) -> np.ndarray:
 @pytest.mark.parametrize("scale", [0.5, 1.0, 2.0])
 def test_pixels_come_at_any_scale(make_window, annotated: Path, scale: float) -> None:
     window = judged_window(make_window, annotated)
-    width, height = window.document.picture_size
+    width, height = window.document.state.picture_size
     plain = decoded(OverlayPictures(".png", OverlayLook(scale))(scene_of(window)))
     assert plain.shape[:2] == (round(height * scale), round(width * scale))
     with_legend = decoded(
@@ -66,7 +66,7 @@ def test_svg_keeps_text_and_says_what_it_is(make_window, annotated: Path) -> Non
     scene = scene_of(window)
     data = OverlayPictures(".svg", OverlayLook(2.0, legend=True))(scene)
     root = ElementTree.fromstring(data)
-    width, height = window.document.picture_size
+    width, height = window.document.state.picture_size
     assert root.get("width") == str(2 * width)
     shown_height = float(root.get("height"))
     assert shown_height > 2 * height
@@ -80,7 +80,7 @@ def test_svg_keeps_text_and_says_what_it_is(make_window, annotated: Path) -> Non
     texts = ["".join(t.itertext()) for t in root.iter(f"{SVG}text")]
     assert any(t.startswith("too far: a point") for t in texts)
     assert "distances: px of 960x540" in texts
-    jac = window.document.score.jac
+    jac = window.document.judge.score.jac
     assert any(f"JaC@5 {jac:.3f}" in t and "soccernet, 960x540" in t for t in texts)
     order = [element.tag for element in root]
     assert order.index(f"{SVG}image") < order.index(f"{SVG}g")  # below the lines
@@ -133,7 +133,7 @@ def test_the_window_goes_on_while_a_large_picture_is_written(
     window = judged_window(make_window, annotated)
     expected = decoded(
         OverlayPictures(".png", OverlayLook(3.0, legend=True))(
-            scene_of(window, title=window.document.frame.name, source="bad")
+            scene_of(window, title=window.document.state.frame.name, source="bad")
         )
     )
     said: list[tuple[str, str]] = []
@@ -141,7 +141,7 @@ def test_the_window_goes_on_while_a_large_picture_is_written(
     out = tmp_path / "large.png"
     assert window.overlay_saving.write(out, OverlayLook(3.0, legend=True))
     assert not out.exists()  # nobody waited for it
-    window.document.next_frame()  # what is written is what was on screen then
+    window.document.walk.next_frame()  # what is written is what was on screen then
     qtbot.waitUntil(out.exists, timeout=20_000)
     assert np.array_equal(decoded(out.read_bytes()), expected)
     qtbot.waitUntil(lambda: said[-1] == (f"overlay picture written to {out}", "info"))
@@ -168,7 +168,7 @@ def test_blind_mode_hides_the_projection_here_too(
     make_window, annotated, tmp_path, qtbot: QtBot
 ) -> None:
     window = judged_window(make_window, annotated)
-    window.document.set_blind(True)
+    window.document.blind_lock.set_blind(True)
     assert window.overlay_saving.write(tmp_path / "a.svg", OverlayLook(legend=True))
     qtbot.waitUntil((tmp_path / "a.svg").exists, timeout=20_000)
     text = (tmp_path / "a.svg").read_text(encoding="utf-8")
@@ -178,7 +178,7 @@ def test_blind_mode_hides_the_projection_here_too(
 
 def test_the_picture_itself_is_never_replaced(make_window, dataset) -> None:
     window = make_window(dataset)
-    path = window.document.frame.image_path
+    path = window.document.state.frame.image_path
     before = path.read_bytes()
     assert not window.overlay_saving.write(path, OverlayLook())
     assert path.read_bytes() == before

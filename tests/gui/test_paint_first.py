@@ -36,7 +36,7 @@ def test_an_edit_is_shown_before_it_is_saved_and_judged(audited: MainWindow, qtb
     document.annotationChanged.connect(lambda: order.append("shown"))
     document.saver.saved.connect(lambda: order.append("saved"))
     document.sourceAuditsChanged.connect(lambda _: order.append("judged"))
-    document.commit_edit("nudge", nudged(document.annotation))
+    document.editing.commit_edit("nudge", nudged(document.state.annotation))
     assert order == ["shown"]
     assert audited.top_bar.saved.text() == "saving..."
     qtbot.waitUntil(lambda: {"saved", "judged"} <= set(order))
@@ -47,12 +47,17 @@ def test_leaving_right_after_an_edit_judges_what_was_left(
     audited: MainWindow, qtbot: QtBot
 ) -> None:
     document = audited.document
-    name, before = document.frame.name, document.active_audits[document.frame.name]
-    document.commit_edit("nudge", nudged(document.annotation))
-    score = document.score
-    document.next_frame()
-    assert document.active_audits[name] is not before
-    assert document.active_audits[name].jac_at(document.tau) == pytest.approx(score.jac)
+    name, before = (
+        document.state.frame.name,
+        document.auditing.active_audits[document.state.frame.name],
+    )
+    document.editing.commit_edit("nudge", nudged(document.state.annotation))
+    score = document.judge.score
+    document.walk.next_frame()
+    assert document.auditing.active_audits[name] is not before
+    assert document.auditing.active_audits[name].jac_at(document.state.tau) == pytest.approx(
+        score.jac
+    )
     settle(audited, qtbot)
 
 
@@ -61,16 +66,16 @@ def test_closing_right_after_an_edit_or_an_undo_loses_nothing(
 ) -> None:
     window = make_window(annotated)
     document = window.document
-    document.go_to(FRAME)
-    frame, polyline = document.frame.name, document.annotation.polylines[0]
-    document.commit_edit("nudge", nudged(document.annotation))
-    moved = [point.u for point in document.annotation.polylines[0].points]
+    document.walk.go_to(FRAME)
+    frame, polyline = document.state.frame.name, document.state.annotation.polylines[0]
+    document.editing.commit_edit("nudge", nudged(document.state.annotation))
+    moved = [point.u for point in document.state.annotation.polylines[0].points]
     window.close()
     assert on_disk(annotated, frame, polyline.class_name) == moved
     window = make_window(annotated)
-    window.document.go_to(FRAME)
-    window.document.commit_edit("nudge", nudged(window.document.annotation))
-    window.document.undo()
+    window.document.walk.go_to(FRAME)
+    window.document.editing.commit_edit("nudge", nudged(window.document.state.annotation))
+    window.document.editing.undo()
     window.close()
     assert on_disk(annotated, frame, polyline.class_name) == moved
 
@@ -79,15 +84,15 @@ def test_an_undo_is_one_step_and_draws_the_overlay_once(
     audited: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     document, canvas = audited.document, audited.canvas
-    document.commit_edit("nudge", nudged(document.annotation))
+    document.editing.commit_edit("nudge", nudged(document.state.annotation))
     settle(audited, qtbot)
     steps, drawn = [], []
-    document.store.changed.connect(lambda *_: steps.append(document.annotation))
+    document.store.changed.connect(lambda *_: steps.append(document.state.annotation))
     draw = canvas.overlay_item.set_overlay
     monkeypatch.setattr(
         canvas.overlay_item, "set_overlay", lambda *a, **k: (drawn.append(a), draw(*a, **k))
     )
-    document.undo()
+    document.editing.undo()
     assert (len(steps), len(drawn)) == (1, 1)
     assert audited.status.hint.text().startswith("undone: nudge")
     settle(audited, qtbot)
@@ -149,7 +154,7 @@ def test_an_edit_is_painted_before_anything_that_waits_its_turn(
     painted.heights.clear()
     seen: list[int] = []
     later.timeout.connect(lambda: seen.append(len(painted.heights)))
-    document.commit_edit("nudge", nudged(document.annotation))
+    document.editing.commit_edit("nudge", nudged(document.state.annotation))
     later.start()
     qtbot.waitUntil(lambda: bool(seen))
     assert seen == [1], "the picture was painted before it, once"
@@ -162,7 +167,7 @@ def test_one_row_of_the_frames_is_painted_for_one_frame(audited: MainWindow, qtb
     painted = Painted(rows.viewport())
     QApplication.processEvents()
     painted.heights.clear()  # what an earlier change had left to paint
-    check.framesChanged.emit(audited.document.workspace.frames[3].name)
+    check.framesChanged.emit(audited.document.state.workspace.frames[3].name)
     QApplication.processEvents()
     assert painted.heights == [rows.rowHeight(3)]
     painted.heights.clear()

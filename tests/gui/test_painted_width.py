@@ -26,8 +26,8 @@ def borders(window: MainWindow) -> int:
 def judged(make_window, annotated: Path) -> MainWindow:
     window = make_window(annotated)
     window.document.live_fit.set_wanted(False)
-    assert window.document.load_cameras(annotated / "cameras" / "true")
-    window.document.go_to(1)
+    assert window.document.camera_sources.load_cameras(annotated / "cameras" / "true")
+    window.document.walk.go_to(1)
     return window
 
 
@@ -39,17 +39,17 @@ def test_it_is_drawn_on_demand_and_follows(judged: MainWindow, qtbot: QtBot) -> 
     before = document.painted_width.value
     document.field_choice.resize({"length": 100.0}, keep=False)
     qtbot.waitUntil(lambda: document.painted_width.value not in (None, before), timeout=20_000)
-    document.next_frame()
-    document.previous_frame()
+    document.walk.next_frame()
+    document.walk.previous_frame()
     qtbot.waitUntil(lambda: borders(judged) > 0, timeout=20_000)
-    document.set_blind(True)
+    document.blind_lock.set_blind(True)
     assert borders(judged) == 0
-    document.set_blind(False)
+    document.blind_lock.set_blind(False)
     qtbot.waitUntil(lambda: borders(judged) > 0, timeout=20_000)
-    document.set_active_camera(-1)
+    document.camera_sources.set_active_camera(-1)
     assert borders(judged) == 0
     action.trigger()
-    document.set_active_camera(0)
+    document.camera_sources.set_active_camera(0)
     assert borders(judged) == 0
 
 
@@ -66,9 +66,11 @@ def test_the_borders_lie_on_the_edges_of_the_painted_line(judged: MainWindow, qt
     judged.actions_["painted_width"].trigger()
     document = judged.document
     qtbot.waitUntil(lambda: document.painted_width.value is not None, timeout=20_000)
-    shown, projected = document.painted_width.value, document.measurement.projected
-    scale = document.picture_size[0] / document.setup.size[0]
-    picture = cv2.cvtColor(np.ascontiguousarray(document.picture[:, :, :3]), cv2.COLOR_BGR2GRAY)
+    shown, projected = document.painted_width.value, document.judge.measurement.projected
+    scale = document.state.picture_size[0] / document.state.setup.size[0]
+    picture = cv2.cvtColor(
+        np.ascontiguousarray(document.walk.picture[:, :, :3]), cv2.COLOR_BGR2GRAY
+    )
     (name,) = [n for n in shown.pieces if n.startswith("Side line left\n")]
     border = shown.pieces[name][0] * scale
     line = projected.pieces["Side line left"][0] * scale

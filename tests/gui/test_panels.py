@@ -91,14 +91,14 @@ def cameras(tmp_path: Path) -> Path:
 @pytest.fixture
 def document(qapp: object, frames: Path) -> Iterator[Document]:
     document = Document()
-    assert document.open_path(frames)
+    assert document.opening.open_path(frames)
     yield document
     document.close()
 
 
 @pytest.fixture
 def judged(document: Document, cameras: Path) -> Document:
-    assert document.load_cameras(cameras)
+    assert document.camera_sources.load_cameras(cameras)
     return document
 
 
@@ -119,16 +119,16 @@ def show(qtbot: QtBot) -> Callable[[QWidget], None]:
 def test_states_follow_the_score(document: Document, cameras: Path) -> None:
     states = element_states(document)
     assert set(states.values()) == {ElementState.ANNOTATED}
-    document.load_cameras(cameras)
+    document.camera_sources.load_cameras(cameras)
     states = element_states(document)
     assert states[PASSES] is ElementState.PASSES
     assert states[TOO_FAR] is ElementState.TOO_FAR
     assert states[NOT_ANNOTATED] is ElementState.NOT_ANNOTATED
     assert states[MISSED] is ElementState.MISSED
     assert states[UNKNOWN] is ElementState.MISSED
-    document.set_tau(30.0)
+    document.terms.set_tau(30.0)
     assert element_states(document)[TOO_FAR] is ElementState.PASSES
-    document.set_blind(True)
+    document.blind_lock.set_blind(True)
     assert set(element_states(document).values()) == {ElementState.ANNOTATED}
 
 
@@ -154,13 +154,13 @@ def test_every_element_can_be_clicked_on_the_map(
     panel = FieldMapPanel(document)
     show(panel)
     panel.resize(*size)
-    for element in document.field.elements:
+    for element in document.state.field.elements:
         position = panel.position_of(element.name)
         assert position is not None
         qtbot.mouseClick(panel, Qt.MouseButton.LeftButton, pos=position.toPoint())
-        assert document.selected_class == element.name
+        assert document.state.selected_class == element.name
     qtbot.mouseClick(panel, Qt.MouseButton.LeftButton, pos=QPoint(1, 1))
-    assert document.selected_class is None
+    assert document.state.selected_class is None
 
 
 def test_the_main_camera_s_side_is_at_the_bottom(
@@ -196,9 +196,9 @@ def test_hovering_the_map_tells_everybody(
     position = panel.position_of("Circle central")
     assert position is not None
     point_at(panel, position)
-    qtbot.waitUntil(lambda: document.hovered_class == "Circle central")
+    qtbot.waitUntil(lambda: document.state.hovered_class == "Circle central")
     point_at(panel, QPointF(1, 1))
-    qtbot.waitUntil(lambda: document.hovered_class is None)
+    qtbot.waitUntil(lambda: document.state.hovered_class is None)
 
 
 def test_the_map_shows_the_state_of_an_element(
@@ -214,7 +214,7 @@ def test_the_map_shows_the_state_of_an_element(
         return panel.grab().toImage().pixelColor(beside)
 
     before = colour()
-    document.load_cameras(cameras)
+    document.camera_sources.load_cameras(cameras)
     qtbot.waitUntil(lambda: colour() != before)
     assert colour().green() > colour().red() + 60
 
@@ -255,13 +255,13 @@ def test_a_few_letters_and_enter_choose_an_element(
     qtbot.keyClicks(search, "cen cir")
     with qtbot.waitSignal(panel.left):
         qtbot.keyClick(search, Qt.Key.Key_Return)
-    assert document.selected_class == "Circle central"
+    assert document.state.selected_class == "Circle central"
     assert search.text() == ""
     qtbot.keyClicks(search, "xyz")
     assert panel.nothing.isVisible()
     assert "xyz" in panel.nothing.text()
     qtbot.keyClick(search, Qt.Key.Key_Return)
-    assert document.selected_class == "Circle central"
+    assert document.state.selected_class == "Circle central"
     with qtbot.waitSignal(panel.left):
         qtbot.keyClick(search, Qt.Key.Key_Escape)
     assert not panel.nothing.isVisible()
@@ -274,8 +274,8 @@ def test_clicking_a_row_chooses_its_class(
     show(panel)
     rect = panel.tree.visualItemRect(panel._items["Big rect. left top"])
     qtbot.mouseClick(panel.tree.viewport(), Qt.MouseButton.LeftButton, pos=rect.center())
-    assert document.selected_class == "Big rect. left top"
-    document.select_class("Circle right")
+    assert document.state.selected_class == "Big rect. left top"
+    document.selecting.select_class("Circle right")
     qtbot.waitUntil(lambda: panel.tree.currentItem() is panel._items["Circle right"])
 
 
@@ -296,15 +296,15 @@ def test_loading_switching_and_removing_camera_sets(
     assert matched.text().startswith(("2 of 2", "1 of 2"))  # one is damaged, once it was read
     qtbot.waitUntil(lambda: matched.text() == "1 of 2, 1 unreadable")
     assert not panel.empty.isVisible()
-    assert document.active_camera is document.camera_sets[0]
+    assert document.state.active_cameras is document.state.looks[0].cameras
     none = panel.findChild(QWidget, "cameras_none")
     assert none is not None
     qtbot.mouseClick(none, Qt.MouseButton.LeftButton, pos=QPoint(8, none.height() // 2))
-    assert document.active_camera is None
+    assert document.state.active_cameras is None
     remove = panel.findChild(QToolButton, "cameras_remove_0")
     assert remove is not None
     remove.click()
-    assert document.camera_sets == []
+    assert [look.cameras for look in document.state.looks] == []
     qtbot.waitUntil(panel.empty.isVisible)
 
 

@@ -38,7 +38,7 @@ def frames(tmp_path: Path) -> Path:
 @pytest.fixture
 def document(qapp: object, frames: Path) -> Iterator[Document]:
     document = Document()
-    assert document.open_path(frames)
+    assert document.opening.open_path(frames)
     yield document
     document.close()
 
@@ -94,8 +94,8 @@ def test_a_click_goes_to_the_frame_and_the_list_follows(
 ) -> None:
     rect = panel.list.visualRect(panel.model.index(4, 0))
     qtbot.mouseClick(panel.list.viewport(), Qt.MouseButton.LeftButton, pos=rect.center())
-    assert document.frame_index == 4
-    document.go_to(11)
+    assert document.state.frame_index == 4
+    document.walk.go_to(11)
     qtbot.waitUntil(lambda: panel.list.currentIndex().row() == 11)
     assert (
         panel.list.viewport()
@@ -109,11 +109,11 @@ def test_the_filter_narrows_by_name(qtbot: QtBot, panel: FramesPanel, document: 
     assert panel.model.rowCount() == 4
     assert panel.count.text() == "4 of 12 frames"
     assert panel.list.currentIndex().row() == 0
-    document.go_to(10)
+    document.walk.go_to(10)
     qtbot.waitUntil(lambda: panel.list.currentIndex().row() == 2)
-    document.go_to(5)
+    document.walk.go_to(5)
     qtbot.waitUntil(lambda: not panel.list.currentIndex().isValid())
-    assert document.frame_index == 5
+    assert document.state.frame_index == 5
     qtbot.keyClicks(panel.filter, "x")
     assert panel.empty.isVisible()
     assert "MATCH 1x" in panel.empty.text()
@@ -127,7 +127,7 @@ def test_enter_in_the_filter_goes_to_the_first_match(
 ) -> None:
     qtbot.keyClicks(panel.filter, "12")
     qtbot.keyClick(panel.filter, Qt.Key.Key_Return)
-    assert document.frame_index == 11
+    assert document.state.frame_index == 11
     qtbot.keyClick(panel.filter, Qt.Key.Key_Escape)
     assert panel.model.rowCount() == 12
     assert panel.list.currentIndex().row() == 11
@@ -136,7 +136,7 @@ def test_enter_in_the_filter_goes_to_the_first_match(
 def test_an_edit_is_counted(qtbot: QtBot, panel: FramesPanel, document: Document) -> None:
     qtbot.waitUntil(lambda: _known(panel, 0))
     line = Polyline("Middle line", (Point(0.1, 0.1), Point(0.2, 0.2)))
-    document.commit_edit("draw", FrameAnnotation((line,)))
+    document.editing.commit_edit("draw", FrameAnnotation((line,)))
     qtbot.waitUntil(lambda: _info(panel, 0).count == 1)
 
 
@@ -157,7 +157,7 @@ def test_of_twenty_thousand_frames_only_those_on_show_are_looked_at(
     for i in range(1, 20_000):
         (tmp_path / f"{i:05d}.png").hardlink_to(first)
     document = Document()
-    assert document.open_path(tmp_path)
+    assert document.opening.open_path(tmp_path)
     panel = FramesPanel(document, document.cache)
     qtbot.addWidget(panel)
     panel.resize(260, 700)
@@ -194,10 +194,10 @@ def test_what_is_drawn_right_before_a_frame_is_left_is_counted(
     assert _info(panel, 0).count == 0
     line = Polyline("Middle line", (Point(0.5, 0.1), Point(0.5, 0.9)))
     with document.store.together():  # as a polyline under way is finished by leaving
-        assert document.commit_edit("draw", FrameAnnotation((line,)))
-        document.go_to(1)
+        assert document.editing.commit_edit("draw", FrameAnnotation((line,)))
+        document.walk.go_to(1)
     qtbot.waitUntil(lambda: _info(panel, 0).count == 1)
-    assert document.commit_edit("draw", FrameAnnotation((line,)))
-    document.go_to(5)
-    document.go_to(0)
+    assert document.editing.commit_edit("draw", FrameAnnotation((line,)))
+    document.walk.go_to(5)
+    document.walk.go_to(0)
     qtbot.waitUntil(lambda: _info(panel, 1).count == 1)

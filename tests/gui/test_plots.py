@@ -59,9 +59,9 @@ def plotted(make_window: MakeWindow, sample: Path, qtbot: QtBot) -> MainWindow:
     window = make_window(sample)
     window.document.live_fit.set_wanted(False)
     for name in SETS:
-        assert window.document.load_cameras(sample / "cameras" / name)
-    window.document.set_active_camera(1)
-    window.document.go_to(1)
+        assert window.document.camera_sources.load_cameras(sample / "cameras" / name)
+    window.document.camera_sources.set_active_camera(1)
+    window.document.walk.go_to(1)
     qtbot.waitUntil(lambda: not window.document.set_scores.running, timeout=20_000)
     window.panels.show("plots")
     return window
@@ -121,7 +121,7 @@ class TestSteady:
             pan = number + (0.2 if number == 7 else 0.0)
             text = json.dumps(camera_file(pan))
             (folder / f"camera_{number:05d}.json").write_text(text)
-        assert plotted.document.load_cameras(folder)
+        assert plotted.document.camera_sources.load_cameras(folder)
         return plotted
 
     def test_the_frame_that_leaps_stands_out_and_a_click_leads_there(
@@ -137,13 +137,13 @@ class TestSteady:
         assert np.isnan([found["00001"], found["00014"]]).all()
         assert not any(row["jitter_px bad"] for row in rows)  # strewn cameras
         click_at(page, 7)
-        assert panning.document.frame_index == 6
+        assert panning.document.state.frame_index == 6
 
     def test_blind_mode_shows_committed_frames_only(
         self, panning: MainWindow, qtbot: QtBot, tmp_path: Path
     ) -> None:
-        panning.document.set_blind(True)
-        panning.document.commit_frame()  # the second
+        panning.document.blind_lock.set_blind(True)
+        panning.document.editing.commit_frame()  # the second
         show(panning, qtbot, SteadyPage)
         rows = numbers(panning, qtbot, tmp_path / "steady.csv")
         assert [row["frame"] for row in rows if row["jitter_px panning"]] == ["00002"]
@@ -161,9 +161,9 @@ class TestTimeline:
         page = plotted.plots.page
         for number in (7, 3, 12):
             click_at(page, number)
-            assert plotted.document.frame_index == number - 1
+            assert plotted.document.state.frame_index == number - 1
             qtbot.waitUntil(lambda n=number: page.here.value() == n)
-        plotted.document.go_to(0)
+        plotted.document.walk.go_to(0)
         qtbot.waitUntil(lambda: page.here.value() == 1)
 
     def test_it_shows_every_score_and_gaps(
@@ -172,8 +172,8 @@ class TestTimeline:
         show(plotted, qtbot, TimelinePage)
         document = plotted.document
         rows = numbers(plotted, qtbot, tmp_path / "t.csv")
-        assert [row["frame"] for row in rows] == [f.name for f in document.workspace.frames]
-        for source in document.sources:
+        assert [row["frame"] for row in rows] == [f.name for f in document.state.workspace.frames]
+        for source in document.state.sources:
             column = f"jac@5 {source.name}"
             for row in rows:
                 audit = source.audits.get(row["frame"])
@@ -182,13 +182,13 @@ class TestTimeline:
                 else:
                     assert float(row[column]) == pytest.approx(audit.jac_at(5.0), abs=1e-5)
         drawn = {s.name: values for s, values, *_ in plotted.plots.page._lines}
-        assert np.isnan(drawn["bad"]).sum() == 14 - len(document.sources[1].audits) > 0
+        assert np.isnan(drawn["bad"]).sum() == 14 - len(document.state.sources[1].audits) > 0
 
     def test_hovering_tells_frame_and_values(self, plotted: MainWindow, qtbot: QtBot) -> None:
         show(plotted, qtbot, TimelinePage)
         hover_at(plotted.plots.page, 2.1)
         said = plotted.plots.notes.text()
-        jac = plotted.document.sources[1].audits["00002"].jac_at(5.0)
+        jac = plotted.document.state.sources[1].audits["00002"].jac_at(5.0)
         assert said.startswith("00002 (frame 2) · true 1.000")
         assert f"bad {jac:.3f}" in said
         hover_at(plotted.plots.page, 5.0)  # nobody annotated it
@@ -196,9 +196,9 @@ class TestTimeline:
 
     def test_another_tau_gives_other_values(self, plotted: MainWindow, qtbot: QtBot) -> None:
         show(plotted, qtbot, TimelinePage)
-        plotted.document.set_tau(20.0)
+        plotted.document.terms.set_tau(20.0)
         settle(plotted, qtbot)
-        audits = plotted.document.sources[1].audits
+        audits = plotted.document.state.sources[1].audits
         _, values, *_ = next(x for x in plotted.plots.page._lines if x[0].name == "bad")
         assert values[1] == pytest.approx(audits["00002"].jac_at(20.0))
         assert values[1] != pytest.approx(audits["00002"].jac_at(5.0))
@@ -216,19 +216,19 @@ class TestTau:
         document, page = plotted.document, plotted.plots.page
         rows = numbers(plotted, qtbot, tmp_path / "t.csv")
         at_5 = next(row for row in rows if row["tau_px"] == "5.0")
-        assert float(at_5["jac bad"]) == pytest.approx(document.score.jac, abs=1e-5)
+        assert float(at_5["jac bad"]) == pytest.approx(document.judge.score.jac, abs=1e-5)
         assert float(at_5["jac true"]) == 1.0
         assert page.line.isVisible()
         page.line.setValue(8.0)
         page.line.sigDragged.emit(page.line)
-        assert document.tau == 8.0
+        assert document.state.tau == 8.0
 
     def test_the_sets_curve_is_the_mean(
         self, plotted: MainWindow, qtbot: QtBot, tmp_path: Path
     ) -> None:
         show(plotted, qtbot, TauPage, "set")
         rows = numbers(plotted, qtbot, tmp_path / "t.csv")
-        audits = plotted.document.sources[1].audits
+        audits = plotted.document.state.sources[1].audits
         mean = np.mean([a.jac_at(5.0) for a in audits.values()])
         at_5 = next(row for row in rows if row["tau_px"] == "5.0")
         assert float(at_5["jac bad"]) == pytest.approx(mean, abs=1e-5)
@@ -243,8 +243,8 @@ class TestTau:
         show(plotted, qtbot, TauPage, "set")
         assert "not clustered" in said(plotted)
         alone = numbers(plotted, qtbot, tmp_path / "alone.csv")
-        names = [frame.name for frame in plotted.document.workspace.frames]
-        table = plotted.document.workspace.folder / "frames.csv"
+        names = [frame.name for frame in plotted.document.state.workspace.frames]
+        table = plotted.document.state.workspace.folder / "frames.csv"
         rows = [f"{name},{'abc'[place // 5]},{place}" for place, name in enumerate(names)]
         table.write_text("frame,shot,number\n" + "\n".join(rows) + "\n")
         show(plotted, qtbot, DifferencePage, "set")
@@ -259,7 +259,9 @@ class TestTau:
     def test_a_table_of_frames_that_is_damaged_is_said_and_names_tell(
         self, plotted: MainWindow, qtbot: QtBot
     ) -> None:
-        (plotted.document.workspace.folder / "frames.csv").write_text("frame,shot\n1,a\n1,a\n")
+        (plotted.document.state.workspace.folder / "frames.csv").write_text(
+            "frame,shot\n1,a\n1,a\n"
+        )
         show(plotted, qtbot, DifferencePage, "set")
         assert "not clustered" in said(plotted)
         assert "Shots are told by names, since" in said(plotted)
@@ -269,7 +271,9 @@ class TestTau:
         show(plotted, qtbot, TauPage, "frame")
         document = plotted.document
         before = plotted.plots._data.curves[1].copy()
-        document.commit_edit("clear", document.annotation.without(document.annotation.annotated[0]))
+        document.editing.commit_edit(
+            "clear", document.state.annotation.without(document.state.annotation.annotated[0])
+        )
         qtbot.waitUntil(lambda: not np.array_equal(plotted.plots._data.curves[1], before))
 
 
@@ -280,7 +284,7 @@ class TestDifference:
         show(plotted, qtbot, DifferencePage, "set")
         rows = numbers(plotted, qtbot, tmp_path / "t.csv")
         assert list(rows[0])[1:4] == [f"{kind} bad less true" for kind in ("jac", "low", "high")]
-        bad, true = (plotted.document.sources[at].audits for at in (1, 0))
+        bad, true = (plotted.document.state.sources[at].audits for at in (1, 0))
         off = np.mean(
             [bad[name].jac_at(5.0) - true[name].jac_at(5.0) for name in bad if name in true]
         )
@@ -293,7 +297,9 @@ class TestDifference:
     ) -> None:
         show(plotted, qtbot, DifferencePage, "set")
         for at in (0, 2):
-            plotted.document.set_source_visible(plotted.document.sources[at], False)
+            plotted.document.camera_sources.set_source_visible(
+                plotted.document.state.sources[at], False
+            )
         settle(plotted, qtbot)
         assert "One source alone" in plotted.plots.page.empty.text()
 
@@ -302,29 +308,35 @@ class TestErrors:
     def test_the_bars_count_every_point(self, plotted: MainWindow, qtbot: QtBot) -> None:
         show(plotted, qtbot, HistogramPage)
         document = plotted.document
-        for source, counts in zip(document.sources, plotted.plots._data.bars.counts, strict=True):
+        for source, counts in zip(
+            document.state.sources, plotted.plots._data.bars.counts, strict=True
+        ):
             points = sum(len(audit.errors_px) for audit in source.audits.values())
             assert counts.sum() == points > 0
 
     def test_one_class_only(self, plotted: MainWindow, qtbot: QtBot) -> None:
         show(plotted, qtbot, HistogramPage)
         panel, document = plotted.plots, plotted.document
-        row = document.field.index["Middle line"]
+        row = document.state.field.index["Middle line"]
         panel.classes.setCurrentIndex(panel.classes.findData(row))
         settle(plotted, qtbot)
         expected = [
             sum(int((a.class_rows == row).sum()) for a in source.audits.values())
-            for source in document.sources
+            for source in document.state.sources
         ]
         assert [int(c.sum()) for c in panel._data.bars.counts] == expected
-        assert 0 < expected[0] < sum(len(a.errors_px) for a in document.sources[0].audits.values())
+        assert (
+            0
+            < expected[0]
+            < sum(len(a.errors_px) for a in document.state.sources[0].audits.values())
+        )
 
     def test_the_numbers_of_a_frame_are_its_points(
         self, plotted: MainWindow, qtbot: QtBot, tmp_path: Path
     ) -> None:
         show(plotted, qtbot, RadiusPage, "frame")
         rows = [r for r in numbers(plotted, qtbot, tmp_path / "p.csv") if r["source"] == "bad"]
-        labelling = plotted.document.score.labelling
+        labelling = plotted.document.judge.score.labelling
         errors = sorted(float(row["error_px"]) for row in rows)
         assert errors == pytest.approx(sorted(labelling.all_distances), abs=2e-3)
         assert {row["frame"] for row in rows} == {"00002"}
@@ -381,7 +393,7 @@ class TestPoses:
     ) -> None:
         show(plotted, qtbot, AnglesPage)
         rows = numbers(plotted, qtbot, tmp_path / "p.csv")
-        audits = plotted.document.sources[0].audits
+        audits = plotted.document.state.sources[0].audits
         for row in rows:
             if row["frame"] in audits:
                 assert float(row["pan_deg true"]) == pytest.approx(
@@ -389,7 +401,7 @@ class TestPoses:
                 )
         assert "homography: its model has no pose." in plotted.plots.notes.text()
         click_at(plotted.plots.page, 9, plot=2)
-        assert plotted.document.frame_index == 8
+        assert plotted.document.state.frame_index == 8
 
 
 class TestWords:
@@ -400,12 +412,12 @@ class TestWords:
         window.panels.show("plots")
         qtbot.waitUntil(lambda: "Open a folder" in window.plots.empty.text())
         assert window.plots.empty.isVisible()
-        window.document.open_path(sample)
+        window.document.opening.open_path(sample)
         qtbot.waitUntil(lambda: "Load cameras" in window.plots.empty.text())
         assert not window.plots.more.isEnabled()
 
     def test_a_frame_without_score_says_so(self, plotted: MainWindow, qtbot: QtBot) -> None:
-        plotted.document.go_to(4)  # nothing is annotated
+        plotted.document.walk.go_to(4)  # nothing is annotated
         for page in (TauPage, HistogramPage, VectorsPage, DirectionsPage):
             show(plotted, qtbot, page, "frame")
             assert plotted.plots.page.is_empty
@@ -414,7 +426,7 @@ class TestWords:
     def test_hidden_sources_are_not_plotted(self, plotted: MainWindow, qtbot: QtBot) -> None:
         show(plotted, qtbot, TauPage)
         assert "homography" in plotted.plots.legend.text
-        plotted.document.set_source_visible(plotted.document.sources[2], False)
+        plotted.document.camera_sources.set_source_visible(plotted.document.state.sources[2], False)
         settle(plotted, qtbot)
         assert "homography" not in plotted.plots.legend.text
 
@@ -423,7 +435,7 @@ class TestBlind:
     def test_nothing_of_the_camera_shows_until_a_frame_is_committed(
         self, plotted: MainWindow, qtbot: QtBot, tmp_path: Path
     ) -> None:
-        plotted.document.set_blind(True)
+        plotted.document.blind_lock.set_blind(True)
         for page in PAGES:
             for scope in ("frame", "set"):
                 show(plotted, qtbot, page, scope)
@@ -431,13 +443,13 @@ class TestBlind:
                 assert "Hidden: blind mode" in plotted.plots.page.empty.text(), (page.title, scope)
                 words = "hidden" if plotted.plots._request.scope == "frame" else "0 committed"
                 assert plotted.plots.legend.text == ", ".join(f"{s} ({words})" for s in SETS)
-        plotted.document.commit_frame()
+        plotted.document.editing.commit_frame()
         show(plotted, qtbot, TimelinePage)
         rows = numbers(plotted, qtbot, tmp_path / "t.csv")
         assert [row["frame"] for row in rows if row["jac@5 bad"]] == ["00002"]
         show(plotted, qtbot, TauPage, "frame")
         assert not plotted.plots.page.is_empty
-        plotted.document.go_to(2)
+        plotted.document.walk.go_to(2)
         qtbot.waitUntil(lambda: plotted.plots.page.is_empty)
 
 
@@ -543,7 +555,7 @@ class TestLooks:
         self, make_window: MakeWindow, sample: Path, qtbot: QtBot
     ) -> None:
         window = make_window(sample)
-        window.document.load_cameras(sample / "cameras" / "bad")
+        window.document.camera_sources.load_cameras(sample / "cameras" / "bad")
         qtbot.waitUntil(lambda: not window.document.set_scores.running, timeout=20_000)
         all_done(qtbot)
         assert not window.plots._made
@@ -580,7 +592,7 @@ class TestWithoutColour:
     ) -> None:
         show(plotted, qtbot, TimelinePage)
         page = plotted.plots.page
-        audits = plotted.document.active_source.audits
+        audits = plotted.document.state.active.audits
         names = tuple(f"f{i}" for i in range(3000))
         known = list(audits.values())
         made = {n: replace(known[i % len(known)], frame=n) for i, n in enumerate(names)}

@@ -74,7 +74,7 @@ def bare(annotated: Path) -> Path:
 @pytest.fixture
 def window(make_window: MakeWindow, bare: Path, finder: Finder, qtbot: QtBot) -> MainWindow:
     made = make_window(bare)
-    made.document.go_to(1)
+    made.document.walk.go_to(1)
     all_done(qtbot)
     return made
 
@@ -120,18 +120,18 @@ class TestAFrameWithoutAnnotation:
         assert plate.geometry().bottom() < window.canvas.viewport().height()
 
     def test_nothing_is_saved_before_somebody_accepts(self, window: MainWindow, bare: Path) -> None:
-        window.document.next_frame()
-        window.document.previous_frame()
+        window.document.walk.next_frame()
+        window.document.walk.previous_frame()
 
         assert entries(bare) == {}
-        assert [source.name for source in window.document.sources] == []
+        assert [source.name for source in window.document.state.sources] == []
 
     def test_unsure_cameras_look_unsure(
         self, make_window: MakeWindow, bare: Path, finder: Finder, qtbot: QtBot
     ) -> None:
         finder.state, finder.reason = "unsure", "another camera fits nearly as well"
         window = make_window(bare)
-        window.document.go_to(1)
+        window.document.walk.go_to(1)
         all_done(qtbot)
 
         assert tones.UNSURE_GHOST in tones_of(window)
@@ -142,7 +142,7 @@ class TestAFrameWithoutAnnotation:
     ) -> None:
         finder.state, finder.reason = "none", "no paint of this field was found"
         window = make_window(bare)
-        window.document.go_to(1)
+        window.document.walk.go_to(1)
         all_done(qtbot)
 
         assert ghosts(window) == []
@@ -154,7 +154,7 @@ class TestAFrameWithoutAnnotation:
         assert finder.asked == 1  # the neighbours are annotated
 
         for step in (1, -1, 1, -1):
-            window.document.go_to(1 + max(step, 0))
+            window.document.walk.go_to(1 + max(step, 0))
             all_done(qtbot)
 
         assert finder.asked == 1
@@ -181,11 +181,11 @@ class TestAFrameWithoutAnnotation:
     ) -> None:
         finder.wait = Event()
         window = make_window(bare)
-        window.document.go_to(1)
+        window.document.walk.go_to(1)
         qtbot.waitUntil(lambda: finder.asked == 1)
         assert window.canvas.found_plate.text.startswith("Looking for the camera")
 
-        window.document.go_to(2)
+        window.document.walk.go_to(2)
         all_done(qtbot)  # it would wait for ever
 
         assert not window.canvas.found_plate.isVisible()
@@ -202,12 +202,12 @@ class TestAccepting:
         all_done(qtbot)
 
         assert len(entries(bare)) > 5
-        counts = document.review.origin_counts("00002", document.annotation)
+        counts = document.review.origin_counts("00002", document.state.annotation)
         assert set(counts) == {OriginKind.ACCEPTED}
         assert document.live_fit.result is not None
         assert document.live_fit.result.camera is not None
         assert not window.canvas.found_plate.isVisible()
-        document.undo()
+        document.editing.undo()
         all_done(qtbot)
         assert entries(bare) == {}
         assert window.canvas.found_plate.isVisible()
@@ -227,7 +227,7 @@ class TestAccepting:
             hand.key(Key.Key_Return)
             all_done(qtbot)
             left.remove(current.name)
-            assert current.name in document.annotation.annotated
+            assert current.name in document.state.annotation.annotated
             assert set(ghosts(window)) == left
         assert not document.foresight.stands_in
 
@@ -246,7 +246,7 @@ class TestAccepting:
     ) -> None:
         hand: Hand = hand_on(window)
         name = ghosts(window)[0]
-        height = (window.document.picture_size or (0, 0))[1]
+        height = (window.document.state.picture_size or (0, 0))[1]
 
         hand.draw(name, (10, height - 12), (40, height - 40))
         all_done(qtbot)
@@ -260,14 +260,14 @@ class TestOff:
         self, make_window: MakeWindow, bare: Path, finder: Finder, qtbot: QtBot
     ) -> None:
         window = make_window(bare)
-        window.document.set_blind(True)
-        window.document.go_to(1)
+        window.document.blind_lock.set_blind(True)
+        window.document.walk.go_to(1)
         all_done(qtbot)
 
         assert finder.asked == 0
         assert ghosts(window) == []
         assert not window.canvas.found_plate.isVisible()
-        window.document.set_blind(False)
+        window.document.blind_lock.set_blind(False)
         all_done(qtbot)
         assert ghosts(window)
 

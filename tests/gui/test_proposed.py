@@ -28,7 +28,7 @@ def test_points_of_annotate_are_proposed(
     assert CliRunner().invoke(app, [str(argument) for argument in arguments]).exit_code == 0
     window = make_window(match)
     document = window.document
-    counts = document.review.origin_counts(document.frame.name, document.annotation)
+    counts = document.review.origin_counts(document.state.frame.name, document.state.annotation)
     assert set(counts) == {OriginKind.PROPOSED}
     assert counts[OriginKind.PROPOSED] > 20
     window.panels.show("review")

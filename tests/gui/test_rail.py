@@ -37,20 +37,20 @@ def test_buttons_do_what_the_keys_do_and_say_which(
     assert buttons["redo"].key_text() == "Ctrl+Y"
     assert buttons["draw_mode"].isChecked()
     press(buttons["edit_mode"])
-    assert window.document.mode == "edit"
+    assert window.document.state.mode == "edit"
     hand.key(Qt.Key.Key_W)
     assert buttons["draw_mode"].isChecked()
     assert not buttons["edit_mode"].isChecked()
     hand.draw("Middle line", (100, 50), (120, 200))
     qtbot.waitUntil(lambda: "Undo: " in buttons["undo"].toolTip())  # once the line is painted
     press(buttons["undo"])
-    assert window.document.annotation.get("Middle line") is None
+    assert window.document.state.annotation.get("Middle line") is None
 
 
 def test_pan_moves_the_picture_until_esc(window: MainWindow, hand: Hand, qtbot: QtBot) -> None:
     canvas, pan = window.canvas, window.rail.buttons["pan"]
     canvas.set_scale(4.0)
-    window.document.select_class("Middle line")
+    window.document.selecting.select_class("Middle line")
     press(pan)
     assert window.status.hint.text().startswith("PAN")
     before = hand.at(320, 180)
@@ -86,11 +86,11 @@ def test_every_icon_is_drawn_in_one_style() -> None:
 def test_the_camera_has_room_only_once_there_is_one(window: MainWindow, tmp_path: Path) -> None:
     bar = window.top_bar
     assert not bar.camera_bar.isVisible()
-    assert bar.chip.words() == f"dataset · {window.document.field.title}"
+    assert bar.chip.words() == f"dataset · {window.document.state.field.title}"
     assert bar.chip.menu() is window.actions_.menus["File/Field"]
     (tmp_path / "cameras").mkdir()
     np.save(tmp_path / "cameras" / "frame_0.npy", np.eye(3))
-    window.document.load_cameras(tmp_path / "cameras")
+    window.document.camera_sources.load_cameras(tmp_path / "cameras")
     assert bar.camera_bar.isVisible()
 
 

@@ -52,7 +52,7 @@ def test_what_is_not_saved_can_be_saved_again(window: MainWindow) -> None:
 def test_a_damaged_file_is_told_of_once(make_window: MakeWindow, dataset: Path) -> None:
     (dataset / "frame_1.json").write_text('{"Middle')
     window = make_window(dataset)
-    window.document.go_to(1)
+    window.document.walk.go_to(1)
     assert "frame_1.json" in window.frame_bar.label.text()
     for name in ("undo", "close_gaps", "commit"):
         window.actions_[name].trigger()

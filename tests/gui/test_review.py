@@ -35,7 +35,7 @@ def status(window: MainWindow, frame: int = 0) -> Status:
 
 def rows(window: MainWindow) -> list[str]:
     model = window.frames.model
-    return [window.document.workspace.frames[model.frame_index(r)].name  # type: ignore[union-attr]
+    return [window.document.state.workspace.frames[model.frame_index(r)].name  # type: ignore[union-attr]
             for r in range(model.rowCount())]  # fmt: skip
 
 
@@ -64,35 +64,35 @@ class TestStatus:
         assert window.top_bar.status.text() == "done"
 
     def test_shift_d_goes_on_to_what_is_not_done(self, window: MainWindow, hand: Hand) -> None:
-        window.document.go_to(1)
+        window.document.walk.go_to(1)
         hand.key(Qt.Key.Key_Return, CTRL)
-        window.document.go_to(0)
+        window.document.walk.go_to(0)
         hand.key(Qt.Key.Key_D, SHIFT)
-        assert window.document.frame_index == 2
+        assert window.document.state.frame_index == 2
         hand.key(Qt.Key.Key_A, SHIFT)
-        assert window.document.frame_index == 0
+        assert window.document.state.frame_index == 0
 
     def test_a_rejected_frame_is_found_and_editing_it_reopens_it(
         self, window: MainWindow, hand: Hand
     ) -> None:
-        window.document.go_to(2)
+        window.document.walk.go_to(2)
         hand.key(Qt.Key.Key_X, CTRL | SHIFT)
         assert status(window, 2) is Status.REJECTED
-        window.document.go_to(0)
+        window.document.walk.go_to(0)
         hand.key(Qt.Key.Key_R, CTRL | SHIFT)
-        assert window.document.frame_index == 2
+        assert window.document.state.frame_index == 2
         hand.draw(MIDDLE, (100, 100), (200, 200))
         assert status(window, 2) is Status.IN_PROGRESS
 
     def test_status_and_place_are_there_after_a_restart(
         self, window: MainWindow, hand: Hand, make_window: MakeWindow, dataset: Path
     ) -> None:
-        window.document.go_to(1)
+        window.document.walk.go_to(1)
         hand.key(Qt.Key.Key_A, CTRL | SHIFT)
         window.close()
         again = make_window(dataset)
         assert status(again, 1) is Status.APPROVED
-        assert again.document.frame_index == 1
+        assert again.document.state.frame_index == 1
 
     def test_undoing_a_slip_gives_an_approved_frame_back(
         self, window: MainWindow, hand: Hand
@@ -140,14 +140,14 @@ class TestComments:
     def test_writing_a_comment_finishes_no_polyline(
         self, window: MainWindow, hand: Hand, qtbot: QtBot
     ) -> None:
-        window.document.select_class(MIDDLE)
+        window.document.selecting.select_class(MIDDLE)
         hand.click(100, 100)
         window.panels.show("review")
         window.review.focus_comment()
         qtbot.keyClicks(window.review.text, "d")
         qtbot.keyClick(window.review.text, Qt.Key.Key_Return)
         assert window.canvas.editor.drawing
-        assert window.document.frame_index == 0
+        assert window.document.state.frame_index == 0
 
 
 class TestFilter:
@@ -156,7 +156,7 @@ class TestFilter:
     ) -> None:
         hand.draw(MIDDLE, (100, 100), (200, 200))
         hand.key(Qt.Key.Key_Return, CTRL)
-        window.document.go_to(1)
+        window.document.walk.go_to(1)
         hand.draw(TOP, (100, 100), (200, 200))
         for text, expected in (
             ("state:done", ["frame_0"]),
@@ -198,11 +198,11 @@ class TestVersions:
         versions = database.versions("frame_0")
         assert [v.reason for v in versions] == ["draw Far touchline", "draw Halfway line"]
         apply_version(window.document, versions[-1].id)
-        assert window.document.annotation.annotated == (MIDDLE,)
+        assert window.document.state.annotation.annotated == (MIDDLE,)
         until_kept()
         assert (dataset / "frame_0.json").read_bytes() == first
-        window.document.undo()
-        assert window.document.annotation.annotated == (MIDDLE, TOP)
+        window.document.editing.undo()
+        assert window.document.state.annotation.annotated == (MIDDLE, TOP)
 
     def test_what_was_there_before_the_first_edit_is_a_version_too(
         self, make_window: MakeWindow, dataset: Path, hand_on: object
@@ -238,12 +238,12 @@ class TestProvenance:
         hand.key(Qt.Key.Key_W)
         hand.drag((200, 200), (240, 260))
         document = window.document
-        assert document.review.origin_counts("frame_0", document.annotation) == {
+        assert document.review.origin_counts("frame_0", document.state.annotation) == {
             OriginKind.CLICKED: 1,
             OriginKind.MOVED: 1,
         }
-        document.undo()
-        assert document.review.origin_counts("frame_0", document.annotation) == {
+        document.editing.undo()
+        assert document.review.origin_counts("frame_0", document.state.annotation) == {
             OriginKind.CLICKED: 2
         }
 
@@ -260,11 +260,11 @@ class TestTime:
     ) -> None:
         document, now = window.document, [1000.0]
         monkeypatch.setattr(document.review, "_clock", lambda: now[0])
-        document.go_to(1)
+        document.walk.go_to(1)
         now[0] += 12.0
         hand.draw(MIDDLE, (100, 100), (200, 200))
         hand.key(Qt.Key.Key_Return, CTRL)
-        name = document.frame.name if document.frame is not None else ""
+        name = document.state.frame.name if document.state.frame is not None else ""
         assert document.review.record(name).seconds == 12.0
         window.panels.show("review")
         qtbot.waitUntil(lambda: window.review.time.text() == "12 s")
@@ -275,8 +275,8 @@ class TestOverview:
         hand.draw(MIDDLE, (100, 100), (200, 200))
         hand.key(Qt.Key.Key_Return, CTRL)
         document = window.document
-        assert document.workspace is not None
-        found = overview_rows(document.workspace, document.review.database, {}, lambda *_: None)
+        assert document.state.workspace is not None
+        found = overview_rows(document.state.workspace, document.review.database, {}, lambda *_: None)
         assert [row.status for row in found] == ["done", "untouched", "untouched"]
         assert dict(found[0].classes) == {MIDDLE: 2}
 
@@ -322,10 +322,10 @@ class TestSecondAnnotator:
         hand.draw(MIDDLE, (100, 103), (200, 103))
         window.panels.show("agreement")
         window.agreement.open(other)
-        qtbot.waitUntil(lambda: window.document.noise_floor is not None)
+        qtbot.waitUntil(lambda: window.document.state.noise_floor is not None)
         table = window.agreement.table
         qtbot.waitUntil(lambda: table.model().rowCount() == 1)
-        (clicked,) = window.document.annotation.polylines
+        (clicked,) = window.document.state.annotation.polylines
         apart = (clicked.points[0].v - 100 / 359) * 539  # in px of the evaluation size
         assert table.model().index(0, 1).data() == f"{apart:.2f} px"
         assert "Only there" in window.agreement.frame.text()
@@ -366,12 +366,12 @@ class TestSecondAnnotator:
         qtbot.waitUntil(lambda: "1 frame unreadable" in panel.noise.text())
         assert "Human noise over 1 frame:" in panel.noise.text()
         assert "frame_1.json" in panel.noise.toolTip()
-        window.document.go_to(1)
+        window.document.walk.go_to(1)
         qtbot.waitUntil(lambda: "unreadable" in panel.frame.text())
         assert "frame_1.json" in panel.frame.text()
-        window.document.go_to(2)
+        window.document.walk.go_to(2)
         qtbot.waitUntil(lambda: "has nothing for this frame" in panel.frame.text())
-        window.document.go_to(0)
+        window.document.walk.go_to(0)
         qtbot.waitUntil(lambda: "JaC" in panel.frame.text())
 
     @pytest.mark.new_window  # its panel is not in it any more afterwards
@@ -419,7 +419,7 @@ class TestSecondAnnotator:
         told = window.document.store.state.told
         assert told is not None
         assert "read as labelme" in told.text
-        assert window.document.noise_floor is not None
+        assert window.document.state.noise_floor is not None
         assert file.read_bytes() == before
 
     def test_closing_it_takes_everything_away(
@@ -427,9 +427,9 @@ class TestSecondAnnotator:
     ) -> None:
         hand.draw(MIDDLE, (100, 103), (200, 103))
         window.agreement.open(other)
-        qtbot.waitUntil(lambda: window.document.noise_floor is not None)
+        qtbot.waitUntil(lambda: window.document.state.noise_floor is not None)
         window.document.second.close()
-        qtbot.waitUntil(lambda: window.document.noise_floor is None)
+        qtbot.waitUntil(lambda: window.document.state.noise_floor is None)
         assert window.document.second.annotation is None
 
     def test_a_folder_without_annotations_is_one_message(
@@ -454,7 +454,7 @@ class TestDatabase:
         window.close()
         (dataset / ".procc" / "workspace.db").write_bytes(b"not a database at all" * 50)
         again = make_window(dataset)
-        assert again.document.annotation.annotated == (MIDDLE,)
+        assert again.document.state.annotation.annotated == (MIDDLE,)
         assert "restored from the backup of 20" in again.message_bar.label.text()
         assert status(again) is Status.IN_PROGRESS
         (dataset / ".procc" / "workspace.db").write_bytes(b"")  # while the window has it open
@@ -492,7 +492,7 @@ def test_a_step_to_the_next_frame_waits_for_no_answer_of_the_database(
         return ask(self, frame)
 
     monkeypatch.setattr(WorkspaceDatabase, "_ask_origins", watched)
-    window.document.go_to(1)
+    window.document.walk.go_to(1)
     all_done(qtbot)
     assert "frame_1" not in asked  # it was asked for while frame_0 was on screen
     assert "frame_1" in window.document.review._origins

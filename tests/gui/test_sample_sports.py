@@ -39,12 +39,12 @@ def test_a_sample_opens_with_its_field(
         shutil.copytree(sample_data / folder / "cameras" / source, dataset / "cameras" / source)
     window = make_window(dataset)
     document = window.document
-    assert document.field.name == field
-    assert document.annotation.get(element) is not None
-    document.load_cameras(dataset / "cameras" / "true")
-    qtbot.waitUntil(lambda: document.score is not None)
-    assert document.score is not None
-    assert document.score.jac == 1.0
-    document.load_cameras(dataset / "cameras" / "late")
-    qtbot.waitUntil(lambda: document.active_source.name == "late")
-    assert document.score.jac < 0.5
+    assert document.state.field.name == field
+    assert document.state.annotation.get(element) is not None
+    document.camera_sources.load_cameras(dataset / "cameras" / "true")
+    qtbot.waitUntil(lambda: document.judge.score is not None)
+    assert document.judge.score is not None
+    assert document.judge.score.jac == 1.0
+    document.camera_sources.load_cameras(dataset / "cameras" / "late")
+    qtbot.waitUntil(lambda: document.state.active.name == "late")
+    assert document.judge.score.jac < 0.5

@@ -73,7 +73,7 @@ def test_a_failed_save_is_visible_told_once_and_tried_again(
     with qtbot.waitSignal(window.document.saver.retry_timer.timeout):
         pass
     assert sum("No space left" in text for text in told) == 1
-    assert len(window.document.annotation.annotated) == 1
+    assert len(window.document.state.annotation.annotated) == 1
     disk.full = False
     qtbot.waitUntil(lambda: not window.isWindowModified())
     assert len(saved()) == 2
@@ -128,9 +128,9 @@ def test_a_file_changed_outside_waits_for_a_decision(
     if mine:
         assert set(json.loads(file.read_text())) == {MIDDLE, "Goal left crossbar"}
     else:
-        assert window.document.annotation.annotated == ("Side line top",)
+        assert window.document.state.annotation.annotated == ("Side line top",)
         hand.key(Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
-        assert window.document.annotation.annotated == (MIDDLE, "Goal left crossbar")
+        assert window.document.state.annotation.annotated == (MIDDLE, "Goal left crossbar")
 
 
 def test_an_unreadable_annotation_blocks_its_frame_only(
@@ -141,10 +141,10 @@ def test_an_unreadable_annotation_blocks_its_frame_only(
     window = make_window(dataset)
     assert window.frame_bar.isVisible()
     assert "frame_0.json" in window.frame_bar.label.text()
-    assert not window.document.editable
-    window.document.next_frame()
+    assert not window.document.state.editable
+    window.document.walk.next_frame()
     assert not window.frame_bar.isVisible()
-    assert window.document.editable
+    assert window.document.state.editable
     assert file.read_text() == '{"Middle line": [{"x": '
 
 
@@ -155,7 +155,7 @@ def test_clicks_on_a_blocked_frame_change_nothing(
 
     (dataset / "frame_0.json").write_text("[]")
     window = make_window(dataset)
-    window.document.select_class(MIDDLE)
+    window.document.selecting.select_class(MIDDLE)
     canvas = window.canvas
     for _ in range(2):
         QTest.mouseClick(
@@ -172,7 +172,7 @@ def test_clicks_on_a_blocked_frame_change_nothing(
 def test_closing_finishes_a_draft_and_saves_it(
     window: MainWindow, hand: Hand, saved: ReadPoints
 ) -> None:
-    window.document.select_class(MIDDLE)
+    window.document.selecting.select_class(MIDDLE)
     hand.click(100, 50)
     hand.click(120, 200)
     assert window.close()
@@ -224,14 +224,14 @@ def test_undo_to_what_was_saved_last_decides_no_conflict(
     mine = file.read_bytes()
     file.write_text('{"Side line top": [{"x": 0.5, "y": 0.25}, {"x": 0.75, "y": 0.25}]}')
     hand.draw("Goal left crossbar", (10, 10), (20, 20))
-    window.document.undo()
-    assert window.document.annotation.annotated == (MIDDLE,)
+    window.document.editing.undo()
+    assert window.document.state.annotation.annotated == (MIDDLE,)
     assert window.conflict_bar.isVisible()  # the file is another one
     assert "NOT SAVED" in window.top_bar.saved.text()
-    window.document.redo()
+    window.document.editing.redo()
     until_kept()
     file.write_bytes(mine)  # whoever changed it took that back
-    window.document.undo()
+    window.document.editing.undo()
     until_kept()
     assert not window.conflict_bar.isVisible()
     assert window.top_bar.saved.text().startswith("saved ")
@@ -244,10 +244,10 @@ def test_a_newer_file_that_is_read_leaves_no_conflict_behind(
     theirs = '{"Side line top": [{"x": 0.5, "y": 0.25}, {"x": 0.75, "y": 0.25}]}'
     (dataset / "frame_0.json").write_text(theirs)
     hand.draw("Goal left crossbar", (10, 10), (20, 20))
-    window.document.undo()
+    window.document.editing.undo()
     hand.key(Qt.Key.Key_D)
     hand.key(Qt.Key.Key_A)
-    assert window.document.begin_edit()  # the frame was let go of: its file is read again
-    assert window.document.annotation.annotated == ("Side line top",)
+    assert window.document.editing.begin_edit()  # the frame was let go of: its file is read again
+    assert window.document.state.annotation.annotated == ("Side line top",)
     assert not window.conflict_bar.isVisible()
     assert not window.isWindowModified()

@@ -74,11 +74,13 @@ def disk(monkeypatch: pytest.MonkeyPatch) -> Iterator[SlowDisk]:
 def click(window: MainWindow, class_name: str = MIDDLE) -> None:
     """One more point of an element."""
     document = window.document
-    points = 0 if (known := document.annotation.get(class_name)) is None else len(known.points)
-    edited = editing.append_points(
-        document.annotation, class_name, [Point(0.1 + 0.1 * points, 0.5)]
+    points = (
+        0 if (known := document.state.annotation.get(class_name)) is None else len(known.points)
     )
-    assert document.commit_edit("click", edited)
+    edited = editing.append_points(
+        document.state.annotation, class_name, [Point(0.1 + 0.1 * points, 0.5)]
+    )
+    assert document.editing.commit_edit("click", edited)
 
 
 def points_on_disk(dataset: Path, frame: int = 0) -> dict[str, int]:
@@ -111,7 +113,7 @@ def test_what_is_clicked_meanwhile_is_saved_on_the_result(
     qtbot.waitUntil(disk.asked.is_set)
     click(window, TOP)
     click(window, TOP)
-    assert window.document.annotation.annotated == (MIDDLE, TOP)
+    assert window.document.state.annotation.annotated == (MIDDLE, TOP)
     disk.let_go()
     qtbot.waitUntil(lambda: reads_saved(window))
     assert disk.written == [(MIDDLE,), (MIDDLE, TOP)]
@@ -128,12 +130,12 @@ def test_an_undo_meanwhile_is_saved_too(
     disk.hold()
     click(window, TOP)
     qtbot.waitUntil(disk.asked.is_set)
-    window.document.undo()  # to what the file holds, if only it were left alone
+    window.document.editing.undo()  # to what the file holds, if only it were left alone
     assert window.top_bar.saved.text() == "saving..."
     disk.let_go()
     qtbot.waitUntil(lambda: reads_saved(window))
     assert points_on_disk(dataset) == {MIDDLE: 1}
-    window.document.undo()
+    window.document.editing.undo()
     until_kept()
     assert not (dataset / "frame_0.json").exists()
 
@@ -143,7 +145,7 @@ def test_a_first_click_taken_back_while_it_is_written_leaves_no_file(
 ) -> None:
     click(window)
     qtbot.waitUntil(disk.asked.is_set)
-    window.document.undo()
+    window.document.editing.undo()
     disk.let_go()
     qtbot.waitUntil(lambda: reads_saved(window))
     assert not (dataset / "frame_0.json").exists()
@@ -163,7 +165,7 @@ def test_what_the_disk_refuses_is_told_kept_and_tried_again(
     qtbot.waitUntil(lambda: not window.document.saver.under_way)
     assert problem in window.message_bar.label.text()
     assert window.isWindowModified()
-    assert window.document.annotation.annotated == (MIDDLE, TOP)
+    assert window.document.state.annotation.annotated == (MIDDLE, TOP)
     disk.problem = ""
     window.document.saver.retry_timer.setInterval(1)
     qtbot.waitUntil(lambda: reads_saved(window))
@@ -177,7 +179,7 @@ def test_what_failed_and_was_undone_meanwhile_leaves_nothing_unsaved(
     disk.problem = "No space left on device"
     click(window)
     qtbot.waitUntil(disk.asked.is_set)
-    window.document.undo()
+    window.document.editing.undo()
     disk.let_go()
     qtbot.waitUntil(lambda: not window.document.saver.under_way)
     assert not window.document.saver.problems
@@ -224,7 +226,7 @@ def test_what_may_be_on_the_disk_is_not_said_to_be_undone(
     disk.after = goes_away
     click(window)
     qtbot.waitUntil(disk.asked.is_set)
-    window.document.undo()
+    window.document.editing.undo()
     disk.let_go()
     qtbot.waitUntil(lambda: "NOT SAVED" in window.top_bar.saved.text())
     assert window.isWindowModified()
@@ -250,7 +252,7 @@ def test_a_folder_that_goes_while_it_is_written_into(
     assert not dataset.exists()  # nothing was made in its place
     disk.before = lambda: None
     away.rename(dataset)
-    assert window.document.save_now()
+    assert window.document.editing.save_now()
     assert points_on_disk(dataset) == {MIDDLE: 1}
 
 
@@ -317,14 +319,14 @@ def test_what_is_being_written_is_nobody_elses_change(
     disk.hold()
     click(window)
     qtbot.waitUntil(disk.asked.is_set)
-    window.document.undo()
-    window.document.look_at_frame()
+    window.document.editing.undo()
+    window.document.editing.look_at_frame()
     window.document.outside.look()
     disk.let_go()
     qtbot.waitUntil(lambda: reads_saved(window))
-    window.document.look_at_frame()
+    window.document.editing.look_at_frame()
     assert not any("elsewhere" in text for text in told)
-    assert window.document.annotation.get(MIDDLE) is not None
+    assert window.document.state.annotation.get(MIDDLE) is not None
     assert points_on_disk(dataset) == {MIDDLE: 1}
 
 
@@ -334,10 +336,10 @@ def test_what_others_write_right_after_it_is_seen(
     """A look that was asked for while it was written is taken once it is."""
     click(window)
     qtbot.waitUntil(disk.asked.is_set)
-    window.document.look_at_frame()
+    window.document.editing.look_at_frame()
     window.document.saver.saved.connect(lambda: (dataset / "frame_0.json").write_text(THEIRS))
     disk.let_go()
-    qtbot.waitUntil(lambda: window.document.annotation.annotated == ("Circle left",))
+    qtbot.waitUntil(lambda: window.document.state.annotation.annotated == ("Circle left",))
 
 
 def leave_meanwhile(
@@ -355,7 +357,7 @@ def test_a_frame_that_is_left_is_written_before_anybody_else_may_have_it(
     locked: list[bool] = []
     disk.before = lambda: locked.append(bool(list(locks_folder(dataset).glob("frame_0-*.lock"))))
     click(window)
-    leave_meanwhile(window, disk, qtbot, window.document.next_frame)
+    leave_meanwhile(window, disk, qtbot, window.document.walk.next_frame)
     assert locked == [True]
     assert points_on_disk(dataset) == {MIDDLE: 1}
     assert not list(locks_folder(dataset).glob("frame_0-*.lock"))
@@ -367,11 +369,11 @@ def test_the_other_window_reads_what_was_being_written(
     other = make_window(dataset)
     click(window)
     other.document.presence.look()
-    assert not other.document.editable
-    leave_meanwhile(window, disk, qtbot, window.document.next_frame)
+    assert not other.document.state.editable
+    leave_meanwhile(window, disk, qtbot, window.document.walk.next_frame)
     click_in_other = Hand(other)
     other.document.presence.look()  # it opens by itself
-    assert other.document.annotation.annotated == (MIDDLE,)
+    assert other.document.state.annotation.annotated == (MIDDLE,)
     click_in_other.draw(TOP, (100, 50), (200, 50))
     assert points_on_disk(dataset) == {MIDDLE: 1, TOP: 2}
 
@@ -402,7 +404,7 @@ def test_closing_asks_where_what_is_written_fails(
     assert window.isVisible()
     assert "No space left" in asked[0][0]
     disk.problem = ""
-    assert window.document.save_now()
+    assert window.document.editing.save_now()
 
 
 def test_another_dataset_waits_for_this_one(
@@ -411,9 +413,9 @@ def test_another_dataset_waits_for_this_one(
     other = tmp_path / "other"
     shutil.copytree(dataset, other)
     click(window)
-    leave_meanwhile(window, disk, qtbot, lambda: window.document.open_path(other))
+    leave_meanwhile(window, disk, qtbot, lambda: window.document.opening.open_path(other))
     assert points_on_disk(dataset) == {MIDDLE: 1}
-    assert window.document.annotation.annotated == ()
+    assert window.document.state.annotation.annotated == ()
 
 
 def test_a_document_that_ends_ends_no_write(
@@ -430,7 +432,7 @@ def test_what_is_replaced_is_a_version_before(
     window: MainWindow, disk: SlowDisk, dataset: Path, qtbot: QtBot
 ) -> None:
     (dataset / "frame_1.json").write_text(THEIRS)
-    window.document.go_to(1)
+    window.document.walk.go_to(1)
     database = window.document.review.database
     assert database is not None
     kept: list[list[bytes]] = []

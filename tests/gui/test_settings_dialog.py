@@ -50,7 +50,7 @@ def test_what_is_changed_holds_at_once_and_is_remembered(
     box.selectAll()
     QTest.keyClicks(box, "12,5")
     QTest.keyClick(box, Qt.Key.Key_Return)
-    assert window.document.tau == 12.5
+    assert window.document.state.tau == 12.5
     assert Settings().get(rows.TAU) == 12.5
 
     snapping = row(dialog, "snapping").editor
@@ -63,7 +63,7 @@ def test_what_is_changed_holds_at_once_and_is_remembered(
     protocol = row(dialog, "protocol").editor
     assert isinstance(protocol, QComboBox)
     QTest.keyClick(protocol, Qt.Key.Key_Down)
-    assert window.document.setup.protocol == "procc"
+    assert window.document.state.setup.protocol == "procc"
     assert window.actions_["protocol_procc"].isChecked()
 
     share = row(dialog, "ghost_support").editor
@@ -76,18 +76,18 @@ def test_what_is_changed_holds_at_once_and_is_remembered(
 def test_a_setting_goes_back_to_its_default_and_all_do(
     window: MainWindow, dialog: SettingsDialog
 ) -> None:
-    window.document.set_tau(9)
+    window.document.terms.set_tau(9)
     window.actions_["pinned"].trigger()
     window.actions_["off_plane_left_out"].trigger()
     dialog.refresh()
     changed = {r.setting.key for r in dialog.rows if r.back.isEnabled()}
     assert changed == {"tau", "pinned", "off_plane"}
     QTest.mouseClick(row(dialog, "tau").back, Qt.MouseButton.LeftButton)
-    assert window.document.tau == rows.TAU.default
+    assert window.document.state.tau == rows.TAU.default
     assert not row(dialog, "tau").back.isEnabled()
     QTest.mouseClick(dialog.all_back, Qt.MouseButton.LeftButton)
     assert window.document.state.options.pinned
-    assert window.document.setup.off_plane == "missed"
+    assert window.document.state.setup.off_plane == "missed"
     assert not any(r.back.isEnabled() for r in dialog.rows)
 
 
@@ -137,15 +137,15 @@ def test_every_setting_is_in_the_palette(window: MainWindow, qtbot: QtBot) -> No
 def test_a_name_of_ones_own_can_be_given_and_taken_back(
     window: MainWindow, dialog: SettingsDialog
 ) -> None:
-    before = window.document.author
+    before = window.document.state.author
     line = row(dialog, "author").editor
     assert isinstance(line, QLineEdit)
     line.setFocus()
     QTest.keyClicks(line, "Ada")
     QTest.keyClick(line, Qt.Key.Key_Return)
-    assert window.document.author == "Ada"
+    assert window.document.state.author == "Ada"
     QTest.mouseClick(row(dialog, "author").back, Qt.MouseButton.LeftButton)
-    assert window.document.author == before
+    assert window.document.state.author == before
 
 
 @pytest.mark.new_window

@@ -101,7 +101,7 @@ def tracked_once(tracks: TrackMemory, monkeypatch: pytest.MonkeyPatch) -> None:
 def window(make_window: MakeWindow, dataset: Path, video: Path, qtbot: QtBot) -> MainWindow:
     made = make_window(dataset)
     document = made.document
-    document.opening.open_workspace(open_video(video, range(0, COUNT, EVERY), document.field))
+    document.opening.open_workspace(open_video(video, range(0, COUNT, EVERY), document.state.field))
     all_done(qtbot)
     return made
 
@@ -145,8 +145,8 @@ class TestFollowing:
         spots = np.array([[0.0, 0.0, 0.0], [20.0, -30.0, 0.0], [20.0, 10.0, 0.0]])
         apart = fit.camera.project(spots)[0] - drawn.cameras[10].project(spots)[0]
         assert np.abs(apart).max() < 2.0
-        assert document.active_source is None
-        assert [len(source.camera_set.frames) for source in document.sources] == [3]
+        assert document.state.active is None
+        assert [len(source.camera_set.frames) for source in document.state.sources] == [3]
 
     def test_ghosts_come_from_the_track_and_it_is_judged_like_any_source(
         self, window: MainWindow, qtbot: QtBot
@@ -154,13 +154,15 @@ class TestFollowing:
         document = window.document
         follow(window, qtbot)
 
-        document.go_to(2)
+        document.walk.go_to(2)
         all_done(qtbot)
         assert document.foresight.stands_in
         assert document.ghosts.painted
         assert window.canvas.found_plate.text.startswith("Camera of the track")
-        document.set_active_camera(document.sources.index(document.shot_track.source))
-        assert document.camera is not None
+        document.camera_sources.set_active_camera(
+            document.state.sources.index(document.shot_track.source)
+        )
+        assert document.judge.camera is not None
 
     def test_frames_fill_in_meanwhile_and_it_can_be_stopped(
         self, window: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
@@ -206,7 +208,9 @@ class TestFollowing:
         monkeypatch.setattr(following, "track_shot", noted)
         window = make_window(dataset)
         document = window.document
-        document.opening.open_workspace(open_video(video, range(0, COUNT, EVERY), document.field))
+        document.opening.open_workspace(
+            open_video(video, range(0, COUNT, EVERY), document.state.field)
+        )
         all_done(qtbot)
         assert document.foresight.stands_in
 
@@ -221,11 +225,11 @@ class TestFollowing:
         said: list[str] = []
         document.message.connect(lambda text, _: said.append(text))
 
-        document.set_blind(True)
+        document.blind_lock.set_blind(True)
         press(window, Key.Key_T)
         assert said[-1].startswith("blind mode: no shot is followed")
-        document.set_blind(False)
-        document.open_path(dataset)
+        document.blind_lock.set_blind(False)
+        document.opening.open_path(dataset)
         all_done(qtbot)
         press(window, Key.Key_T)
         assert said[-1].startswith("only a video, or frames that follow one another")
@@ -240,7 +244,7 @@ class TestFollowing:
         window.cameras.list.rows[0].remove.click()
 
         assert not document.shot_track.tracked
-        assert document.sources == []
+        assert document.state.sources == []
         assert document.live_fit.wanted
 
     def test_correcting_a_frame_follows_what_lies_between_its_neighbours_again(
@@ -255,21 +259,21 @@ class TestFollowing:
             return track(frames, numbers, *args, anchors=anchors, **more)
 
         monkeypatch.setattr(following, "track_shot", noted)
-        document.go_to(1)
+        document.walk.go_to(1)
         all_done(qtbot)
         hand: Hand = hand_on(window)
         hand.key(Key.Key_Return, SHIFT)
         all_done(qtbot)
-        polyline = document.annotation.polylines[0]
-        document.select_class(polyline.class_name)
-        document.set_mode("edit")
+        polyline = document.state.annotation.polylines[0]
+        document.selecting.select_class(polyline.class_name)
+        document.selecting.set_mode("edit")
         width, height = SIZE
         at = polyline.points[1].u * (width - 1), polyline.points[1].v * (height - 1)
         hand.drag(at, (at[0] + 4, at[1] + 4))
         assert asked == []  # while somebody works here
-        document.set_mode("draw")
+        document.selecting.set_mode("draw")
 
-        document.go_to(2)
+        document.walk.go_to(2)
         qtbot.waitUntil(lambda: bool(asked), timeout=60_000)
         qtbot.waitUntil(lambda: not window.shot_following.running, timeout=60_000)
 
@@ -281,11 +285,11 @@ class TestFollowing:
         follow(window, qtbot)
         document = window.document
 
-        document.set_field(load_field("basketball_nba"))
+        document.terms.set_field(load_field("basketball_nba"))
         all_done(qtbot)
 
         assert not document.shot_track.tracked
-        assert document.sources == []
+        assert document.state.sources == []
 
     def test_annotated_frames_are_anchors_before_anybody_knows_which_they_are(
         self, window: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
@@ -323,7 +327,7 @@ class TestFollowing:
             if number != 11:
                 cv2.imwrite(str(folder / f"f_{number:03d}.png"), pictures[number][..., :3])
         window = make_window(dataset)
-        window.document.open_path(folder)
+        window.document.opening.open_path(folder)
         all_done(qtbot)
 
         follow(window, qtbot)
@@ -343,13 +347,15 @@ class TestAccepting:
         assert files(video) == ["00", "05", "10"]
         assert window.strip.content.anchors == (0, 5, 10)
         for index in range(3):
-            document.go_to(index)
-            counts = document.review.origin_counts(document.frame.name, document.annotation)
+            document.walk.go_to(index)
+            counts = document.review.origin_counts(
+                document.state.frame.name, document.state.annotation
+            )
             assert set(counts) == {OriginKind.ACCEPTED}
-            assert document.review.status(document.frame.name) is Status.IN_PROGRESS
+            assert document.review.status(document.state.frame.name) is Status.IN_PROGRESS
         assert not window.shot_following.running  # nothing was corrected
 
-        document.go_to(1)
+        document.walk.go_to(1)
         press(window, Key.Key_Z, CTRL)  # of this frame alone: somebody went on to look
         all_done(qtbot)
         assert files(video) == ["00", "10"]
@@ -377,11 +383,11 @@ class TestAccepting:
     ) -> None:
         document = window.document
         follow(window, qtbot)
-        document.go_to(1)
+        document.walk.go_to(1)
         hand: Hand = hand_on(window)
         hand.draw("Middle line", (40, 40), (200, 120))
         all_done(qtbot)
-        before = document.annotation
+        before = document.state.annotation
         tracked = dict(document.shot_track.tracked)
         doubtful = tracked[10]
         tracked[10] = type(doubtful)(10, "bridged", "", doubtful.fit, 0.0, None, 10)
@@ -390,7 +396,7 @@ class TestAccepting:
         accept(window, qtbot)
 
         assert files(video) == ["00", "05"]
-        assert document.annotation == before
+        assert document.state.annotation == before
 
     def test_only_the_stretch_that_is_marked(
         self, window: MainWindow, video: Path, qtbot: QtBot
@@ -407,7 +413,7 @@ class TestAccepting:
     ) -> None:
         document = window.document
         follow(window, qtbot)
-        document.go_to(1)
+        document.walk.go_to(1)
         hand: Hand = hand_on(window)
         hand.draw("Middle line", (40, 40), (200, 120))
         all_done(qtbot)
@@ -442,8 +448,8 @@ class TestAccepting:
         qtbot.waitUntil(lambda: not window.stretch_accepting.running, timeout=60_000)
         all_done(qtbot)
 
-        assert "Goal left crossbar" in document.annotation.annotated
-        assert "Middle line" in document.annotation.annotated  # left as it was: edited since
+        assert "Goal left crossbar" in document.state.annotation.annotated
+        assert "Middle line" in document.state.annotation.annotated  # left as it was: edited since
 
     def test_nothing_is_accepted_once_blind_mode_is_on(
         self, window: MainWindow, video: Path, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
@@ -458,7 +464,7 @@ class TestAccepting:
         follow(window, qtbot)
         press(window, Key.Key_Return, CTRL | SHIFT)
         assert window.stretch_accepting.running
-        window.document.set_blind(True)
+        window.document.blind_lock.set_blind(True)
         going.set()
         qtbot.waitUntil(lambda: not window.stretch_accepting.running, timeout=60_000)
         all_done(qtbot)
@@ -469,7 +475,7 @@ class TestAccepting:
         self, window: MainWindow, video: Path, qtbot: QtBot, hand_on: Any
     ) -> None:
         follow(window, qtbot)
-        window.document.set_blind(True)
+        window.document.blind_lock.set_blind(True)
         hand: Hand = hand_on(window)
         hand.draw("Middle line", (40, 40), (200, 120))
         hand.key(Key.Key_Return, CTRL)
@@ -496,16 +502,16 @@ class TestAccepting:
         hand: Hand = hand_on(window)
         hand.key(Key.Key_Return, SHIFT)
         all_done(qtbot)
-        names = set(document.annotation.annotated)
+        names = set(document.state.annotation.annotated)
         said: list[str] = []
         document.message.connect(lambda text, _: said.append(text))
 
-        document.go_to(1)
+        document.walk.go_to(1)
         all_done(qtbot)
         press(window, Key.Key_V)
         all_done(qtbot)
 
-        copied = {polyline.class_name for polyline in document.annotation.unconfirmed}
+        copied = {polyline.class_name for polyline in document.state.annotation.unconfirmed}
         assert copied
         assert copied <= names
         assert "along the track" in said[-1]

@@ -11,16 +11,16 @@ from procc_annotator.gui.main_window import MainWindow
 
 
 def length(window: MainWindow) -> float:
-    found = window.document.frame_field.dimension("length")
+    found = window.document.judge.frame_setup.field.dimension("length")
     assert found is not None
     return found.value
 
 
 def judged_at(window: MainWindow, folder: Path, frame: int, qtbot: QtBot) -> float:
-    assert window.document.load_cameras(folder / "cameras" / "true")
-    window.document.go_to(frame)
-    qtbot.waitUntil(lambda: window.document.score is not None, timeout=20_000)
-    score = window.document.score
+    assert window.document.camera_sources.load_cameras(folder / "cameras" / "true")
+    window.document.walk.go_to(frame)
+    qtbot.waitUntil(lambda: window.document.judge.score is not None, timeout=20_000)
+    score = window.document.judge.score
     assert score is not None
     return score.jac
 
@@ -29,24 +29,24 @@ def test_a_frame_is_shown_and_judged_with_its_own_dimensions(
     make_window, annotated: Path, qtbot: QtBot
 ) -> None:
     window = make_window(annotated)
-    names = [frame.name for frame in window.document.workspace.frames]
+    names = [frame.name for frame in window.document.state.workspace.frames]
     plain = judged_at(window, annotated, 1, qtbot)
     (annotated / "stadiums.csv").write_text(
         f"frame,stadium,length,width\n{names[1]},small,99,62\n{names[2]},big,,\n"
     )
     window = make_window(annotated)
-    window.document.go_to(0)
+    window.document.walk.go_to(0)
     assert length(window) == 105
     assert judged_at(window, annotated, 1, qtbot) < plain
     assert length(window) == 99
-    window.document.go_to(2)
+    window.document.walk.go_to(2)
     assert length(window) == 105
-    assert "dimensions of 2 stadiums" in window.document.field.described
+    assert "dimensions of 2 stadiums" in window.document.state.field.described
     assert window.document.state.sized_field == load_field("soccer")
     window.panels.show("scores")
-    window.document.go_to(1)
+    window.document.walk.go_to(1)
     # One object for every frame of a stadium, or what is worked out of it would not be kept.
-    assert window.document.state.sized_field is window.document.frame_field
+    assert window.document.state.sized_field is window.document.judge.frame_setup.field
     qtbot.waitUntil(lambda: "99 x 62 m" in window.scores.terms.text(), timeout=20_000)
 
 
@@ -63,9 +63,9 @@ def test_dimensions_that_are_entered_leave_the_stadiums_as_they_are(
     assert "(stadiums.csv): 1 frame of 1 stadium" in dialog.note.text()
     dialog.reject()
     document.field_choice.resize({"width": 66.0})
-    qtbot.waitUntil(lambda: "66" in document.field.described, timeout=20_000)
-    document.go_to(1)
-    found = {d.name: d.value for d in document.frame_field.dimensions}
+    qtbot.waitUntil(lambda: "66" in document.state.field.described, timeout=20_000)
+    document.walk.go_to(1)
+    found = {d.name: d.value for d in document.judge.frame_setup.field.dimensions}
     assert (found["length"], found["width"]) == (99, 66)
 
 
@@ -75,5 +75,5 @@ def test_a_damaged_file_is_told_when_the_dataset_opens(make_window, annotated: P
     told = window.document.state.told
     assert told is not None
     assert "stadiums.csv: line 2" in told.text
-    window.document.go_to(1)
+    window.document.walk.go_to(1)
     assert length(window) == 105

@@ -74,12 +74,12 @@ def files(shot: Path) -> list[str]:
 
 def commit_here(window: MainWindow, hand: Hand, qtbot: QtBot) -> None:
     """In blind mode, with something clicked; the frame stays on screen, its cameras are shown."""
-    index = window.document.frame_index
-    window.document.set_blind(True)
+    index = window.document.state.frame_index
+    window.document.blind_lock.set_blind(True)
     hand.draw("Middle line", (40, 40), (200, 120))
     press(window, Key.Key_Return, CTRL)
     all_done(qtbot)
-    window.document.go_to(index)
+    window.document.walk.go_to(index)
     all_done(qtbot)
     assert window.document.state.projection_visible
 
@@ -94,7 +94,7 @@ def test_what_is_taken_back_is_not_followed_again(
     all_done(qtbot)
     assert files(shot) == []
 
-    window.document.go_to(2)
+    window.document.walk.go_to(2)
 
     assert not window.shot_following.running
 

@@ -119,7 +119,7 @@ class TestWhereItIs:
                 cv2.imwrite(str(path), panned(number, scene=scene))
         window = make_window(tmp_path)
         qtbot.waitUntil(window.strip.isVisible)
-        window.document.go_to(FEWEST)
+        window.document.walk.go_to(FEWEST)
         all_done(qtbot)
         assert strip_words(window).startswith("b/img1/000000")
         sequence = window.document.sequence.value
@@ -168,13 +168,13 @@ class TestWhereItIs:
         window = make_window(dataset)
         all_done(qtbot)
         document = window.document
-        document.open_path(shot)
+        document.opening.open_path(shot)
         assert document.sequence.working
-        document.select_class("Middle line")
+        document.selecting.select_class("Middle line")
         qtbot.waitUntil(lambda: document.sequence.value is not None)
 
         assert not window.strip.isVisible()
-        document.next_frame()
+        document.walk.next_frame()
         assert window.strip.isVisible()
 
     def test_it_is_switched_off_and_remembered(
@@ -183,7 +183,7 @@ class TestWhereItIs:
         window.actions_["strip"].trigger()
 
         assert not window.strip.isVisible()
-        window.document.next_frame()
+        window.document.walk.next_frame()
         assert not window.strip.isVisible()
         window.actions_["strip"].trigger()
         assert window.strip.isVisible()
@@ -197,11 +197,11 @@ class TestHands:
         left = Qt.MouseButton.LeftButton
 
         QTest.mouseClick(strip, left, Qt.KeyboardModifier.NoModifier, place_of(window, 112))
-        qtbot.waitUntil(lambda: document.frame_index == 12)
+        qtbot.waitUntil(lambda: document.state.frame_index == 12)
         QTest.mousePress(strip, left, Qt.KeyboardModifier.NoModifier, place_of(window, 105))
         for number in (108, 115, 120):
             QTest.mouseMove(strip, place_of(window, number))
-        qtbot.waitUntil(lambda: document.frame_index == 20)
+        qtbot.waitUntil(lambda: document.state.frame_index == 20)
         QTest.mouseRelease(strip, left, Qt.KeyboardModifier.NoModifier, place_of(window, 120))
 
         assert strip.number == 120
@@ -249,7 +249,7 @@ class TestHands:
         QTest.mouseRelease(strip, left, SHIFT, place_of(window, 106))
 
         assert strip.stretch == (106, 118)
-        assert window.document.frame_index == 0
+        assert window.document.state.frame_index == 0
 
 
 class TestKeys:
@@ -258,24 +258,24 @@ class TestKeys:
 
         for expected in (10, 20, COUNT - 1):
             key(window, Qt.Key.Key_PageDown, SHIFT)
-            qtbot.waitUntil(lambda at=expected: document.frame_index == at)
+            qtbot.waitUntil(lambda at=expected: document.state.frame_index == at)
         key(window, Qt.Key.Key_PageUp, SHIFT)
-        qtbot.waitUntil(lambda: document.frame_index == COUNT - 11)
+        qtbot.waitUntil(lambda: document.state.frame_index == COUNT - 11)
 
     def test_to_annotated_frames(self, window: MainWindow, hand_on: object, qtbot: QtBot) -> None:
         document = window.document
-        document.go_to(7)
+        document.walk.go_to(7)
         hand: Hand = hand_on(window)  # type: ignore[operator]
         hand.draw("Middle line", (40, 40), (200, 120))
-        document.go_to(15)
+        document.walk.go_to(15)
         hand.draw("Middle line", (40, 40), (200, 120))
         all_done(qtbot)
 
         assert window.strip.content.anchors == (107, 115)
         key(window, Qt.Key.Key_PageUp, CTRL)
-        qtbot.waitUntil(lambda: document.frame_index == 7)
+        qtbot.waitUntil(lambda: document.state.frame_index == 7)
         key(window, Qt.Key.Key_PageDown, CTRL)
-        qtbot.waitUntil(lambda: document.frame_index == 15)
+        qtbot.waitUntil(lambda: document.state.frame_index == 15)
 
     def test_to_doubtful_frames(self, window: MainWindow, qtbot: QtBot) -> None:
         document = window.document
@@ -285,9 +285,9 @@ class TestKeys:
 
         for expected in (9, 14):
             key(window, Qt.Key.Key_PageDown, ALT)
-            qtbot.waitUntil(lambda at=expected: document.frame_index == at)
+            qtbot.waitUntil(lambda at=expected: document.state.frame_index == at)
         key(window, Qt.Key.Key_PageUp, ALT)
-        qtbot.waitUntil(lambda: document.frame_index == 9)
+        qtbot.waitUntil(lambda: document.state.frame_index == 9)
 
     def test_playing_goes_on_to_the_end_and_an_edit_stops_it(
         self, window: MainWindow, qtbot: QtBot
@@ -295,14 +295,14 @@ class TestKeys:
         document, walk = window.document, window.shot_walk
 
         key(window, Qt.Key.Key_Space, SHIFT)
-        qtbot.waitUntil(lambda: document.frame_index > 2)
+        qtbot.waitUntil(lambda: document.state.frame_index > 2)
         window.canvas.editor.changed.emit()
         assert not walk.playing
-        document.go_to(COUNT - 3)
+        document.walk.go_to(COUNT - 3)
         key(window, Qt.Key.Key_Space, SHIFT)
         qtbot.waitUntil(lambda: not walk.playing)
 
-        assert document.frame_index == COUNT - 1
+        assert document.state.frame_index == COUNT - 1
 
     def test_a_menu_of_the_picture_is_of_the_frame_it_was_asked_for_on(
         self, window: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
@@ -311,7 +311,7 @@ class TestKeys:
 
         class Menu:
             def exec(self, _: QPoint) -> None:
-                before = document.frame_index
+                before = document.state.frame_index
                 assert not window.shot_walk.playing
                 assert not document.walk.coming
                 seen.append(before)
@@ -321,15 +321,15 @@ class TestKeys:
 
         monkeypatch.setattr("procc_annotator.gui.main_window.canvas_menu", lambda *_, **__: Menu())
         key(window, Qt.Key.Key_Space, SHIFT)
-        qtbot.waitUntil(lambda: document.frame_index > 2)
+        qtbot.waitUntil(lambda: document.state.frame_index > 2)
         window.canvas.menuWanted.emit(QPoint())
-        assert seen == [document.frame_index]
+        assert seen == [document.state.frame_index]
 
     def test_a_dialog_is_about_the_frame_it_was_opened_on(
         self, window: MainWindow, qtbot: QtBot
     ) -> None:
         key(window, Qt.Key.Key_Space, SHIFT)
-        qtbot.waitUntil(lambda: window.document.frame_index > 2)
+        qtbot.waitUntil(lambda: window.document.state.frame_index > 2)
         dialog = QDialog(window)
         dialog.open()
         assert not window.shot_walk.playing
@@ -348,10 +348,10 @@ class TestKeys:
             return decode(path)
 
         monkeypatch.setattr(document.cache, "get_ready", slow)
-        document.frameChanged.connect(lambda: visited.append(document.frame_index))
+        document.frameChanged.connect(lambda: visited.append(document.state.frame_index))
         document.walk.come_to(10)
         document.walk.come_to(20)
-        document.go_to(20)
+        document.walk.go_to(20)
         go.set()
         all_done(qtbot)
         assert visited == [20]
@@ -364,21 +364,23 @@ class TestWhatItTells:
 
         assert content.cuts == (110,)
         assert np.isnan(content.band.coverage[20:]).all()
-        assert "track" in [source.name for source in document.sources]
-        document.set_active_camera(document.sources.index(document.shot_track.source))
-        assert document.camera is not None
-        document.go_to(21)
-        assert document.camera is None
-        assert document.camera_notice == "not followed so far"
+        assert "track" in [source.name for source in document.state.sources]
+        document.camera_sources.set_active_camera(
+            document.state.sources.index(document.shot_track.source)
+        )
+        assert document.judge.camera is not None
+        document.walk.go_to(21)
+        assert document.judge.camera is None
+        assert document.judge.shown.notice == "not followed so far"
 
     def test_nothing_of_cameras_in_blind_mode(self, window: MainWindow) -> None:
         take(window, [tracked(n) for n in range(100, 120)], (100, 119))
 
-        window.document.set_blind(True)
+        window.document.blind_lock.set_blind(True)
 
         assert window.strip.content.hidden
         assert "on paint" not in strip_words(window)
-        window.document.set_blind(False)
+        window.document.blind_lock.set_blind(False)
         assert "on paint" in strip_words(window)
 
     def test_the_band_shows_the_window_where_nothing_is_known(self, window: MainWindow) -> None:
@@ -400,11 +402,11 @@ class TestWhatItTells:
     ) -> None:
         take(window, [tracked(n) for n in range(100, 120)], (100, 119))
 
-        window.document.open_path(dataset)
+        window.document.opening.open_path(dataset)
         all_done(qtbot)
 
         assert not window.document.shot_track.tracked
-        assert not window.document.sources
+        assert not window.document.state.sources
         assert not window.strip.isVisible()
 
 
@@ -418,21 +420,21 @@ def test_frames_are_gone_to_and_marked_by_keys(window: MainWindow, qtbot: QtBot)
     strip, document = window.strip, window.document
     strip.setFocus(Qt.FocusReason.TabFocusReason)
     QTest.keyClick(strip, Qt.Key.Key_Right)
-    qtbot.waitUntil(lambda: document.frame_index == 1)
+    qtbot.waitUntil(lambda: document.state.frame_index == 1)
     for frame in (2, 3, 4):
         QTest.keyClick(strip, Qt.Key.Key_Right, Qt.KeyboardModifier.ShiftModifier)
-        qtbot.waitUntil(lambda frame=frame: document.frame_index == frame)
+        qtbot.waitUntil(lambda frame=frame: document.state.frame_index == frame)
     first = int(strip.content.sequence.numbers[0])
     assert strip.stretch == (first + 1, first + 4)
     QTest.keyClick(strip, Qt.Key.Key_Left, Qt.KeyboardModifier.ShiftModifier)
-    qtbot.waitUntil(lambda: document.frame_index == 3)
+    qtbot.waitUntil(lambda: document.state.frame_index == 3)
     assert strip.stretch == (first + 1, first + 3)
     QTest.keyClick(strip, Qt.Key.Key_Escape)
     assert strip.stretch is None
     QTest.keyClick(strip, Qt.Key.Key_End)
-    qtbot.waitUntil(lambda: document.frame_index == COUNT - 1)
+    qtbot.waitUntil(lambda: document.state.frame_index == COUNT - 1)
     QTest.keyClick(strip, Qt.Key.Key_Home)
-    qtbot.waitUntil(lambda: document.frame_index == 0)
+    qtbot.waitUntil(lambda: document.state.frame_index == 0)
 
 
 def test_it_follows_the_frame_again_when_a_key_came_up_elsewhere(
@@ -441,9 +443,9 @@ def test_it_follows_the_frame_again_when_a_key_came_up_elsewhere(
     strip, document = window.strip, window.document
     strip.setFocus(Qt.FocusReason.TabFocusReason)
     QTest.keyPress(strip, Qt.Key.Key_Right)
-    qtbot.waitUntil(lambda: document.frame_index == 1)
+    qtbot.waitUntil(lambda: document.state.frame_index == 1)
     QApplication.sendEvent(strip, QFocusEvent(QEvent.Type.FocusOut))
-    document.go_to(5)
+    document.walk.go_to(5)
     assert strip.number == int(strip.content.sequence.numbers[5])
 
 

@@ -33,9 +33,9 @@ def opened(make_window: MakeWindow, sample: Path, qtbot: QtBot) -> MainWindow:
     """The window on the sample, both sources audited, "bad" active."""
     window = make_window(sample)
     for name in SETS:
-        window.document.load_cameras(sample / "cameras" / name)
-    window.document.set_active_camera(
-        next(i for i, s in enumerate(window.document.sources) if s.name == "bad")
+        window.document.camera_sources.load_cameras(sample / "cameras" / name)
+    window.document.camera_sources.set_active_camera(
+        next(i for i, s in enumerate(window.document.state.sources) if s.name == "bad")
     )
     qtbot.waitUntil(lambda: not window.document.set_scores.running, timeout=20_000)
     all_done(qtbot)
@@ -45,12 +45,12 @@ def opened(make_window: MakeWindow, sample: Path, qtbot: QtBot) -> MainWindow:
 @pytest.fixture
 def window(make_window: MakeWindow, sample: Path, qtbot: QtBot) -> MainWindow:
     window = opened(make_window, sample, qtbot)
-    window.document.go_to(0)
+    window.document.walk.go_to(0)
     return window
 
 
 def source_of(document: Document, name: str) -> CameraSource:
-    return next(source for source in document.sources if source.name == name)
+    return next(source for source in document.state.sources if source.name == name)
 
 
 def verdict_on(document: Document, frame: str, name: str) -> Verdict | None:
@@ -76,7 +76,7 @@ def walk(window: MainWindow, key: Qt.Key, *modifiers: Qt.KeyboardModifier) -> li
     names = []
     for _ in range(40):
         press(window, key, *modifiers)
-        name = window.document.frame.name
+        name = window.document.state.frame.name
         if names and name == names[0]:
             return names
         names.append(name)
@@ -85,80 +85,82 @@ def walk(window: MainWindow, key: Qt.Key, *modifiers: Qt.KeyboardModifier) -> li
 
 class TestWalks:
     def test_by_jac(self, window: MainWindow) -> None:
-        window.document.go_to(4)  # not annotated: the walk begins at the worst
+        window.document.walk.go_to(4)  # not annotated: the walk begins at the worst
         ctrl, shift = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
         names = walk(window, Qt.Key.Key_W, ctrl, shift)
-        scores = window.document.frame_scores
+        scores = window.document.auditing.frame_scores
         assert sorted(names) == sorted(scores)
         jacs = [scores[name] for name in names]
         assert jacs == sorted(jacs)
 
     def test_begun_on_the_worst_it_says_so_and_stays(self, window: MainWindow) -> None:
         document = window.document
-        worst = min(document.frame_scores, key=document.frame_scores.__getitem__)
-        document.go_to(document.workspace.index[worst])
+        worst = min(document.auditing.frame_scores, key=document.auditing.frame_scores.__getitem__)
+        document.walk.go_to(document.state.workspace.index[worst])
         press(window, Qt.Key.Key_W, Qt.KeyboardModifier.ControlModifier,
               Qt.KeyboardModifier.ShiftModifier)  # fmt: skip
-        assert document.frame.name == worst
-        count = len(document.frame_scores)
+        assert document.state.frame.name == worst
+        count = len(document.auditing.frame_scores)
         assert f"1 of {count}, worst first" in window.status.hint.text()
         assert "this is the worst" in window.status.hint.text()
         press(window, Qt.Key.Key_W, Qt.KeyboardModifier.ControlModifier,
               Qt.KeyboardModifier.ShiftModifier)  # fmt: skip
-        assert document.frame.name != worst
+        assert document.state.frame.name != worst
         assert f"2 of {count}, worst first" in window.status.hint.text()
 
     def test_by_largest_error(self, window: MainWindow) -> None:
-        window.document.go_to(4)
+        window.document.walk.go_to(4)
         names = walk(window, Qt.Key.Key_F3)
-        audits = window.document.active_source.audits
+        audits = window.document.state.active.audits
         errors = [float(np.nanmax(audits[name].errors_px)) for name in names]
         assert errors == sorted(errors, reverse=True)
         assert sorted(names) == sorted(n for n, a in audits.items() if len(a.errors_px))
 
     def test_an_edit_does_not_change_the_order_while_one_walks(self, window: MainWindow) -> None:
         document = window.document
-        document.go_to(4)
+        document.walk.go_to(4)
         press(window, Qt.Key.Key_F3)
-        first = document.frame.name
+        first = document.state.frame.name
         press(window, Qt.Key.Key_F3)
-        second = document.frame.name
+        second = document.state.frame.name
         worst = worst_elements_first(
-            explain_score(document.score, document.measurement, document.field)
+            explain_score(document.judge.score, document.judge.measurement, document.state.field)
         )[0]
-        document.commit_edit("clear", document.annotation.without(worst.annotated_name))
-        document.next_frame()  # a look beside
+        document.editing.commit_edit(
+            "clear", document.state.annotation.without(worst.annotated_name)
+        )
+        document.walk.next_frame()  # a look beside
         rest = walk(window, Qt.Key.Key_F3)
         assert rest[-2:] == [first, second]
         assert len(set(rest)) == len(rest)
 
     def test_by_disagreement(self, window: MainWindow, qtbot: QtBot) -> None:
-        window.document.go_to(4)
-        before = window.document.frame
+        window.document.walk.go_to(4)
+        before = window.document.state.frame
         press(window, Qt.Key.Key_F4)
-        qtbot.waitUntil(lambda: window.document.frame is not before, timeout=20_000)
+        qtbot.waitUntil(lambda: window.document.state.frame is not before, timeout=20_000)
         (found,) = window.worst_first._kept.values()
-        first = window.document.frame.name
+        first = window.document.state.frame.name
         assert found.metres[first] == max(found.metres.values()) > 0.05
         names = [first]
         for _ in range(len(found.metres) - 1):
             press(window, Qt.Key.Key_F4)
-            names.append(window.document.frame.name)
+            names.append(window.document.state.frame.name)
         metres = [found.metres[name] for name in names]
         assert metres == sorted(metres, reverse=True)
         assert set(names) == set(found.metres)
 
     def test_whoever_moved_on_is_not_taken_away(self, window: MainWindow, qtbot: QtBot) -> None:
         press(window, Qt.Key.Key_F4)
-        window.document.go_to(3)
+        window.document.walk.go_to(3)
         qtbot.waitUntil(lambda: bool(window.worst_first._kept), timeout=20_000)
-        assert window.document.frame_index == 3
+        assert window.document.state.frame_index == 3
 
     def test_without_a_second_source_it_says_what_to_do(
         self, make_window: MakeWindow, sample: Path, qtbot: QtBot
     ) -> None:
         window = make_window(sample)
-        window.document.load_cameras(sample / "cameras" / "bad")
+        window.document.camera_sources.load_cameras(sample / "cameras" / "bad")
         with qtbot.waitSignal(window.document.message) as told:
             press(window, Qt.Key.Key_F4)
         assert "two sources are needed" in told.args[0]
@@ -166,10 +168,10 @@ class TestWalks:
     def test_blind_it_goes_to_committed_frames_only(self, window: MainWindow) -> None:
         document = window.document
         for index in (1, 2):
-            document.go_to(index)
-            document.commit_frame()
-        document.set_blind(True)
-        document.go_to(5)
+            document.walk.go_to(index)
+            document.editing.commit_frame()
+        document.blind_lock.set_blind(True)
+        document.walk.go_to(5)
         assert sorted(walk(window, Qt.Key.Key_F3)) == ["00002", "00003"]
 
 
@@ -178,7 +180,7 @@ class TestVerdicts:
         self, window: MainWindow, qtbot: QtBot
     ) -> None:
         document = window.document
-        frame = document.frame.name
+        frame = document.state.frame.name
         press(window, Qt.Key.Key_F7)
         assert verdict_on(document, frame, "bad").fault is FaultParty.CAMERA
         assert verdict_on(document, frame, "true") is None
@@ -197,7 +199,7 @@ class TestVerdicts:
         qtbot.mouseClick(buttons[FaultParty.FINE], Qt.MouseButton.LeftButton)
         assert verdict_on(window.document, "00001", "bad").fault is FaultParty.FINE
         assert not buttons[FaultParty.CAMERA].isChecked()
-        window.document.go_to(1)
+        window.document.walk.go_to(1)
         qtbot.waitUntil(lambda: not buttons[FaultParty.FINE].isChecked())
 
     def test_it_is_there_when_the_dataset_is_opened_again_and_exported(
@@ -205,13 +207,13 @@ class TestVerdicts:
         tmp_path: Path,
     ) -> None:  # fmt: skip
         press(window, Qt.Key.Key_F7)
-        window.document.go_to(2)
+        window.document.walk.go_to(2)
         press(window, Qt.Key.Key_F9)
         document = window.document
         document.verdicts.set_verdict(
             "00003", source_of(document, "bad"), FaultParty.FINE, "as sharp as it gets"
         )
-        jac = window.document.frame_scores["00003"]
+        jac = window.document.auditing.frame_scores["00003"]
         window.close()
         again = opened(make_window, sample, qtbot)
         assert verdict_on(again.document, "00001", "bad").fault is FaultParty.CAMERA
@@ -225,7 +227,7 @@ class TestVerdicts:
         assert second["comment"] == "as sharp as it gets"
         assert float(second["jac@5px"]) == pytest.approx(jac, abs=1e-5)
         assert float(second["largest_error_px"]) == pytest.approx(
-            np.nanmax(again.document.active_source.audits["00003"].errors_px), abs=2e-3
+            np.nanmax(again.document.state.active.audits["00003"].errors_px), abs=2e-3
         )
 
     def test_they_go_along_when_their_source_gets_another_name(
@@ -234,7 +236,7 @@ class TestVerdicts:
         document = window.document
         window.panels.show("scores")
         press(window, Qt.Key.Key_F7)
-        document.rename_source(document.active_source, "vendor X")
+        document.camera_sources.rename_source(document.state.active, "vendor X")
         assert window.frames.model.info(0).verdict is FaultParty.CAMERA
         qtbot.waitUntil(window.scores.verdict.buttons[FaultParty.CAMERA].isChecked)
         (row,) = exported(window, tmp_path / "verdicts.csv", qtbot)
@@ -246,22 +248,24 @@ class TestVerdicts:
     ) -> None:
         document = window.document
         press(window, Qt.Key.Key_F7)
-        document.remove_camera_set(document.sources.index(document.active_source))
+        document.camera_sources.remove_camera_set(
+            document.state.sources.index(document.state.active)
+        )
         other = tmp_path / "elsewhere" / "bad"
         shutil.copytree(sample / "cameras" / "true", other)
-        document.load_cameras(other)
-        assert document.active_source.name == "bad"
+        document.camera_sources.load_cameras(other)
+        assert document.state.active.name == "bad"
         assert window.frames.model.info(0).verdict is None
         (row,) = exported(window, tmp_path / "verdicts.csv", qtbot)
         assert row["problem"] == "the source cameras/bad is not loaded"
         assert row["jac@5px"] == ""
         press(window, Qt.Key.Key_F9)  # says nothing of the one that is gone
-        document.load_cameras(sample / "cameras" / "bad", name="back again")
+        document.camera_sources.load_cameras(sample / "cameras" / "bad", name="back again")
         assert window.frames.model.info(0).verdict is FaultParty.CAMERA
 
     def test_the_frames_can_be_filtered_by_it(self, window: MainWindow, qtbot: QtBot) -> None:
         for index in (1, 5):
-            window.document.go_to(index)
+            window.document.walk.go_to(index)
             press(window, Qt.Key.Key_F8)
         window.frames.filter.setText("verdict:annotation")
         qtbot.waitUntil(lambda: window.frames.model.rowCount() == 2)
@@ -271,12 +275,12 @@ class TestVerdicts:
     def test_blind_nothing_is_marked_or_shown(self, window: MainWindow, qtbot: QtBot) -> None:
         document = window.document
         press(window, Qt.Key.Key_F7)
-        document.set_blind(True)
+        document.blind_lock.set_blind(True)
         assert window.frames.model.info(0).verdict is None
         with qtbot.waitSignal(document.message) as told:
             press(window, Qt.Key.Key_F7)
         assert "blind" in told.args[0]
-        document.set_blind(False)
+        document.blind_lock.set_blind(False)
         assert verdict_on(document, "00001", "bad").fault is FaultParty.CAMERA
 
     def test_blind_verdicts_on_committed_frames_only_are_exported(
@@ -284,10 +288,10 @@ class TestVerdicts:
     ) -> None:
         document = window.document
         for index in (0, 1):
-            document.go_to(index)
+            document.walk.go_to(index)
             press(window, Qt.Key.Key_F7)
-        document.commit_frame()
-        document.set_blind(True)
+        document.editing.commit_frame()
+        document.blind_lock.set_blind(True)
         told: list[str] = []
         document.message.connect(lambda text, level: told.append(text))
         (shown,) = exported(window, tmp_path / "verdicts.csv", qtbot)
@@ -325,24 +329,24 @@ class TestStatusLine:
         assert "00001: camera fault" in self.told(window)
         all_done(qtbot)
         press(window, Qt.Key.Key_D)
-        assert window.document.frame.name == "00002"
+        assert window.document.state.frame.name == "00002"
         assert "00001" not in self.told(window)
 
     def test_what_leaving_a_frame_did_stays(self, window: MainWindow, qtbot: QtBot) -> None:
         hand = Hand(window)
-        window.document.go_to(4)
-        window.document.select_class("Middle line")
+        window.document.walk.go_to(4)
+        window.document.selecting.select_class("Middle line")
         hand.click(400, 200)
         hand.click(420, 400)
         all_done(qtbot)
-        window.document.next_frame()
+        window.document.walk.next_frame()
         assert "finished" in self.told(window)
 
 
 class TestExplainer:
     @pytest.fixture
     def panel(self, window: MainWindow, qtbot: QtBot):
-        window.document.go_to(1)
+        window.document.walk.go_to(1)
         window.panels.show("scores")
         # The panel says in its own time what the frame before had no more than three rows of.
         qtbot.waitUntil(lambda: len(window.scores.model.rows) > 3)
@@ -351,7 +355,7 @@ class TestExplainer:
     def test_every_row_says_why(self, window: MainWindow, panel) -> None:
         document = window.document
         expected = worst_elements_first(
-            explain_score(document.score, document.measurement, document.field)
+            explain_score(document.judge.score, document.judge.measurement, document.state.field)
         )
         assert [row.why for row in panel.model.rows] == [e.sentence for e in expected]
         assert any("too far: point" in row.why for row in panel.model.rows)
@@ -364,9 +368,9 @@ class TestExplainer:
         with qtbot.waitSignal(document.flyTo) as flown:
             qtbot.mouseClick(panel.table.viewport(), Qt.MouseButton.LeftButton, pos=rect.center())
         row, element = panel.model.rows[0], panel.model.elements[0]
-        assert document.selected_point == (row.class_name, element.deciding_point)
-        point = document.annotation.get(row.class_name).points[element.deciding_point]
-        width, height = document.picture_size
+        assert document.state.selection.point == (row.class_name, element.deciding_point)
+        point = document.state.annotation.get(row.class_name).points[element.deciding_point]
+        width, height = document.state.picture_size
         assert flown.args == pytest.approx([point.u * (width - 1), point.v * (height - 1)])
         qtbot.waitUntil(lambda: panel.why.text() == row.why)
 
@@ -376,7 +380,7 @@ class TestExplainer:
         panel.table.selectRow(0)
         with qtbot.waitSignal(document.flyTo):
             qtbot.keyClick(panel.table, Qt.Key.Key_Down)
-        assert document.selected_class == panel.model.rows[1].class_name
+        assert document.state.selected_class == panel.model.rows[1].class_name
         qtbot.waitUntil(lambda: panel.why.text() == panel.model.rows[1].why)
         with qtbot.waitSignal(document.flyTo):
             qtbot.keyClick(panel.table, Qt.Key.Key_Return)
@@ -386,13 +390,13 @@ class TestExplainer:
     ) -> None:
         panel.table.setFocus(Qt.FocusReason.TabFocusReason)
         with qtbot.assertNotEmitted(window.document.flyTo, wait=150):
-            window.document.select_class(panel.model.rows[2].class_name)
+            window.document.selecting.select_class(panel.model.rows[2].class_name)
         assert panel.why.text() == panel.model.rows[2].why
 
     def test_the_sentence_is_never_cut_off(self, window: MainWindow, panel, qtbot: QtBot) -> None:
         document = window.document
         longest = max(panel.model.rows, key=lambda row: len(row.why))
-        document.select_class(longest.class_name)
+        document.selecting.select_class(longest.class_name)
         qtbot.waitUntil(lambda: panel.why.text() == longest.why)
         all_done(qtbot)
         assert panel.why.height() >= panel.why.heightForWidth(panel.why.width())

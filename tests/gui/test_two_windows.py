@@ -66,10 +66,10 @@ def test_the_second_window_sees_who_is_editing_and_cannot_click(
     first, second = both
     hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
     second.document.presence.look()
-    assert not second.document.editable
+    assert not second.document.state.editable
     assert "Ada" in second.frame_bar.label.text()
     hand_on(second).draw(TOP, (100, 50), (200, 50))
-    assert second.document.annotation.get(TOP) is None
+    assert second.document.state.annotation.get(TOP) is None
     assert not second.canvas.editor.drawing
 
 
@@ -80,26 +80,26 @@ def test_an_edit_that_finds_the_lock_free_again_opens_the_frame(
     hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
     second.document.presence.look()
     first.document.presence.close()
-    annotation = second.document.annotation
+    annotation = second.document.state.annotation
     moved = annotation.with_polyline(Polyline(TOP, (Point(0.1, 0.1), Point(0.3, 0.1))))
-    assert second.document.commit_edit("late", moved)  # of a gesture that had begun before
-    assert second.document.editable
+    assert second.document.editing.commit_edit("late", moved)  # of a gesture that had begun before
+    assert second.document.state.editable
     assert second.frame_bar.isHidden()
 
 
 def test_who_looks_only_blocks_nobody(both: tuple[MainWindow, MainWindow], hand_on: HandOn) -> None:
     _, second = both
     hand_on(second).draw(TOP, (100, 50), (200, 50))
-    assert second.document.annotation.get(TOP) is not None
+    assert second.document.state.annotation.get(TOP) is not None
 
 
 def test_a_click_that_comes_second_is_refused_before_anything_is_drawn(
     both: tuple[MainWindow, MainWindow], hand_on: HandOn
 ) -> None:
     first, second = both
-    first.document.select_class(MIDDLE)
+    first.document.selecting.select_class(MIDDLE)
     hand_on(first).click(100, 100)  # not finished, nothing saved yet
-    second.document.select_class(TOP)
+    second.document.selecting.select_class(TOP)
     hand_on(second).click(100, 50)
     assert not second.canvas.editor.drawing
     assert "Ada" in second.message_bar.label.text()
@@ -111,12 +111,12 @@ def test_it_opens_by_itself_with_the_newer_file_once_the_other_leaves(
     first, second = both
     hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
     second.document.presence.look()
-    first.document.next_frame()
+    first.document.walk.next_frame()
     second.document.presence.look()
-    assert second.document.editable
-    assert second.document.annotation.annotated == (MIDDLE,)
+    assert second.document.state.editable
+    assert second.document.state.annotation.annotated == (MIDDLE,)
     hand_on(second).draw(TOP, (100, 50), (200, 50))
-    assert second.document.annotation.annotated == (MIDDLE, TOP)
+    assert second.document.state.annotation.annotated == (MIDDLE, TOP)
     assert not second.document.saver.problems
 
 
@@ -125,9 +125,9 @@ def test_a_frame_edited_elsewhere_meanwhile_is_read_again_before_the_first_click
 ) -> None:
     first, second = both
     hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
-    first.document.next_frame()  # the second window has not looked in between
+    first.document.walk.next_frame()  # the second window has not looked in between
     hand_on(second).draw(TOP, (100, 50), (200, 50))
-    assert second.document.annotation.annotated == (MIDDLE, TOP)
+    assert second.document.state.annotation.annotated == (MIDDLE, TOP)
 
 
 def test_a_lock_that_was_cleared_away_is_taken_again(
@@ -139,12 +139,12 @@ def test_a_lock_that_was_cleared_away_is_taken_again(
     _clear_away(dataset / ".procc", tmp_path)
     first.document.presence.beat()
     second.document.presence.look()
-    assert not second.document.editable
+    assert not second.document.state.editable
     _clear_away(dataset / ".procc" / "locks", tmp_path)
     hand_on(first).draw(TOP, (100, 50), (200, 50))  # before the next beat
     enter(first)
     second.document.presence.look()
-    assert not second.document.editable
+    assert not second.document.state.editable
 
 
 def test_a_frame_somebody_else_had_meanwhile_is_read_again(
@@ -158,18 +158,18 @@ def test_a_frame_somebody_else_had_meanwhile_is_read_again(
     )  # as if it had expired while the first one slept
     second.document.presence.look()
     hand_on(second).draw(TOP, (100, 50), (200, 50))
-    second.document.next_frame()
+    second.document.walk.next_frame()
     first.document.presence.beat()
-    assert first.document.annotation.annotated == (MIDDLE, TOP)
+    assert first.document.state.annotation.annotated == (MIDDLE, TOP)
     assert not first.document.saver.problems
 
 
 def test_another_frame_is_free(both: tuple[MainWindow, MainWindow], hand_on: HandOn) -> None:
     first, second = both
     hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
-    second.document.next_frame()
+    second.document.walk.next_frame()
     hand_on(second).draw(TOP, (100, 50), (200, 50))
-    assert second.document.annotation.annotated == (TOP,)
+    assert second.document.state.annotation.annotated == (TOP,)
 
 
 def test_a_closed_window_leaves_no_lock(
@@ -199,7 +199,7 @@ def test_the_lock_of_a_killed_program_is_gone_at_once(
     assert done.returncode < 0
     window = make_window(dataset)
     hand_on(window).draw(MIDDLE, (100, 100), (200, 200))
-    assert window.document.annotation.annotated == (MIDDLE,)
+    assert window.document.state.annotation.annotated == (MIDDLE,)
 
 
 def test_statuses_and_comments_of_the_other_window_arrive(
@@ -221,7 +221,7 @@ def test_a_lock_lost_in_the_middle_of_a_gesture_costs_no_click(
     both: tuple[MainWindow, MainWindow], hand_on: HandOn, dataset: Path
 ) -> None:
     first, second = both
-    first.document.select_class(MIDDLE)
+    first.document.selecting.select_class(MIDDLE)
     hand = hand_on(first)
     hand.click(100, 100)
     hand.click(200, 200)
@@ -230,7 +230,7 @@ def test_a_lock_lost_in_the_middle_of_a_gesture_costs_no_click(
     assert second.document.presence.acquire()
     first.document.presence.beat()
     enter(first)  # the other window has the keyboard
-    assert first.document.annotation.annotated == (MIDDLE,)
+    assert first.document.state.annotation.annotated == (MIDDLE,)
     assert (dataset / "frame_0.json").exists()
 
 
@@ -240,15 +240,15 @@ def test_a_menu_edit_keeps_what_the_other_window_clicked(
     first, second = both
     hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
     second.document.presence.look()
-    first.document.next_frame()
+    first.document.walk.next_frame()
     second.document.presence.look()
-    assert second.document.annotation.annotated == (MIDDLE,)
-    first.document.previous_frame()
+    assert second.document.state.annotation.annotated == (MIDDLE,)
+    first.document.walk.previous_frame()
     hand_on(first).draw(TOP, (100, 50), (200, 50))
-    first.document.next_frame()  # the second window has not looked in between
-    second.document.select_class(MIDDLE)
+    first.document.walk.next_frame()  # the second window has not looked in between
+    second.document.selecting.select_class(MIDDLE)
     second.element_edits.change_class("Side line bottom")
-    assert second.document.annotation.annotated == ("Side line bottom", TOP)
+    assert second.document.state.annotation.annotated == ("Side line bottom", TOP)
 
 
 def test_a_menu_edit_of_what_the_other_window_changed_is_not_done(
@@ -257,15 +257,15 @@ def test_a_menu_edit_of_what_the_other_window_changed_is_not_done(
     first, second = both
     hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
     second.document.presence.look()
-    first.document.next_frame()
+    first.document.walk.next_frame()
     second.document.presence.look()
-    first.document.previous_frame()
-    first.document.select_class(MIDDLE)
+    first.document.walk.previous_frame()
+    first.document.selecting.select_class(MIDDLE)
     first.element_edits.change_class(TOP)
-    first.document.next_frame()
-    second.document.select_class(MIDDLE)
+    first.document.walk.next_frame()
+    second.document.selecting.select_class(MIDDLE)
     second.element_edits.reverse()
-    assert second.document.annotation.annotated == (TOP,)
+    assert second.document.state.annotation.annotated == (TOP,)
     assert "changed elsewhere" in second.status.hint.text()
 
 
@@ -275,26 +275,26 @@ def test_a_remedy_keeps_what_the_other_window_clicked(
     first, second = both
     hand_on(first).draw(MIDDLE, (100, 100), (200, 102), (300, 100), (400, 200), (500, 100))
     second.document.presence.look()
-    first.document.next_frame()
+    first.document.walk.next_frame()
     second.document.presence.look()
     check = second.document.label_check
     qtbot.waitUntil(lambda: bool(check.shown), timeout=20_000)
     found = check.shown[0]
     remedy = Remedy(RemedyKind.RELABEL, "relabel", ((MIDDLE, "Side line bottom"),))
-    first.document.previous_frame()
+    first.document.walk.previous_frame()
     hand_on(first).draw(TOP, (100, 50), (200, 50))
-    first.document.next_frame()
+    first.document.walk.next_frame()
     second.label_check.apply(found, remedy)
-    assert second.document.annotation.annotated == ("Side line bottom", TOP)
-    second.document.undo()
-    second.document.next_frame()
-    first.document.previous_frame()
+    assert second.document.state.annotation.annotated == ("Side line bottom", TOP)
+    second.document.editing.undo()
+    second.document.walk.next_frame()
+    first.document.walk.previous_frame()
     first.document.presence.look()
     hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
-    first.document.next_frame()
-    second.document.previous_frame()
+    first.document.walk.next_frame()
+    second.document.walk.previous_frame()
     second.label_check.apply(found, remedy)
-    assert second.document.annotation.get("Side line bottom") is None
+    assert second.document.state.annotation.get("Side line bottom") is None
 
 
 def test_a_lock_to_blind_mode_reaches_a_window_that_is_worked_in(
@@ -311,49 +311,49 @@ def test_a_lock_to_blind_mode_reaches_a_window_that_is_worked_in(
     def looked() -> bool:
         review.add_comment("frame_0", "busy")  # before every look, as by a busy hand
         review.poll()
-        return second.document.blind
+        return second.document.state.blind
 
     qtbot.waitUntil(looked, timeout=20_000)
     assert [text for text in told if "locked this dataset to blind mode on" in text]
-    assert first.document.blind
+    assert first.document.state.blind
 
 
 def _seen_by_both(first: MainWindow, second: MainWindow, hand: Hand, frame: int = 0) -> None:
     """The first window draws an element; the second one reads it and looks no more."""
     elsewhere = 1 if frame == 0 else 0
-    first.document.go_to(frame)
+    first.document.walk.go_to(frame)
     hand.draw(MIDDLE, (100, 100), (150, 150), (200, 200))
-    first.document.go_to(elsewhere)
-    second.document.go_to(frame)
-    second.document.begin_edit()
-    second.document.go_to(elsewhere)
-    second.document.go_to(frame)
-    assert second.document.annotation.annotated == (MIDDLE,)
-    first.document.go_to(frame)
+    first.document.walk.go_to(elsewhere)
+    second.document.walk.go_to(frame)
+    second.document.editing.begin_edit()
+    second.document.walk.go_to(elsewhere)
+    second.document.walk.go_to(frame)
+    assert second.document.state.annotation.annotated == (MIDDLE,)
+    first.document.walk.go_to(frame)
 
 
 def test_a_key_on_what_is_chosen_keeps_what_the_other_window_clicked(
     both: tuple[MainWindow, MainWindow], hand_on: HandOn, on_disk: OnDisk
 ) -> None:
     first, second = both
-    second.document.set_mode("edit")
+    second.document.selecting.set_mode("edit")
     for frame, key in enumerate(("Delete", "Left", "element")):
         _seen_by_both(first, second, hand_on(first), frame)
         if key == "element":
-            second.document.select_point(None)
-            second.document.select_class(MIDDLE)
+            second.document.selecting.select_point(None)
+            second.document.selecting.select_class(MIDDLE)
         else:
-            second.document.select_point(MIDDLE, 1)
-        before = second.document.annotation.get(MIDDLE)
+            second.document.selecting.select_point(MIDDLE, 1)
+        before = second.document.state.annotation.get(MIDDLE)
         hand_on(first).draw(TOP, (100, 50), (200, 50))
-        first.document.go_to(1 if frame == 0 else 0)
+        first.document.walk.go_to(1 if frame == 0 else 0)
         if key == "Left":
             second.canvas.arrow(key, 1.0)
         else:
             second.canvas.key("Delete")
-        assert on_disk(frame) == second.document.annotation.annotated
+        assert on_disk(frame) == second.document.state.annotation.annotated
         assert TOP in on_disk(frame)
-        assert second.document.annotation.get(MIDDLE) != before  # and it did what it is for
+        assert second.document.state.annotation.get(MIDDLE) != before  # and it did what it is for
     assert not second.document.saver.problems
 
 
@@ -362,23 +362,23 @@ def test_a_key_on_what_the_other_window_changed_is_not_done(
 ) -> None:
     first, second = both
     _seen_by_both(first, second, hand_on(first))
-    second.document.set_mode("edit")
-    second.document.select_point(MIDDLE, 2)
-    first.document.set_mode("edit")
-    first.document.select_point(MIDDLE, 0)
+    second.document.selecting.set_mode("edit")
+    second.document.selecting.select_point(MIDDLE, 2)
+    first.document.selecting.set_mode("edit")
+    first.document.selecting.select_point(MIDDLE, 0)
     first.canvas.key("Delete")
-    newer = first.document.annotation
-    first.document.next_frame()
+    newer = first.document.state.annotation
+    first.document.walk.next_frame()
     for _ in range(2):  # nor does the second one take the whole element for the point
         second.canvas.key("Delete")
-        assert second.document.annotation == newer
+        assert second.document.state.annotation == newer
     assert not second.document.saver.problems
 
 
 def let_go(window: MainWindow) -> None:
     """The window shows the frame, does not edit it, and did not notice yet what others write."""
-    window.document.next_frame()
-    window.document.previous_frame()
+    window.document.walk.next_frame()
+    window.document.walk.previous_frame()
     window.document.outside.close()
 
 
@@ -391,14 +391,14 @@ def test_undo_and_redo_take_back_nothing_that_the_other_window_saved(
         if direction == "redo":
             hand_on(first).draw("Side line bottom", (100, 300), (200, 300))
             enter(first)  # the other window has the keyboard
-            first.document.undo()
+            first.document.editing.undo()
         let_go(first)
         hand_on(second).draw(TOP, (100, 50), (200, 50))
-        second.document.next_frame()
+        second.document.walk.next_frame()
         getattr(first.document, direction)()
-        assert on_disk(frame) == first.document.annotation.annotated == (MIDDLE, TOP)
+        assert on_disk(frame) == first.document.state.annotation.annotated == (MIDDLE, TOP)
         assert "changed elsewhere" in first.status.hint.text()
-        first.document.next_frame()
+        first.document.walk.next_frame()
 
 
 def test_undo_takes_away_what_the_other_window_saved_only_when_asked_twice(
@@ -406,25 +406,25 @@ def test_undo_takes_away_what_the_other_window_saved_only_when_asked_twice(
 ) -> None:
     first, second = both
     hand_on(second).draw(MIDDLE, (100, 100), (200, 200))
-    second.document.next_frame()
+    second.document.walk.next_frame()
     hand_on(first).draw(TOP, (100, 50), (200, 50))
-    second.document.previous_frame()
-    first.document.next_frame()
+    second.document.walk.previous_frame()
+    first.document.walk.next_frame()
     second.document.presence.look()  # it opens by itself
-    assert second.document.annotation.annotated == (MIDDLE, TOP)
+    assert second.document.state.annotation.annotated == (MIDDLE, TOP)
     hand_on(second).draw("Side line bottom", (100, 300), (200, 300))
-    second.document.undo()
+    second.document.editing.undo()
     for _ in range(2):
-        second.document.undo()
+        second.document.editing.undo()
         assert on_disk() == (MIDDLE, TOP)
         assert "undo once more takes that away" in second.status.hint.text()
-        second.document.select_class("Side line bottom")
+        second.document.selecting.select_class("Side line bottom")
         hand_on(second).draw("Side line bottom", (100, 300), (200, 300))
-        second.document.undo()
-    second.document.undo()
-    second.document.undo()
+        second.document.editing.undo()
+    second.document.editing.undo()
+    second.document.editing.undo()
     assert on_disk() == (MIDDLE,)
-    second.document.redo()
+    second.document.editing.redo()
     assert on_disk() == (MIDDLE, TOP)
 
 
@@ -433,11 +433,11 @@ def test_nobody_commits_what_they_have_not_seen(
 ) -> None:
     first, second = both
     hand_on(first).draw(MIDDLE, (100, 100), (200, 200))
-    first.document.next_frame()
-    second.document.commit_frame()
-    assert second.document.annotation.annotated == (MIDDLE,)
+    first.document.walk.next_frame()
+    second.document.editing.commit_frame()
+    assert second.document.state.annotation.annotated == (MIDDLE,)
     assert not second.document.review.record("frame_0").committed
-    second.document.commit_frame()
+    second.document.editing.commit_frame()
     assert second.document.review.record("frame_0").committed
 
 
@@ -453,7 +453,7 @@ def test_a_lost_lock_costs_nobody_an_element(
     first, second = both
     hand = hand_on(first)
     hand.draw(MIDDLE, (100, 100), (200, 200))
-    first.document.select_class("Side line bottom")
+    first.document.selecting.select_class("Side line bottom")
     if in_the_middle:
         hand.click(100, 300)
         hand.click(200, 300)
@@ -461,13 +461,13 @@ def test_a_lost_lock_costs_nobody_an_element(
     _clear_away(dataset / ".procc" / "locks", tmp_path)  # as if it had expired in its sleep
     second.document.presence.look()
     hand_on(second).draw(TOP, (100, 50), (200, 50))
-    second.document.next_frame()
+    second.document.walk.next_frame()
     if not in_the_middle:
         hand.click(100, 300)
         hand.click(200, 300)
     enter(first)  # before the next beat
     assert TOP in on_disk()
-    assert "Side line bottom" in first.document.annotation.annotated
+    assert "Side line bottom" in first.document.state.annotation.annotated
     if in_the_middle:
         assert first.conflict_bar.isVisible()
     else:
@@ -483,13 +483,13 @@ def test_an_import_that_replaces_nothing_keeps_what_the_other_window_clicked(
     qtbot: QtBot,
 ) -> None:
     first, second = both
-    first.document.next_frame()  # both frames were read while they were empty
+    first.document.walk.next_frame()  # both frames were read while they were empty
     foreign = tmp_path / "foreign"
     foreign.mkdir()
     points = [{"x": 0.1, "y": 0.1}, {"x": 0.2, "y": 0.2}]
     for frame in (0, 1):
         hand_on(second).draw(TOP, (100, 50), (200, 50))
-        second.document.next_frame()
+        second.document.walk.next_frame()
         (foreign / f"frame_{frame}.json").write_text(json.dumps({MIDDLE: points}))
     importer = first.importer
     importer.ask()
@@ -513,7 +513,7 @@ def test_an_earlier_version_does_not_replace_what_the_other_window_just_saved(
     oldest = database.versions("frame_0")[-1]
     let_go(first)
     hand_on(second).draw(TOP, (100, 50), (200, 50))
-    second.document.next_frame()
+    second.document.walk.next_frame()
     apply_version(first.document, oldest.id)
     assert TOP in on_disk()
     apply_version(first.document, oldest.id)  # now it was seen

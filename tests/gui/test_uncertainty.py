@@ -25,7 +25,7 @@ SEEN = (-40.0, 5.0)  # on the ground, metres
 def shown(make_window: MakeWindow, annotated: Path, qtbot: QtBot) -> MainWindow:
     """The sample with the map over its second frame."""
     window = make_window(annotated)
-    window.document.go_to(FRAME)
+    window.document.walk.go_to(FRAME)
     qtbot.waitUntil(lambda: window.document.live_fit.result is not None)
     qtbot.waitUntil(lambda: window.document.map_sight.shown is not None)
     QApplication.processEvents()
@@ -71,7 +71,7 @@ def test_what_is_seen_of_the_field_is_covered(shown: MainWindow) -> None:
 
 def test_the_legend_gives_the_shares(shown: MainWindow) -> None:
     document, legend = shown.document, shown.canvas.maps.legend
-    expected = map_ground_uncertainty(document.live_fit.result, document.field)
+    expected = map_ground_uncertainty(document.live_fit.result, document.state.field)
     assert legend.isVisible()
     assert legend.lines == tuple(
         f"{m:g} m: {100 * expected.share_within_m(m):.0f} % of the field in sight"
@@ -96,7 +96,7 @@ def test_the_status_line_says_it_of_the_cursor(shown: MainWindow, person: Hand) 
 def test_never_of_the_fit_before_an_edit(shown: MainWindow, qtbot: QtBot) -> None:
     document = shown.document
     before = document.uncertainty.value
-    document.select_class("Side line left")
+    document.selecting.select_class("Side line left")
     shown.actions_["delete_element"].trigger()
     assert document.uncertainty.value is None
     assert shown.canvas.maps.legend.lines[0] == "0.1 m: …"
@@ -109,7 +109,7 @@ def test_never_of_the_fit_before_an_edit(shown: MainWindow, qtbot: QtBot) -> Non
 def test_another_frame_has_its_own(shown: MainWindow, qtbot: QtBot) -> None:
     document = shown.document
     for index in (2, 3, FRAME + 1):
-        document.go_to(index)
+        document.walk.go_to(index)
         assert document.uncertainty.value is None
     arrive(shown, qtbot)
     assert document.uncertainty.value.values.fit is document.live_fit.result
@@ -117,7 +117,7 @@ def test_another_frame_has_its_own(shown: MainWindow, qtbot: QtBot) -> None:
 
 def test_without_a_camera_it_says_why(shown: MainWindow, qtbot: QtBot) -> None:
     legend = shown.canvas.maps.legend
-    shown.document.go_to(BARE)
+    shown.document.walk.go_to(BARE)
     qtbot.waitUntil(lambda: "3 needed" in legend.problem)
     assert legend.isVisible()
     assert (legend.title, legend.lines) == ("", ())
@@ -125,14 +125,14 @@ def test_without_a_camera_it_says_why(shown: MainWindow, qtbot: QtBot) -> None:
 
 def test_blind_mode_hides_it(shown: MainWindow, qtbot: QtBot) -> None:
     document, legend = shown.document, shown.canvas.maps.legend
-    document.set_blind(True)
+    document.blind_lock.set_blind(True)
     assert document.uncertainty.value is None
     assert legend.problem.startswith("Blind")
     assert (legend.title, legend.lines) == ("", ())
     assert shown.status.good_to.text() == ""
     at = shown.field_map.to_widget(*SEEN).toPoint()
     assert map_image(shown).pixel(at) == ground_colour(shown.field_map.palette()).rgb()
-    document.set_blind(False)
+    document.blind_lock.set_blind(False)
     arrive(shown, qtbot)
 
 
@@ -168,7 +168,7 @@ def test_it_and_the_disagreement_take_turns(
 ) -> None:
     document, legend = shown.document, shown.canvas.maps.legend
     for name in ("true", "bad"):
-        assert document.load_cameras(annotated / "cameras" / name)
+        assert document.camera_sources.load_cameras(annotated / "cameras" / name)
     shown.actions_["disagreement"].trigger()
     assert not shown.actions_["uncertainty"].isChecked()
     qtbot.waitUntil(lambda: document.disagreement.value is not None)

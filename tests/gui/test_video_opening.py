@@ -68,7 +68,7 @@ def accept(window: MainWindow, dialog: VideoDialog, qtbot: QtBot) -> None:
 
 
 def names(window: MainWindow) -> list[str]:
-    workspace = window.document.workspace
+    workspace = window.document.state.workspace
     assert workspace is not None
     return [frame.name for frame in workspace.frames]
 
@@ -85,8 +85,8 @@ def test_a_frame_every_second_is_annotated_beside_the_video(
     assert any(f"{FRAMES} frames, 320x180, 4 s" in text for text in texts)
     accept(window, dialog, qtbot)
     assert names(window) == ["match_000000", "match_000010", "match_000020", "match_000030"]
-    window.document.go_to(2)
-    picture = window.document.picture
+    window.document.walk.go_to(2)
+    picture = window.document.walk.picture
     assert picture is not None
     assert abs(int(picture[20, 20, 0]) - 5 * 20) <= 4
     hand_on(window).draw("Middle line", (50, 50), (250, 120))
@@ -107,7 +107,7 @@ def test_the_dialog_shows_the_field_and_asks_it(
     assert dialog.field.currentData() == "volleyball"
     dialog.field.setCurrentIndex(dialog.field.findData(chosen))
     accept(window, dialog, qtbot)
-    qtbot.waitUntil(lambda: window.document.field.name == chosen)
+    qtbot.waitUntil(lambda: window.document.state.field.name == chosen)
     assert window.opening.open_path(match)  # and the dataset remembers it
     qtbot.waitUntil(lambda: len(window.findChildren(VideoDialog)) > 0)
     assert window.findChildren(VideoDialog)[-1].field.currentData() == chosen
@@ -126,7 +126,7 @@ def test_the_interface_opens_no_video_itself(
     monkeypatch.setattr(Video, "open", noted)
     window = make_window()
     accept(window, asked(window, qtbot, match), qtbot)
-    assert window.document.picture is not None
+    assert window.document.walk.picture is not None
     assert opened_by
     assert threading.main_thread() not in opened_by
 
@@ -136,16 +136,16 @@ def test_a_kept_frame_joins_its_annotation_as_a_dataset_of_its_own(
 ) -> None:
     window = make_window()
     accept(window, asked(window, qtbot, match), qtbot)
-    window.document.go_to(1)
+    window.document.walk.go_to(1)
     hand_on(window).draw("Middle line", (50, 50), (250, 120))
-    shown = window.document.picture
+    shown = window.document.walk.picture
     assert shown is not None
     kept = match.parent / "match_frames" / "match_000010.png"
     for _ in range(2):  # keeping it again writes the same file
         with qtbot.waitSignal(window.document.message, check_params_cb=lambda t, _: "kept as" in t):
             window.opening.keep_frame()
     assert np.array_equal(cv2.imread(str(kept)), shown[:, :, :3])
-    dataset = Workspace.open(kept.parent, window.document.field)
+    dataset = Workspace.open(kept.parent, window.document.state.field)
     assert [frame.name for frame in dataset.frames] == ["match_000010"]
     assert dataset.annotated_count(0) == 1
 
@@ -155,7 +155,7 @@ def test_frames_worked_on_are_there_whatever_is_chosen_the_next_time(
 ) -> None:
     window = make_window()
     accept(window, asked(window, qtbot, match), qtbot)
-    window.document.go_to(1)
+    window.document.walk.go_to(1)
     hand_on(window).draw("Middle line", (50, 50), (250, 120))
     dialog = asked(window, qtbot, match)
     dialog.seconds.setValue(2.5)
@@ -192,7 +192,7 @@ def test_a_dataset_opened_meanwhile_wins(
 
     monkeypatch.setattr(Video, "read_index", slow)
     window.opening.open_path(match)
-    window.document.open_path(dataset)
+    window.document.opening.open_path(dataset)
     gate.set()
     qtbot.waitUntil(finished.is_set)
     # The dialog would be there once later jobs are through.

@@ -36,7 +36,7 @@ def folder(tmp_path: Path) -> Path:
 def window(make_window: MakeWindow, folder: Path) -> MainWindow:
     window = make_window(folder)
     window.panels.show("landmarks")
-    window.document.go_to(2)
+    window.document.walk.go_to(2)
     return window
 
 
@@ -69,7 +69,7 @@ def test_groups_by_names_are_shown_written_and_used_at_once(
     window: MainWindow, folder: Path, qtbot: QtBot
 ) -> None:
     assert window.landmarks.views.count() == 0
-    assert window.document.frame_field.element("Ball") is None
+    assert window.document.judge.frame_setup.field.element("Ball") is None
     dialog = asked(window, qtbot)
     assert dialog.pattern.text() == "{instant}_{view}"
     assert shown(dialog)[0] == ("17", "left", "17_left")
@@ -80,7 +80,7 @@ def test_groups_by_names_are_shown_written_and_used_at_once(
     press_write(dialog)
     qtbot.waitUntil(lambda: window.landmarks.views.count() == 1)
     assert window.landmarks.views.item(0).text() == "right  (18_right)"
-    assert window.document.frame_field.element("Ball") is not None
+    assert window.document.judge.frame_setup.field.element("Ball") is not None
     assert window.view_grouping.dialog is None
     assert load_views(folder / "views.csv").groups == {
         "17": ("17_left", "17_right"),

@@ -59,12 +59,12 @@ def test_the_class_under_the_pen_is_read(
 ) -> None:
     window = make_window(dataset, size=(1280, 720))
     hand = Hand(window)
-    window.document.select_class("Goal left post left ")
+    window.document.selecting.select_class("Goal left post left ")
     hand.click(100, 50)
     hint = window.status.hint
     qtbot.waitUntil(lambda: hint.text().startswith("DRAW Left goal"))
     shown = hint.text_for(hint.width())
-    title = window.document.field.title_of("Goal left post left ")
+    title = window.document.state.field.title_of("Goal left post left ")
     begin, _, end = shown.split("  •  ")[0].removeprefix("DRAW ").partition("…")
     assert title.startswith(begin.partition(", ")[0])
     assert not end or title.endswith(end)

@@ -84,8 +84,8 @@ def test_an_export_is_of_the_dataset_it_was_asked_for(
     let_work_end(qtbot)
     with busy():
         window.exporter.write_annotations(tmp_path / "out")
-        assert window.document.open_path(other)
-        window.document.set_field(load_field("tennis"))
+        assert window.document.opening.open_path(other)
+        window.document.terms.set_field(load_field("tennis"))
     qtbot.waitUntil((tmp_path / "out" / "frame_2.json").exists)
     assert list(json.loads((tmp_path / "out" / "frame_0.json").read_text())) == [TOP]
     let_work_end(qtbot)
@@ -102,8 +102,8 @@ def test_the_overview_is_exported_whole_or_not_at_all(
     window = make_window(dataset)
     let_work_end(qtbot)
     for name in ("whole.csv", "stopped.csv"):
-        slow = Stop(window.document.workspace.read, 2)  # type: ignore[union-attr]
-        monkeypatch.setattr(window.document.workspace, "read", slow)
+        slow = Stop(window.document.state.workspace.read, 2)  # type: ignore[union-attr]
+        monkeypatch.setattr(window.document.state.workspace, "read", slow)
         window.exporter.write_overview(tmp_path / name)
         assert slow.reached.wait(10)
         monkeypatch.undo()
@@ -122,15 +122,14 @@ def test_where_points_come_from_is_exported_whole_or_not_at_all(
 ) -> None:
     window = make_window(dataset)
     Hand(window).draw(MIDDLE, (100, 100), (200, 200))
-    window.document.next_frame()
+    window.document.walk.next_frame()
     let_work_end(qtbot)
     told, path = messages(window), tmp_path / "out"
-    write = (
-        window.exporter.write_overview if what == "overview" else window.exporter.write_provenance
-    )
     with busy():
-        write(path)
-        assert window.document.open_path(other)  # what is remembered of the first one is put away
+        getattr(window.exporter, f"write_{what}")(path)
+        assert window.document.opening.open_path(
+            other
+        )  # what is remembered of the first one is put away
     qtbot.waitUntil(lambda: any("origins" in text for text in told))
     assert not path.exists()
 
@@ -147,7 +146,7 @@ def test_what_is_exported_while_the_set_is_scored_is_said_to_be_unfinished(
         slow = Stop(dataset_scores._audit, 3)
         with pytest.MonkeyPatch.context() as patch:
             patch.setattr(dataset_scores, "_audit", slow)
-            assert window.document.load_cameras(annotated / "cameras" / "true")
+            assert window.document.camera_sources.load_cameras(annotated / "cameras" / "true")
             assert slow.reached.wait(10)
         window.exporter.write_overview(tmp_path / "overview.csv")
     try:
@@ -176,7 +175,7 @@ def test_an_export_that_another_dataset_cuts_short_is_told(
     window.export_as.ask()
     window.export_as.start(tmp_path / "out")
     assert slow.reached.wait(10)
-    assert window.document.open_path(other)
+    assert window.document.opening.open_path(other)
     slow.go.set()
     qtbot.waitUntil(lambda: "still there" in window.message_bar.label.text())
     assert window.message_bar.isVisible()
@@ -187,13 +186,13 @@ def test_a_landmark_clicked_while_clicks_are_looked_for_is_known(
 ) -> None:
     document = window.document
     let_work_end(qtbot)
-    slow = Stop(document.workspace.read, 2)  # type: ignore[union-attr]
-    monkeypatch.setattr(document.workspace, "read", slow)
+    slow = Stop(document.state.workspace.read, 2)  # type: ignore[union-attr]
+    monkeypatch.setattr(document.state.workspace, "read", slow)
     assert document.landmarks.add("roof")
     assert document.landmarks.frames_with("roof") is None
     qtbot.waitUntil(slow.reached.is_set)  # the frame on screen was looked at
     Hand(window).draw("roof", (100, 100))
-    document.next_frame()
+    document.walk.next_frame()
     slow.go.set()
     qtbot.waitUntil(lambda: document.landmarks.frames_with("roof") is not None)
     assert document.landmarks.frames_with("roof") == ("frame_0",)
@@ -209,17 +208,17 @@ def test_the_noise_of_an_annotator_who_was_closed_is_not_shown(
     let_work_end(qtbot)
     if how == "another annotator":
         window.agreement.open(tmp_path / "second")
-        qtbot.waitUntil(lambda: window.document.noise_floor is not None)
+        qtbot.waitUntil(lambda: window.document.state.noise_floor is not None)
     with busy():
         window.agreement.open(tmp_path / "second" if how != "another annotator" else other)
         if how == "closed":
             window.document.second.close()
         elif how == "another dataset":
-            assert window.document.open_path(other)
+            assert window.document.opening.open_path(other)
         # Until the other one is read, the first stays.
-        assert (window.document.noise_floor is None) == (how != "another annotator")
+        assert (window.document.state.noise_floor is None) == (how != "another annotator")
     let_work_end(qtbot)
-    assert window.document.noise_floor is None  # no element is annotated by both
+    assert window.document.state.noise_floor is None  # no element is annotated by both
 
 
 def test_a_field_chosen_while_a_file_is_read_stays(
@@ -237,10 +236,10 @@ def test_a_field_chosen_while_a_file_is_read_stays(
         choice.read_again()
         assert slow.reached.wait(10)
     choice.choose("tennis")
-    qtbot.waitUntil(lambda: window.document.field.name == "tennis")
+    qtbot.waitUntil(lambda: window.document.state.field.name == "tennis")
     slow.go.set()
     let_work_end(qtbot)
-    assert window.document.field.name == "tennis"
+    assert window.document.state.field.name == "tennis"
 
 
 def test_an_older_check_does_not_replace_a_newer_one(

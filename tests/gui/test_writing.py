@@ -43,7 +43,7 @@ def test_a_name_without_a_suffix_gets_that_of_its_kind(
     parent = QWidget()
     qtbot.addWidget(parent)
     document = Document(parent=parent)
-    assert document.open_path(dataset)
+    assert document.opening.open_path(dataset)
     assert ask_where(document, parent, "Export", "name.csv", kinds) == dataset / expected
     assert asked == ["Export", str(dataset.parent / "name.csv"), kinds]
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: ("", ""))

@@ -100,7 +100,7 @@ class CameraHand(QObject):
         elif self._grabbed is not None:
             words = [tr("drag moves this peg"), tr("click takes it away")]
         elif self._under is not None:
-            title = tr(self._document.field.title_of(self._under.name))
+            title = tr(self._document.state.field.title_of(self._under.name))
             words = [tr("drag {title} to where it belongs: the camera follows", title=title)]
         else:
             drag = tr("drag a place of the wireframe to where it belongs")
@@ -219,7 +219,7 @@ class CameraHand(QObject):
 
     def _camera(self) -> PinholeCamera | None:
         """The camera in view: the corrected one, that of ghosts, that of the chosen source."""
-        document, size = self._document, self._document.picture_size
+        document, size = self._document, self._document.state.picture_size
         if size is None or not document.proposals.allowed or self._hidden:
             return None
         insight = document.foresight.insight
@@ -228,8 +228,8 @@ class CameraHand(QObject):
         if found is not None:
             fit = found.fit
         camera = fit.camera if fit is not None else None
-        if camera is None and isinstance(document.camera, PinholeCamera):
-            return document.camera.scaled(document.setup.size, size)
+        if camera is None and isinstance(document.judge.camera, PinholeCamera):
+            return document.judge.camera.scaled(document.state.setup.size, size)
         return camera if isinstance(camera, PinholeCamera) else None
 
     def _why_none(self) -> str:
@@ -265,12 +265,12 @@ class CameraHand(QObject):
             self._show()
 
     def _make_wireframe(self) -> Wireframe | None:
-        camera, size = self._camera(), self._document.picture_size
+        camera, size = self._camera(), self._document.state.picture_size
         if camera is None or size is None:
             return None
         if self._wireframe is not None and self._wireframe.camera == camera:
             return self._wireframe
-        return wireframe_of(camera, self._document.frame_field, size)
+        return wireframe_of(camera, self._document.judge.frame_setup.field, size)
 
     # --- dragging -------------------------------------------------------------------------
 
@@ -289,7 +289,7 @@ class CameraHand(QObject):
     def _is_replaced(self, peg: ControlPoint) -> bool:
         """Return whether a peg gives way to the place in hand: it is that one, or so near that both
         would roll and zoom the camera by what a click is off."""
-        size, under = self._document.picture_size, self._under
+        size, under = self._document.state.picture_size, self._under
         if peg is self._grabbed or under is None or size is None:
             return peg is self._grabbed
         away = np.hypot(peg.px[0] - under.px[0], peg.px[1] - under.px[1])
@@ -320,14 +320,14 @@ class CameraHand(QObject):
         if not self.dragging:
             return
         document, camera, moved = self._document, self._dragged, self._moved
-        size, put = document.picture_size, self._put
+        size, put = document.state.picture_size, self._put
         others, grabbed = self._others, self._grabbed
         self._end_drag()
         if not moved and grabbed is not None:
             self._take_away(others)
         elif moved and camera is not None and put is not None and size is not None:
             document.corrections.put(
-                correct_camera(camera, (*others, put), size, document.annotation)
+                correct_camera(camera, (*others, put), size, document.state.annotation)
             )
             self._fresh = True
         self._look_under()
@@ -335,11 +335,11 @@ class CameraHand(QObject):
 
     def _take_away(self, others: tuple[ControlPoint, ...]) -> None:
         """A peg holds the camera no more; where it was the last one, nothing does."""
-        document, size = self._document, self._document.picture_size
+        document, size = self._document, self._document.state.picture_size
         camera = self._camera()
         if camera is None or size is None:
             return
-        left = correct_camera(camera, others, size, document.annotation) if others else None
+        left = correct_camera(camera, others, size, document.state.annotation) if others else None
         document.corrections.put(left)
         self._fresh = True
         if others:
@@ -380,13 +380,13 @@ class CameraHand(QObject):
 
     def _lines(self) -> FloatArray:
         """The wireframe, (N, 4) px; none while no modifier is held."""
-        document, size = self._document, self._document.picture_size
+        document, size = self._document, self._document.state.picture_size
         camera = self._dragged
         if camera is None and self._wireframe is not None:
             camera = self._wireframe.camera
         if not self.held or camera is None or size is None:
             return _NO_LINES
-        return segments_in_sight(camera, document.frame_field, size)
+        return segments_in_sight(camera, document.judge.frame_setup.field, size)
 
     def _shown_under(self) -> tuple[Position, str] | None:
         """Return where the place in hand, or the one that would be, is seen."""
@@ -397,5 +397,5 @@ class CameraHand(QObject):
         if self._grabbed is not None:
             return self._grabbed.px, tr("peg")
         if self._under is not None:
-            return self._under.px, tr(self._document.field.title_of(self._under.name))
+            return self._under.px, tr(self._document.state.field.title_of(self._under.name))
         return None

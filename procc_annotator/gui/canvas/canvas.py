@@ -147,7 +147,7 @@ class Canvas(PictureView):
 
     def _show_picture(self) -> None:
         """The same frame looks different: brightness and the like."""
-        self.picture_item.set_picture(self.shown.pixels, self._document.picture_size)
+        self.picture_item.set_picture(self.shown.pixels, self._document.state.picture_size)
 
     def _explain(self, text: str) -> None:
         """Next to the cursor, where it cannot be missed."""
@@ -221,7 +221,7 @@ class Canvas(PictureView):
         elif self.editor.holding:
             self.key("Escape")  # not shown
         elif not self.editor.taken_first("Undo", False):  # not shown
-            self._document.undo()
+            self._document.editing.undo()
 
     def key(self, name: str, shift: bool = False) -> None:
         """What the tool in hand does on Enter, Backspace, Escape or Delete."""
@@ -262,7 +262,7 @@ class Canvas(PictureView):
     # --- events ---------------------------------------------------------------------------
 
     def tool_cursor(self) -> Qt.CursorShape:
-        if self._document.mode == "draw" and self._document.editable:
+        if self._document.state.mode == "draw" and self._document.state.editable:
             return Qt.CursorShape.CrossCursor
         return Qt.CursorShape.ArrowCursor
 
@@ -387,7 +387,7 @@ class Canvas(PictureView):
 
     def _end_blink(self) -> None:
         if self.comparison.let_go():
-            self._document.swap_sources()
+            self._document.camera_sources.swap_sources()
         else:
             self.drawing.refresh()
 

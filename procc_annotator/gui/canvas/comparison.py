@@ -55,48 +55,48 @@ class OtherSources(QObject):
     @property
     def looking(self) -> bool:
         """Return whether the compared source is in front for as long as a key is held."""
-        return self._held_since is not None and self._document.compared is not None
+        return self._held_since is not None and self._document.state.compared is not None
 
     @property
     def divided(self) -> bool:
         """Return whether the picture is divided between two sources."""
         document = self._document
-        visible = document.projection_visible and document.frame is not None
-        return self.split_wanted and visible and document.compared is not None
+        visible = document.state.projection_visible and document.state.frame is not None
+        return self.split_wanted and visible and document.state.compared is not None
 
     @property
     def front(self) -> CameraSource | None:
         """The source whose verdicts are drawn, on the left if there are two sides."""
         document = self._document
-        return document.compared if self.looking else document.active_source
+        return document.state.compared if self.looking else document.state.active
 
     @property
     def right(self) -> CameraSource | None:
         """The source of the right side."""
         document = self._document
-        return document.active_source if self.looking else document.compared
+        return document.state.active if self.looking else document.state.compared
 
     @property
     def judged(self) -> Judged:
         """Measurement and score of the source in front."""
         document = self._document
         if self.looking:
-            return document.compared_drawing
-        return document.measurement, document.score
+            return document.judge.compared
+        return document.judge.measurement, document.judge.score
 
     @property
     def judged_right(self) -> Judged:
         """Measurement and score of the source on the right."""
         document = self._document
         if self.looking:
-            return document.measurement, document.score
-        return document.compared_drawing
+            return document.judge.measurement, document.judge.score
+        return document.judge.compared
 
     # --- blinking -------------------------------------------------------------------------
 
     def hold(self) -> bool:
         """Look at the compared source until `let_go`; False if absent."""
-        if self._document.compared is None:
+        if self._document.state.compared is None:
             return False
         self._held_since = monotonic()
         return True
@@ -150,26 +150,26 @@ class OtherSources(QObject):
         return self.other_side if self.split.shown and x >= self.split.x else self._front_item
 
     def _make_wireframes(self, *, hidden: bool) -> None:
-        document, size = self._document, self._document.picture_size
+        document, size = self._document, self._document.state.picture_size
         shown: list[tuple[ProjectedField, str]] = []
         if size is not None and not hidden and self.others_wanted:
             shown = [(projected, source.colour) for source, projected in self._others()]
-        wired = (size, document.setup.size, *shown)
+        wired = (size, document.state.setup.size, *shown)
         if wired == self._wired:
             return
         self._wired = wired
         self.wireframes = EMPTY_OVERLAY
         if shown and size is not None:
-            self.wireframes = build_wireframes(shown, document.setup.size, size)
+            self.wireframes = build_wireframes(shown, document.state.setup.size, size)
 
     def _others(self) -> list[tuple[CameraSource, ProjectedField]]:
         """Return what the visible sources that have no place of their own show of this frame."""
         document = self._document
-        if document.active_source is None or not document.projection_visible:
+        if document.state.active is None or not document.state.projection_visible:
             return []
         placed = {self.front, self.right} if self.divided else {self.front}
         shown = []
-        for source in document.sources:
+        for source in document.state.sources:
             known = document.source_frames.of(source) if source.visible else None
             if source not in placed and known is not None and known.projected is not None:
                 shown.append((source, known.projected))
@@ -189,7 +189,7 @@ class OtherSources(QObject):
             )
         elif self.split.shown:
             self.split.hide()
-        looking = self.looking and self._document.projection_visible
+        looking = self.looking and self._document.state.projection_visible
         if looking and not self.split.shown and not hidden and front is not None:
             self._plate.say(self._caption(front, self.judged), front.colour)
             wanted = self._plate.wanted_size()
@@ -204,7 +204,7 @@ class OtherSources(QObject):
     def _caption(self, source: CameraSource, judged: Judged) -> str:
         known, score = self._document.source_frames.of(source), judged[1]
         if score is not None:
-            jac = "–" if self._document.why_not_judged else f"{score.jac:.3f}"
+            jac = "–" if self._document.state.why_not_judged else f"{score.jac:.3f}"
             return f"{source.name}  ·  JaC {jac}"
         unreadable = known is not None and known.error
         return (

@@ -82,7 +82,7 @@ class CornerLegend(Pinned):
     # --- inside ---
 
     def _look(self) -> None:
-        shown = self._wanted and not self._bare and self._document.frame is not None
+        shown = self._wanted and not self._bare and self._document.state.frame is not None
         self.entries = corner_legend(self._there()) if shown else ()
         self.setAccessibleName("; ".join(entry.text for entry in self.entries))
         self._stand()
@@ -97,7 +97,7 @@ class CornerLegend(Pinned):
 
     def _there(self) -> OnPicture:
         document = self._document
-        annotation, score = document.annotation, document.score
+        annotation, score = document.state.annotation, document.judge.score
         painted, foresight = document.ghosts.painted, document.foresight
         unsure = foresight.stands_in and bool(foresight.doubt)
         origins = self._origins()
@@ -109,17 +109,17 @@ class CornerLegend(Pinned):
             authors=origins[1],
             ghosts=("unsure" if unsure else "sure") if painted else "",
             unconfirmed=bool(annotation.unconfirmed),
-            second=document.second.annotation is not None and document.projection_visible,
+            second=document.second.annotation is not None and document.state.projection_visible,
             others=self._comparison.names_of_others(),
         )
 
     def _origins(self) -> tuple[frozenset[str], tuple[str, ...]]:
         """Return how points came to be, and whose they are."""
         document = self._document
-        if self._by not in ("origin", "annotator") or document.frame is None:
+        if self._by not in ("origin", "annotator") or document.state.frame is None:
             return frozenset(), ()
-        known = document.review.origins(document.frame.name) or {}
-        keys = {(p.u, p.v) for line in document.annotation.polylines for p in line.points}
+        known = document.review.origins(document.state.frame.name) or {}
+        keys = {(p.u, p.v) for line in document.state.annotation.polylines for p in line.points}
         kinds = {known[key].kind if key in known else OriginKind.FILE for key in keys}
         authors = tuple(sorted({origin.author for origin in known.values()}))
         return frozenset(kind.value for kind in kinds), authors

@@ -144,7 +144,7 @@ class OverlayDrawing(QObject):
         which would have to wait for it."""
         if self._due and not self._document.store.busy:
             self._refresh(looking=False)
-            if self._document.mode == "draw" and self._editor.follows_cursor:
+            if self._document.state.mode == "draw" and self._editor.follows_cursor:
                 self._soon.start()
 
     def _refresh_others(self) -> None:

@@ -65,9 +65,9 @@ class Editor(QObject):
         document.modeChanged.connect(self._look_under)
 
     def _take_field(self) -> None:
-        elements = self._document.field.elements
+        elements = self._document.state.field.elements
         self.curved = frozenset(e.name for e in elements if e.is_curved)
-        landmarks = (mark.name for mark in self._document.field.landmarks)  # placed or not
+        landmarks = (mark.name for mark in self._document.state.field.landmarks)  # placed or not
         self.spots = frozenset((*(e.name for e in elements if e.is_spot), *landmarks))
 
     @property
@@ -96,29 +96,32 @@ class Editor(QObject):
         document = self._document
         if not document.state.options.auto_advance:
             return None
-        finished = self._draw.class_name if self._draw.busy else document.selected_class
+        finished = self._draw.class_name if self._draw.busy else document.state.selected_class
         ghosts = document.ghosts
-        terms = document.field, document.annotation, finished, self.seen_before
+        terms = document.state.field, document.state.annotation, finished, self.seen_before
         return next_element(*terms, gains=ghosts.gains, out_of_sight=ghosts.out_of_sight)
 
     @property
     def _one_click(self) -> bool:
         """Return whether the next click finishes the element that is chosen."""
-        return self._document.mode == "draw" and self._document.selected_class in self.spots
+        return (
+            self._document.state.mode == "draw"
+            and self._document.state.selected_class in self.spots
+        )
 
     @property
     def follows_cursor(self) -> bool:
         """Return whether something is painted at the cursor."""
         document = self._document
-        chosen = document.selected_class is not None
-        drawing = document.mode == "draw" and (chosen or self._draw.busy)
-        return drawing or document.hovered_class is not None
+        chosen = document.state.selected_class is not None
+        drawing = document.state.mode == "draw" and (chosen or self._draw.busy)
+        return drawing or document.state.hovered_class is not None
 
     def draft(self, cursor: Position | None, *, looking: bool = True) -> Draft | None:
         """The polyline under way, with its line to the cursor and where a click would be put;
         without ``looking`` only if that is known already."""
         document = self._document
-        if document.mode != "draw" or not document.editable:
+        if document.state.mode != "draw" or not document.state.editable:
             return None
         context = self._context()
         if context.snap is not None and not looking:
@@ -129,14 +132,14 @@ class Editor(QObject):
         """Return what the next click, Enter and Esc will do."""
         document = self._document
         return status_hint(
-            document.mode,
+            document.state.mode,
             self._draw,
             self._edit,
-            self._context() if document.frame is not None else None,
-            document.field,
-            blocked=document.frame_error,
+            self._context() if document.state.frame is not None else None,
+            document.state.field,
+            blocked=document.state.why_not_editable,
             over=self._over,
-            blind=not document.projection_visible,
+            blind=not document.state.projection_visible,
             upcoming=self.upcoming if self._draw.busy or self._one_click else None,
             suggested=None if (best := document.ghosts.suggestion) is None else best.name,
             ghosts=self._ghost_hint(),
@@ -165,16 +168,16 @@ class Editor(QObject):
         hit = self._edit.hover(position, context)
         self.on_ground = hit is None
         if hit is None:
-            self._document.select_point(None)
-            if self._document.mode == "edit":
-                self._document.select_class(None)
+            self._document.selecting.select_point(None)
+            if self._document.state.mode == "edit":
+                self._document.selecting.select_class(None)
             return
         ref = (hit.class_name, hit.index)
         if hit.kind == "point" and ref not in context.chosen_points:
-            self._document.select_point(*ref)
+            self._document.selecting.select_point(*ref)
         elif hit.kind == "segment":
-            self._document.select_point(None)
-            self._document.select_class(hit.class_name)
+            self._document.selecting.select_point(None)
+            self._document.selecting.select_class(hit.class_name)
 
     def press(self, position: Position, modifiers: Modifiers) -> None:
         """The left button went down."""
@@ -246,7 +249,7 @@ class Editor(QObject):
 
     def delete_element(self) -> None:
         """Remove the selected element, also what is being clicked of it; say why nothing is."""
-        document, name = self._document, self._document.selected_class
+        document, name = self._document, self._document.state.selected_class
         if not self._begin_on(self._context()):
             return
         if dropped := len(self._draw.points):
@@ -255,7 +258,7 @@ class Editor(QObject):
         self._do(reaction)
         if reaction.handled:
             return
-        title = tr(document.field.title_of(name)) if name is not None else ""
+        title = tr(document.state.field.title_of(name)) if name is not None else ""
         document.say(why_not_deleted(title, dropped), "info")
 
     def finish(self) -> None:
@@ -269,24 +272,24 @@ class Editor(QObject):
 
     @property
     def _tool(self) -> DrawTool | EditTool:
-        return self._draw if self._document.mode == "draw" else self._edit
+        return self._draw if self._document.state.mode == "draw" else self._edit
 
     def _context(self) -> ToolContext:
         document = self._document
         return ToolContext(
-            document.annotation,
-            document.picture_size or (2, 2),
+            document.state.annotation,
+            document.state.picture_size or (2, 2),
             self.view_scale,
-            document.selected_class,
-            document.selected_point,
-            document.selected_points,
+            document.state.selected_class,
+            document.state.selection.point,
+            document.state.selection.points,
             self.curved,
             self._snapper if self._snapper.wanted else None,
             document.state.options.pinned,
             document.state.options.two_clicks,
-            document.field.title_of,
+            document.state.field.title_of,
             self.spots,
-            unnamed_class(document.annotation) if document.state.options.draw_first else None,
+            unnamed_class(document.state.annotation) if document.state.options.draw_first else None,
             document.state.selection.continues,
         )
 
@@ -294,7 +297,11 @@ class Editor(QObject):
         """Return whether a gesture may begin: the frame can be edited, no one else has it, and no
         one changed what is chosen since it was ``seen``; that is to be checked first."""
         document = self._document
-        if document.frame is None or not document.editable or not document.begin_edit():
+        if (
+            document.state.frame is None
+            or not document.state.editable
+            or not document.editing.begin_edit()
+        ):
             return False
         now, names = self._context(), {name for name, _ in seen.chosen_points}
         if seen.selected_class is not None:
@@ -303,8 +310,10 @@ class Editor(QObject):
         if not changed or self._draw.busy:  # what is being drawn goes on from whatever there is
             return True
         if now.chosen_points != seen.chosen_points:
-            document.select_class(None)  # the same key again must not mean the whole element
-        titles = ", ".join(tr(document.field.title_of(name)) for name in changed)
+            document.selecting.select_class(
+                None
+            )  # the same key again must not mean the whole element
+        titles = ", ".join(tr(document.state.field.title_of(name)) for name in changed)
         text = tr("{titles}: changed elsewhere, look again first", titles=titles)
         document.say(text, "info")
         return False
@@ -312,17 +321,17 @@ class Editor(QObject):
     def _workable(self) -> ToolContext | None:
         """Return what a gesture may look at; one that has begun ends even if its lock was lost."""
         begun = self._draw.busy or self._edit.busy
-        return self._context() if self._document.editable or begun else None
+        return self._context() if self._document.state.editable or begun else None
 
     def _look_before(self) -> None:
         """What the last annotated frame has is likely to be seen in this one too."""
-        workspace, index = self._document.workspace, self._document.frame_index
+        workspace, index = self._document.state.workspace, self._document.state.frame_index
         self.seen_before = frozenset()
         if workspace is not None and (found := annotated_before(workspace, index)) is not None:
             self.seen_before = frozenset(found[1].annotated)
 
     def _finish_for_another_class(self) -> None:
-        chosen = self._document.selected_class
+        chosen = self._document.state.selected_class
         if not self._draw.busy or chosen == self._draw.class_name:
             return
         if self._draw.unnamed and (chosen is None or self._draw.call(chosen)):
@@ -334,7 +343,7 @@ class Editor(QObject):
         if not self._draw.busy:
             return
         name, count = self._draw.class_name, len(self._draw.points)
-        before = self._document.annotation
+        before = self._document.state.annotation
         edit = self._draw.finish(self._context()).edit
         if edit is None or name is None:
             return
@@ -344,9 +353,9 @@ class Editor(QObject):
             edit = replace(edit, annotation=editing.add_unconfirmed(before, [drawn]))
         self._commit(edit)
         if not keep_selection:
-            self._document.select_class(name)
+            self._document.selecting.select_class(name)
         frame = self._document.state.frame_name or ""
-        title = tr(self._document.field.title_of(name))
+        title = tr(self._document.state.field.title_of(name))
         self._document.say(waiting(title, frame) if waits else finished(title, count, frame))
         self.changed.emit()
 
@@ -364,12 +373,14 @@ class Editor(QObject):
         self._document.editing.keep_clicks(kept, snapped)
 
     def _commit(self, edit: Edit) -> bool:
-        return self._document.commit_edit(edit.label, edit.annotation, edit.kind, edit.snapped)
+        return self._document.editing.commit_edit(
+            edit.label, edit.annotation, edit.kind, edit.snapped
+        )
 
     def _look_under(self) -> None:
         """What is under the cursor, which may have changed without a move of the mouse."""
         document, context = self._document, self._workable()
-        looking = document.mode == "edit" or document.selected_class is None
+        looking = document.state.mode == "edit" or document.state.selected_class is None
         if context is None or self._cursor is None or not looking:
             self._hover(None)
         elif not self._edit.busy:
@@ -383,7 +394,7 @@ class Editor(QObject):
     def _hover(self, hit: Hit | None) -> None:
         if hit != self._over:
             self._over = hit
-            self._document.hover_class(hit.class_name if hit is not None else None)
+            self._document.selecting.hover_class(hit.class_name if hit is not None else None)
 
     def _do(self, reaction: Reaction) -> None:
         """What a tool answered, as one step."""
@@ -409,12 +420,16 @@ class Editor(QObject):
             self._commit(reaction.edit)
         if (chosen := reaction.select) is not None:
             if chosen.class_name is None or chosen.point is None:
-                document.select_point(None)
-                document.select_class(chosen.class_name)
+                document.selecting.select_point(None)
+                document.selecting.select_class(chosen.class_name)
             else:
-                document.select_point(chosen.class_name, chosen.point, chosen.points)
-        if reaction.finished and document.mode == "draw" and (name := self.upcoming) is not None:
-            document.select_class(name)
+                document.selecting.select_point(chosen.class_name, chosen.point, chosen.points)
+        if (
+            reaction.finished
+            and document.state.mode == "draw"
+            and (name := self.upcoming) is not None
+        ):
+            document.selecting.select_class(name)
         if reaction.to_name is not None:
             self.lineFinished.emit(reaction.to_name)
         if reaction.completed is not None:

@@ -23,7 +23,7 @@ class GhostLayer:
 
     def overlay(self, *, hidden: bool) -> Overlay:
         """Return what to draw; the same object as long as nothing changed."""
-        ghosts, size = self._document.ghosts, self._document.picture_size
+        ghosts, size = self._document.ghosts, self._document.state.picture_size
         painted, current = ghosts.painted, ghosts.current
         found = ghosts.found(current.name) if current is not None else None
         best = ghosts.suggestion
@@ -44,13 +44,13 @@ class GhostLayer:
                 tone=tones.UNSURE_GHOST if unsure else tones.GHOST,
             )
             if best is not None and at is not None and current is None:
-                title = tr(self._document.field.title_of(best.name))
+                title = tr(self._document.state.field.title_of(best.name))
                 label = tr("next: {title}", title=title)
                 self._overlay = with_next(self._overlay, at, label, size)
         return self._overlay
 
     def _label(self, name: str, sd_px: float) -> str:
-        foresight, title = self._document.foresight, tr(self._document.field.title_of(name))
+        foresight, title = self._document.foresight, tr(self._document.state.field.title_of(name))
         if foresight.stands_in and foresight.doubt:
             return tr("{title}  ±{sd:.1f} px  unsure", title=title, sd=sd_px)
         return f"{title}  ±{sd_px:.1f} px"

@@ -48,7 +48,7 @@ class KeyPointing(QObject):
         """Move the chosen points, or the crosshair where none is chosen, so many picture px."""
         if self._editor.nudge(name, step):
             return
-        size = self._document.picture_size
+        size = self._document.state.picture_size
         if size is None:
             return
         begun = self.active
@@ -73,12 +73,12 @@ class KeyPointing(QObject):
         if px is None:
             document.say(tr("point at a line first: with the mouse, or with the arrows"), "info")
             return
-        document.set_mode("edit")
-        before = document.annotation
+        document.selecting.set_mode("edit")
+        before = document.state.annotation
         self._editor.press(px, Modifiers(alt=True))
         self._editor.release(px, Modifiers(alt=True))
         self.pointed.emit(px)
-        if document.annotation is before:
+        if document.state.annotation is before:
             document.say(tr("there is no line here to put a point on"), "info")
 
     def put_away(self) -> None:
@@ -93,7 +93,7 @@ class KeyPointing(QObject):
 
     def keep_within(self) -> None:
         """Another picture is shown: it may be smaller."""
-        px, size = self.crosshair.px, self._document.picture_size
+        px, size = self.crosshair.px, self._document.state.picture_size
         if px is not None:
             self.crosshair.put(None if size is None else moved(px, "Left", 0.0, size))  # not shown
 

@@ -39,7 +39,7 @@ class MetreMaps(QObject):
         self.legend.place()
 
     def _show(self) -> None:
-        if self._hidden or self._document.frame is None:
+        if self._hidden or self._document.state.frame is None:
             self._show_nothing()
         elif self._document.uncertainty.wanted:
             self._show_uncertainty()
@@ -54,7 +54,7 @@ class MetreMaps(QObject):
         document, watch = self._document, self._document.disagreement
         found = watch.value
         shown = found.picture if found is not None else None
-        self.item.show_shapes(shown, document.setup.size, document.picture_size)
+        self.item.show_shapes(shown, document.state.setup.size, document.state.picture_size)
         if found is not None:
             title = f"{found.names[0]} ↔ {found.names[1]}"
             limit = tr("{metres:g} m, asked of offside technology", metres=OFFSIDE_ACCURACY_M)
@@ -72,7 +72,7 @@ class MetreMaps(QObject):
             self.item.show_shapes(None, (0, 0), None)
         else:
             size = found.values.fit.size
-            self.item.show_shapes(found.picture, size, self._document.picture_size)
+            self.item.show_shapes(found.picture, size, self._document.state.picture_size)
         if watch.problem:
             self.legend.show_for(UNCERTAINTY, None, watch.problem)
         else:

@@ -45,29 +45,29 @@ class OverlayLayer:
             colour_by: see `OverlayContent`.
             looking: whether to look in the picture where a click would be put.
         """
-        document, size = self._document, self._document.picture_size
+        document, size = self._document, self._document.state.picture_size
         if size is None:
             return EMPTY_OVERLAY
         by_origin = colour_by in BY_ORIGIN
         shown = OverlayContent(
-            annotation=document.shown_annotation,
-            size=document.setup.size,
-            field=document.frame_field,
+            annotation=document.state.shown_annotation,
+            size=document.state.setup.size,
+            field=document.judge.frame_setup.field,
             measurement=judged[0],
             score=judged[1],
             picture_size=size,
-            highlight=document.hovered_class,
-            selection=document.selected_point or document.selected_class,
+            highlight=document.state.hovered_class,
+            selection=document.state.selection.point or document.state.selected_class,
             draft=self._editor.draft(cursor_px, looking=looking),
-            pointer=cursor_px if document.hovered_class is not None else None,
-            with_projection=document.projection_visible,
+            pointer=cursor_px if document.state.hovered_class is not None else None,
+            with_projection=document.state.projection_visible,
             colour_by=colour_by,
-            selected_points=document.selected_points,
+            selected_points=document.state.selection.points,
             band=self._editor.band,
             origins=self._origins() if by_origin else None,
-            other=document.second.annotation if document.projection_visible else None,
+            other=document.second.annotation if document.state.projection_visible else None,
             # Of the compared source no one asked for it.
-            paint=document.painted_width.value if judged[0] is document.measurement else None,
+            paint=document.painted_width.value if judged[0] is document.judge.measurement else None,
             ellipses=tuple(document.landmarks.ellipses),
             found=document.label_check.shown,
         )
@@ -77,7 +77,7 @@ class OverlayLayer:
         return overlay if seen is None else self._with_strips(overlay, seen)
 
     def _origins(self) -> Mapping[PointKey, Origin] | None:
-        frame = self._document.frame
+        frame = self._document.state.frame
         return None if frame is None else self._document.review.origins(frame.name)
 
 

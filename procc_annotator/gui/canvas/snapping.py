@@ -58,14 +58,14 @@ class ScreenSnapper:
         document = self._document
         # No one waits for the whole picture who only looks: a press does (`Canvas`).
         picture, fit = document.state.picture, document.live_fit.result
-        size = document.picture_size
+        size = document.state.picture_size
         if picture is None or size is None:
             return False
         camera = fit.camera if fit is not None and fit.size == size else None
-        made_of = picture, document.field, camera
+        made_of = picture, document.state.field, camera
         if self._snap is None or not same(made_of, self._made_of):
             self._made_of = made_of
-            expected = ExpectedLines(document.field, size[0], camera)
+            expected = ExpectedLines(document.state.field, size[0], camera)
             self._snap, self._found = _snapper(picture, expected), {}
         return True
 

@@ -118,8 +118,10 @@ class AgreementPanel(QWidget):
 
     def _compare(self) -> None:
         document = self._document
-        document.second.show(document.frame.name if document.frame is not None else None)
-        document.set_noise_floor(None)  # that of another annotator
+        document.second.show(
+            document.state.frame.name if document.state.frame is not None else None
+        )
+        document.terms.set_noise_floor(None)  # that of another annotator
         self._say_of_set(tr("Measuring the set…"))
         self._measure_set()
 
@@ -138,7 +140,7 @@ class AgreementPanel(QWidget):
         for column in (1, 2, 3):
             header.setSectionResizeMode(column, QHeaderView.ResizeMode.ResizeToContents)
         self.table.chosen.connect(
-            lambda row: self._document.select_class(self.rows.rows[row].class_name)
+            lambda row: self._document.selecting.select_class(self.rows.rows[row].class_name)
         )
         self.close_button = QPushButton(tr("Close the second annotator"))
         self.close_button.clicked.connect(self._document.second.close)
@@ -166,13 +168,13 @@ class AgreementPanel(QWidget):
             )
             self.rows.replace(())
             return
-        if not document.projection_visible:
+        if not document.state.projection_visible:
             self.frame.setText(
                 tr("Hidden: blind mode shows the score once this frame is committed.")
             )
             self.rows.replace(())
             return
-        found = second.agreement(document.shown_annotation, document.setup.size)
+        found = second.agreement(document.state.shown_annotation, document.state.setup.size)
         if found is None:
             self.frame.setText(tr("The second annotator has nothing for this frame."))
             self.rows.replace(())
@@ -180,13 +182,13 @@ class AgreementPanel(QWidget):
         self.frame.setText("\n".join(self._frame_lines(found)))
         # What agrees least comes first.
         ranked = sorted(found.by_class.values(), key=lambda c: (not c.apart, -(c.p95 or 0.0)))
-        field = document.field
+        field = document.state.field
         self.rows.replace([_row(entry, class_title(field, entry.class_name)) for entry in ranked])
 
     def _frame_lines(self, found: FrameAgreement) -> list[str]:
         document = self._document
-        jac = found.jac(document.tau)
-        lines = [tr("Agreement JaC at {tau:g} px: {jac:.3f}", tau=document.tau, jac=jac)]
+        jac = found.jac(document.state.tau)
+        lines = [tr("Agreement JaC at {tau:g} px: {jac:.3f}", tau=document.state.tau, jac=jac)]
         if found.mirrored_hint:
             lines.append(tr("One of the two seems to label the field turned by 180 degrees."))
         for names, what in (
@@ -198,7 +200,7 @@ class AgreementPanel(QWidget):
             (found.only_b, word("Only there: {elements}")),
         ):
             if names:
-                titles = ", ".join(class_title(document.field, n) for n in names)
+                titles = ", ".join(class_title(document.state.field, n) for n in names)
                 lines.append(tr(what, elements=titles))
         beyond = sum(c.left_out for c in found.by_class.values() if not c.apart)
         if beyond:
@@ -214,18 +216,18 @@ class AgreementPanel(QWidget):
     def _forget_noise(self) -> None:
         if not self._document.second.is_open:
             self._measuring.cancel()
-            self._document.set_noise_floor(None)
+            self._document.terms.set_noise_floor(None)
 
     # --- the set --------------------------------------------------------------------------
 
     def _measure_set(self) -> None:
         """The noise floor over all frames that both annotated, in the background."""
         document = self._document
-        workspace, second = document.workspace, document.second
+        workspace, second = document.state.workspace, document.second
         self._measuring.cancel()
         if workspace is None:
             return
-        field, size, tau = document.field, document.setup.size, document.tau
+        field, size, tau = document.state.field, document.state.setup.size, document.state.tau
         names = [frame.name for frame in workspace.frames]
         read_other = second.reader()
 
@@ -273,7 +275,7 @@ class AgreementPanel(QWidget):
                 height=size[1],
             )
         self._say_of_set(text, measured.errors)
-        self._document.set_noise_floor(floor)
+        self._document.terms.set_noise_floor(floor)
 
     def _say_of_set(self, text: str, errors: tuple[str, ...] = ()) -> None:
         """Put a line on the set; frames that could not be read follow it, their errors in a tip."""

@@ -111,7 +111,9 @@ class ElementsPanel(QWidget):
             header.setSectionResizeMode(column, QHeaderView.ResizeMode.ResizeToContents)
         self.tree.itemClicked.connect(self._choose)
         self.tree.itemActivated.connect(self._choose)
-        self.tree.itemEntered.connect(lambda item: self._document.hover_class(item.data(0, _CLASS)))
+        self.tree.itemEntered.connect(
+            lambda item: self._document.selecting.hover_class(item.data(0, _CLASS))
+        )
         self.tree.viewport().installEventFilter(self)
         self.nothing = empty_state("", "elements_empty")
         self._stack = QStackedLayout()
@@ -130,12 +132,12 @@ class ElementsPanel(QWidget):
             self._refresher.request()
 
     def _listed_classes(self) -> tuple[object, ...]:
-        field = self._document.field
+        field = self._document.state.field
         looks = ((e.name, e.title, e.group, e.colour, e.shortcut) for e in field.elements)
         return (*looks, field.classes_without_geometry, self._document.state.keymap)
 
     def _fill(self) -> None:
-        field = self._document.field
+        field = self._document.state.field
         self._filled, self._outdated = self._listed_classes(), False
         self.tree.clear()
         for known in (self._items, self._groups, self._shown):
@@ -170,7 +172,7 @@ class ElementsPanel(QWidget):
             parent.setExpanded(True)
 
     def _row(self, name: str) -> QTreeWidgetItem:
-        field = self._document.field
+        field = self._document.state.field
         title = tr(field.title_of(name)) if field.knows(name) else field.title_of(name)
         item = QTreeWidgetItem([self._short.get(name, title)])
         item.setData(0, _CLASS, name)
@@ -184,8 +186,8 @@ class ElementsPanel(QWidget):
 
     def _match_unknown_classes(self) -> None:
         """List the classes of this file that the field does not know, and only those."""
-        field = self._document.field
-        present = [p.class_name for p in self._document.shown_annotation]
+        field = self._document.state.field
+        present = [p.class_name for p in self._document.state.shown_annotation]
         unknown = {name for name in present if not field.knows(name)}
         listed = {name for name in self._items if not field.knows(name)}
         for name in listed - unknown:
@@ -207,7 +209,7 @@ class ElementsPanel(QWidget):
             self._apply_search()
         self._match_unknown_classes()
         states = element_states(self._document)
-        annotation = self._document.shown_annotation
+        annotation = self._document.state.shown_annotation
         counts = {p.class_name: len(p.points) for p in annotation}
         best = self._document.ghosts.suggestion
         following = None if best is None else best.name
@@ -253,7 +255,7 @@ class ElementsPanel(QWidget):
         return self._icons[state]
 
     def _show_selection(self) -> None:
-        item = self._items.get(self._document.selected_class or "")
+        item = self._items.get(self._document.state.selected_class or "")
         if item is None:
             self.tree.setCurrentIndex(QModelIndex())
         elif item is not self.tree.currentItem() and not item.isHidden():
@@ -261,7 +263,7 @@ class ElementsPanel(QWidget):
             self.tree.scrollToItem(item)
 
     def _show_hover(self) -> None:
-        hovered, shade = self._document.hovered_class, QBrush(muted(self.palette(), 0.82))
+        hovered, shade = self._document.state.hovered_class, QBrush(muted(self.palette(), 0.82))
         for name, brush in ((self._shaded, QBrush()), (hovered, shade)):
             if (item := self._items.get(name or "")) is not None:
                 for column in (NAME, KEY, POINTS, STATUS):
@@ -288,7 +290,7 @@ class ElementsPanel(QWidget):
     def _choose(self, item: QTreeWidgetItem, column: int = 0) -> None:
         name = item.data(0, _CLASS)
         if name is not None:
-            self._document.select_class(name, continues=True)
+            self._document.selecting.select_class(name, continues=True)
         elif column >= 0:
             item.setExpanded(not item.isExpanded())
 
@@ -296,7 +298,7 @@ class ElementsPanel(QWidget):
         query = self.search.text()
         likeliness = self._likeliness() if query.strip() else {}
         best: tuple[tuple[float, ...], QTreeWidgetItem] | None = None
-        title_of = self._document.field.title_of
+        title_of = self._document.state.field.title_of
         for name, item in self._items.items():
             fit = match_rank(query, tr(title_of(name)), name, self._keys.get(name, ""))
             item.setHidden(fit is None)
@@ -322,7 +324,7 @@ class ElementsPanel(QWidget):
 
     def _likeliness(self) -> dict[str, tuple[bool, float]]:
         """Between classes that fit as well: first what is missing, and near what is annotated."""
-        field, annotated = self._document.field, self._document.annotation.annotated
+        field, annotated = self._document.state.field, self._document.state.annotation.annotated
         apart = distances_from(field, annotated)
         near = dict(
             zip(field.index, np.where(np.isfinite(apart), apart, 0.0).tolist(), strict=True)
@@ -331,7 +333,7 @@ class ElementsPanel(QWidget):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if watched is self.tree.viewport() and event.type() == QEvent.Type.Leave:
-            self._document.hover_class(None)
+            self._document.selecting.hover_class(None)
         if watched is self.search and isinstance(event, QKeyEvent):
             if event.type() == QEvent.Type.ShortcutOverride and event.key() in SEARCH_KEYS:
                 event.accept()  # here they search, they do not finish a polyline

@@ -147,7 +147,7 @@ class LandmarksPanel(QWidget):
     # --- showing --------------------------------------------------------------------------
 
     def _refresh(self) -> None:
-        landmarks, opened = self._document.landmarks, self._document.workspace is not None
+        landmarks, opened = self._document.landmarks, self._document.state.workspace is not None
         entries = landmarks.entries
         self.empty.setVisible(not entries)
         self.list.setVisible(bool(entries))
@@ -157,7 +157,7 @@ class LandmarksPanel(QWidget):
             for mark in entries:
                 item = self._item(mark)
                 self.list.addTopLevelItem(item)
-                if mark.name == (self._document.selected_class or chosen):
+                if mark.name == (self._document.state.selected_class or chosen):
                     self.list.setCurrentItem(item)
         self.name.setEnabled(opened and not landmarks.problem)
         self.add.setEnabled(opened and not landmarks.problem)
@@ -183,7 +183,7 @@ class LandmarksPanel(QWidget):
         item.setToolTip(1, _origin(mark))
         item.setToolTip(2, tr("Standard deviation in the direction where it is largest"))
         item.setToolTip(3, ", ".join(frames or ()) or tr("Not clicked in any frame yet"))
-        element = self._document.frame_field.element(mark.name)
+        element = self._document.judge.frame_setup.field.element(mark.name)
         if element is not None:
             swatch = QPixmap(_SWATCH, _SWATCH)
             swatch.fill(QColor(element.colour))
@@ -199,7 +199,7 @@ class LandmarksPanel(QWidget):
         why_not = self._why_not_triangulated(mark)
         self.triangulate.setEnabled(not why_not)
         self.triangulate.setToolTip(why_not or tr(_TRIANGULATE))
-        opened = self._document.workspace is not None and not landmarks.problem
+        opened = self._document.state.workspace is not None and not landmarks.problem
         show_note(self.hint, why_not if opened else "")
         self.triangulate.setText(tr("Triangulating…") if landmarks.working else tr("Triangulate"))
         _show(self.title, "" if mark is None else mark.shown_title)
@@ -242,7 +242,7 @@ class LandmarksPanel(QWidget):
     def _what_to_name(self) -> str:
         if self._document.landmarks.entries:
             return tr("Choose a landmark in the list to have it triangulated.")
-        field, clicked = self._document.field, self._document.annotation.polylines
+        field, clicked = self._document.state.field, self._document.state.annotation.polylines
         names = [
             p.class_name.strip()
             for p in clicked
@@ -268,8 +268,8 @@ class LandmarksPanel(QWidget):
             self.views.addItem(item)
         self.views.setVisible(bool(views))
         self.views_title.setText(tr(_HERE) if views else tr(_ALONE))
-        self.views_title.setVisible(self._document.frame is not None)
-        self.group.setVisible(self._document.frame is not None)
+        self.views_title.setVisible(self._document.state.frame is not None)
+        self.group.setVisible(self._document.state.frame is not None)
 
     # --- hands ----------------------------------------------------------------------------
 
@@ -280,7 +280,7 @@ class LandmarksPanel(QWidget):
 
     def _choose(self) -> None:
         if (name := self._chosen) is not None:
-            self._document.select_class(name, continues=True)
+            self._document.selecting.select_class(name, continues=True)
         self._refresh_chosen()
 
     def _add(self) -> None:
@@ -290,7 +290,7 @@ class LandmarksPanel(QWidget):
             self.name.setFocus()
         elif self._document.landmarks.add(name):
             self.name.clear()
-            self._document.select_class(name, continues=True)
+            self._document.selecting.select_class(name, continues=True)
             self.left.emit()
 
     def _retitle(self) -> None:
@@ -328,7 +328,7 @@ class LandmarksPanel(QWidget):
             )
 
     def _go(self, item: QListWidgetItem) -> None:
-        self._document.go_to(int(item.data(_NAME)))
+        self._document.walk.go_to(int(item.data(_NAME)))
 
 
 def _worst_m(mark: Landmark) -> float | None:

@@ -130,7 +130,7 @@ class ReviewPanel(QWidget):
     # --- showing --------------------------------------------------------------------------
 
     def _refresh(self) -> None:
-        document, frame = self._document, self._document.frame
+        document, frame = self._document, self._document.state.frame
         for part in (self.status, self.text, self.send):
             part.setEnabled(frame is not None)
         if frame is None:
@@ -143,14 +143,14 @@ class ReviewPanel(QWidget):
         self.status.setCurrentIndex(self.status.findData(record.status))
         self.time.setText(_duration(record.seconds))
         self._show_blind(frame.name)
-        counts = document.review.origin_counts(frame.name, document.annotation)
+        counts = document.review.origin_counts(frame.name, document.state.annotation)
         # The squares are the legend of the colours by provenance.
         points = ", ".join(
             f'<span style="color:{ORIGINS[kind.value][0]}">■</span>'  # not shown
             + f" {n} {tr(kind.value, 'points')}"
             for kind, n in counts.items()
         )
-        waiting = len(document.annotation.unconfirmed)
+        waiting = len(document.state.annotation.unconfirmed)
         lines = [tr("Points: {kinds}", kinds=points) if points else tr("Points: none")]
         if waiting:
             lines.append(
@@ -169,7 +169,7 @@ class ReviewPanel(QWidget):
         if commit is None:
             show_note(self.blind, "")
             return
-        show_note(self.blind, tr(_BLIND_WORDS[commit.work(self._document.annotation)]))
+        show_note(self.blind, tr(_BLIND_WORDS[commit.work(self._document.state.annotation)]))
         words = tr("Committed in blind mode by {author}", author=commit.author or tr("somebody"))
         if commit.time:
             words += f", {datetime.fromtimestamp(commit.time):%Y-%m-%d %H:%M}"
@@ -201,19 +201,19 @@ class ReviewPanel(QWidget):
     # --- doing ----------------------------------------------------------------------------
 
     def _choose(self, index: int) -> None:
-        frame = self._document.frame
+        frame = self._document.state.frame
         if frame is None:
             return
         status = Status(self.status.itemData(index))  # Qt keeps the text only
         if status is Status.DONE:
-            self._document.commit_frame()
+            self._document.editing.commit_frame()
             self._refresher.request()  # in blind mode an empty frame is not committed at once
         else:
             self._document.aboutToLeave.emit()  # what is under way is part of what is judged
             self._document.review.set_status(frame.name, status)
 
     def _send(self) -> None:
-        frame = self._document.frame
+        frame = self._document.state.frame
         if frame is not None and self.text.text().strip():
             self._document.review.add_comment(frame.name, self.text.text())
             self.text.clear()
@@ -223,7 +223,7 @@ class ReviewPanel(QWidget):
         document, typed = self._document, self.text.text()
         if self._typed_on is not None and typed:
             self._typed[self._typed_on] = typed
-        frame = document.frame
+        frame = document.state.frame
         self._typed_on = None if frame is None else frame.name
         self.text.setText(self._typed.pop(self._typed_on or "", ""))
 

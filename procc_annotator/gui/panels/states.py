@@ -70,14 +70,14 @@ def element_states(document: Document) -> dict[str, ElementState]:
 
     Classes bear the names the annotator gave, also where mirrored labels count.
     """
-    states = dict.fromkeys(document.shown_annotation.annotated, ElementState.ANNOTATED)
-    score = document.score
+    states = dict.fromkeys(document.state.shown_annotation.annotated, ElementState.ANNOTATED)
+    score = document.judge.score
     if score is not None:
         for element in score.elements:
             states[element.annotated_name or element.name] = ElementState(element.status)
-    for polyline in document.shown_annotation.unconfirmed:
+    for polyline in document.state.shown_annotation.unconfirmed:
         states[polyline.class_name] = ElementState.UNCONFIRMED
-    frame = document.frame
+    frame = document.state.frame
     for name in document.review.not_visible(frame.name) if frame is not None else ():
         states.setdefault(name, ElementState.NOT_VISIBLE)
     return states

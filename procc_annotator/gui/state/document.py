@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from typing import Generic, TypeVar, overload
+from typing import TypeVar
 
 from PySide6.QtCore import QObject
 
-from procc_annotator.batch.audit import FrameAudit
-from procc_annotator.camera.base import CameraOrProjections
 from procc_annotator.dataset.records import default_author
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
@@ -41,9 +38,7 @@ from procc_annotator.gui.state.saying import notify, say, withdraw
 from procc_annotator.gui.state.scoring.camera_sources import KeptVerdicts, Sources
 from procc_annotator.gui.state.scoring.dataset_scores import (
     Auditing,
-    FrameScores,
     SetScores,
-    scores_of,
 )
 from procc_annotator.gui.state.scoring.evaluation_settings import Terms
 from procc_annotator.gui.state.scoring.frame_cameras import SourceFrames
@@ -55,9 +50,6 @@ from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.state import State
 from procc_annotator.gui.state.store import Store
 from procc_annotator.image.decoding import FrameCache
-from procc_annotator.image.pixels import PixelArray
-from procc_annotator.metrics.measurement import Measurement
-from procc_annotator.metrics.score import FrameScore
 from procc_annotator.metrics.setup import EvaluationSetup
 
 T = TypeVar("T")
@@ -65,51 +57,9 @@ T = TypeVar("T")
 _CACHE_BYTES = 16 * 2**20  # more than the pictures that may come next cost more than they spare
 
 
-class Read(Generic[T]):
-    """Something of the document's state, under the document's own name."""
-
-    def __init__(self, select: Callable[[State], T]) -> None:
-        self._select = select
-
-    @overload
-    def __get__(self, document: None, owner: type) -> Read[T]: ...
-    @overload
-    def __get__(self, document: Document, owner: type) -> T: ...
-    def __get__(self, document: Document | None, owner: type) -> T | Read[T]:
-        return self if document is None else self._select(document.store.state)
-
-
 class Document(QObject):
     """Makes the store and its services, in the order in which they hear of a change, and shares
     them: what is read of the state, the commands, and the signals."""
-
-    workspace = Read(lambda s: s.workspace)
-    frame = Read(lambda s: s.frame)
-    frame_index = Read(lambda s: s.frame_index)
-    frame_error = Read(lambda s: s.why_not_editable)
-    annotation = Read(lambda s: s.annotation)
-    shown_annotation = Read(lambda s: s.shown_annotation)
-    picture_size = Read(lambda s: s.picture_size)
-    editable = Read(lambda s: s.editable)
-    why_not_judged = Read(lambda s: s.why_not_judged)
-    projection_visible = Read(lambda s: s.projection_visible)
-    revealed_frames = Read(lambda s: s.revealed_frames)
-    blind = Read(lambda s: s.blind)
-    field = Read(lambda s: s.field)
-    setup = Read(lambda s: s.setup)
-    tau = Read(lambda s: s.tau)
-    noise_floor = Read(lambda s: s.noise_floor)
-    sources = Read(lambda s: list(s.sources))
-    active_source = Read(lambda s: s.active)
-    active_camera = Read(lambda s: s.cameras_of(s.active))
-    camera_sets = Read(lambda s: [look.cameras for look in s.looks])
-    compared = Read(lambda s: s.compared)
-    selected_class = Read(lambda s: s.selection.class_name)
-    selected_point = Read(lambda s: s.selection.point)
-    selected_points = Read(lambda s: s.selection.points)
-    hovered_class = Read(lambda s: s.hovered_class)
-    mode = Read(lambda s: s.mode)
-    author = Read(lambda s: s.author)
 
     def __init__(
         self,
@@ -145,60 +95,6 @@ class Document(QObject):
     def state(self) -> State:
         """As it is now."""
         return self.store.state
-
-    @property
-    def picture(self) -> PixelArray | None:
-        """The whole picture of the frame on screen; waited for where half its size is shown."""
-        self.walk.see_whole()
-        return self.state.picture
-
-    # --- what is worked out at once, as far as blind mode lets it be seen -----------------------
-
-    @property
-    def camera(self) -> CameraOrProjections | None:
-        """The camera of the frame on screen, unless it is hidden by blind mode."""
-        return self.judge.camera
-
-    @property
-    def measurement(self) -> Measurement | None:
-        """Distances of the shown annotation; None without a camera and while blind."""
-        return self.judge.measurement
-
-    @property
-    def score(self) -> FrameScore | None:
-        """The score at `tau`; None without a camera and while blind."""
-        return self.judge.score
-
-    @property
-    def camera_notice(self) -> str:
-        """Return what to know about the frame's camera (scaled from another size, missing)."""
-        return self.judge.shown.notice
-
-    @property
-    def camera_error(self) -> str:
-        """Why the frame's camera cannot be used."""
-        return self.judge.shown.error
-
-    @property
-    def frame_field(self) -> Field:
-        """The field with what moves where it was in the frame on screen."""
-        return self.judge.frame_setup.field
-
-    @property
-    def frame_scores(self) -> FrameScores:
-        """Frame name -> JaC at `tau`, for frames scored so far (while blind: committed ones)."""
-        return scores_of(self.state)
-
-    @property
-    def active_audits(self) -> Mapping[str, FrameAudit]:
-        """Frame name -> how the active source does there, also where blind mode hides it."""
-        return self.active_source.audits if self.active_source is not None else {}
-
-    @property
-    def compared_drawing(self) -> tuple[Measurement | None, FrameScore | None]:
-        """Measurement and score of the shown annotation against the compared source; None without
-        its camera and while blind."""
-        return self.judge.compared
 
     # --- assembly -----------------------------------------------------------------------------
 
@@ -239,30 +135,6 @@ class Document(QObject):
         self.walk = FrameWalk(
             store, signals, self.cache, self.editing, self.auditing, self.second, self.outside
         )
-        self._share_commands()
-
-    def _share_commands(self) -> None:
-        """Those that many need bear the document's name; the others are their service's."""
-        selecting, terms, sources = self.selecting, self.terms, self.camera_sources
-        self.select_class, self.select_point = selecting.select_class, selecting.select_point
-        self.hover_class = selecting.hover_class
-        self.set_mode, self.set_option = selecting.set_mode, selecting.set_option
-        self.set_tau, self.set_protocol = terms.set_tau, terms.set_protocol
-        self.set_noise_floor, self.set_field = terms.set_noise_floor, terms.set_field
-        self.load_cameras, self.remove_camera_set = sources.load_cameras, sources.remove_camera_set
-        self.set_active_camera, self.compare_with = sources.set_active_camera, sources.compare_with
-        self.swap_sources, self.rename_source = sources.swap_sources, sources.rename_source
-        self.set_source_colour = sources.set_source_colour
-        self.set_source_visible = sources.set_source_visible
-        editing, walk = self.editing, self.walk
-        self.begin_edit, self.edit = editing.begin_edit, editing.edit
-        self.commit_edit, self.commit_frame = editing.commit_edit, editing.commit_frame
-        self.note_unseen = editing.note_unseen
-        self.undo, self.redo, self.save_now = editing.undo, editing.redo, editing.save_now
-        self.look_at_frame = editing.look_at_frame
-        self.go_to, self.next_frame = walk.go_to, walk.next_frame
-        self.previous_frame = walk.previous_frame
-        self.set_blind = self.blind_lock.set_blind
 
     def _make_watches(self) -> None:
         store, signals = self.store, self.signals
@@ -306,7 +178,6 @@ class Document(QObject):
             self.landmarks,
             self.second,
         )
-        self.open_path, self.reopener = self.opening.open_path, self.opening.reopener
 
     # --- from outside the store -----------------------------------------------------------------
 

@@ -46,7 +46,7 @@ class Selecting:
 
     def select_all_points(self) -> None:
         """Choose every point of the selected element, or of the frame when none is selected."""
-        annotation, name = self._store.state.annotation, self._store.state.selection.class_name
+        annotation, name = self._store.state.annotation, self._store.state.selected_class
         every = (*annotation.polylines, *annotation.unconfirmed)
         chosen = [p for p in every if p.class_name == name] or every
         points = [(p.class_name, i) for p in chosen for i in range(len(p.points))]

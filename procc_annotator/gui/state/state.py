@@ -163,6 +163,11 @@ class State:
         )
 
     @property
+    def selected_class(self) -> str | None:
+        """The class of the element that is chosen."""
+        return self.selection.class_name
+
+    @property
     def shown_annotation(self) -> FrameAnnotation:
         """The annotation including a gesture under way."""
         return self.preview if self.preview is not None else self.annotation
@@ -244,6 +249,11 @@ class State:
         """The cameras of a source; None for one that is not among the sources."""
         look = self.look_of(source)
         return None if look is None else look.cameras
+
+    @property
+    def active_cameras(self) -> FrameCameras | None:
+        """The cameras of the active source."""
+        return self.cameras_of(self.active)
 
 
 _VALUES = (

@@ -33,7 +33,7 @@ class CameraBar(QWidget):
         self.cameras.setObjectName("cameraCombo")
         self.cameras.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         self.cameras.setToolTip(tr("The camera set that is judged (C switches)"))
-        self.cameras.activated.connect(lambda i: document.set_active_camera(i - 1))
+        self.cameras.activated.connect(lambda i: document.camera_sources.set_active_camera(i - 1))
         self.jac = SteadyLabel()
         self.jac.setTextFormat(Qt.TextFormat.RichText)
         self.jac.setObjectName("judgedJac")
@@ -58,16 +58,20 @@ class CameraBar(QWidget):
     def _show_cameras(self, _: object = None) -> None:
         """The loaded sets and the active one."""
         document = self._document
-        names = [tr(_NO_CAMERA), *(s.name for s in document.camera_sets)]
+        names = [tr(_NO_CAMERA), *(s.name for s in [look.cameras for look in document.state.looks])]
         with QSignalBlocker(self.cameras):
             if names != self._listed:
                 self._fill_cameras(names)
-            active = document.active_camera
-            chosen = -1 if active is None else document.camera_sets.index(active)
+            active = document.state.active_cameras
+            chosen = (
+                -1
+                if active is None
+                else [look.cameras for look in document.state.looks].index(active)
+            )
             self.cameras.setCurrentIndex(chosen + 1)
-        self.cameras.setEnabled(bool(document.camera_sets))
-        loaded = any(s is not document.fit_source.source for s in document.sources)
-        self.setVisible(loaded or document.active_source is not None)
+        self.cameras.setEnabled(bool([look.cameras for look in document.state.looks]))
+        loaded = any(s is not document.fit_source.source for s in document.state.sources)
+        self.setVisible(loaded or document.state.active is not None)
         self._show_score()
 
     def _fill_cameras(self, names: list[str]) -> None:
@@ -82,25 +86,25 @@ class CameraBar(QWidget):
     def _show_score(self, _: object = None) -> None:
         """JaC, or why there is none."""
         document = self._document
-        score = document.score
-        if score is not None and (why := document.why_not_judged):
+        score = document.judge.score
+        if score is not None and (why := document.state.why_not_judged):
             self.jac.setText(tr("<b>JaC –</b> {why}", why=escape(why)))
         elif score is not None:
-            own = document.active_source is document.fit_source.source
+            own = document.state.active is document.fit_source.source
             said = tr("<b>JaC {jac:.3f}</b> of the fit") if own else "<b>JaC {jac:.3f}</b>"
             self.jac.setText(said.format(jac=score.jac))
-        elif document.active_camera is None:
+        elif document.state.active_cameras is None:
             self.jac.setText("")
-        elif not document.projection_visible:
+        elif not document.state.projection_visible:
             self.jac.setText(tr("<b>blind</b>: commit to see JaC"))
         else:
-            words = tr("camera unreadable") if document.camera_error else tr("no camera here")
+            words = tr("camera unreadable") if document.judge.shown.error else tr("no camera here")
             self.jac.setText(f"<b>{words}</b>")
-        hidden = not document.projection_visible
-        error = "" if hidden else document.camera_error
+        hidden = not document.state.projection_visible
+        error = "" if hidden else document.judge.shown.error
         self.jac.setToolTip(error or tr(_JAC_TIP))
-        camera = document.camera
+        camera = document.judge.camera
         ground_only = camera is not None and projects_only_ground(camera)
-        terms = document.setup.describe(ground_only=ground_only)
+        terms = document.state.setup.describe(ground_only=ground_only)
         self.terms.set_text(terms)
         self.terms.setToolTip(tr("What the score is computed with: {terms}", terms=terms))

@@ -92,18 +92,18 @@ class Coach(QObject):
     # --- inside ---
 
     def _begin_frame(self) -> None:
-        frame = self._document.frame
+        frame = self._document.state.frame
         name = "" if frame is None else frame.name
-        self._annotated = name, frozenset(self._document.annotation.annotated)
+        self._annotated = name, frozenset(self._document.state.annotation.annotated)
         self._show()
 
     def _look(self) -> None:
         """Another step of the frame's history: a line that is new, or a ghost that was taken."""
-        frame = self._document.frame
+        frame = self._document.state.frame
         if not self._going or frame is None:
             return
         before = self._annotated
-        now = frame.name, frozenset(self._document.annotation.annotated)
+        now = frame.name, frozenset(self._document.state.annotation.annotated)
         self._annotated = now
         if before[0] == now[0] and now[1] > before[1]:
             self._tick(2 if self._taken(frame.name, now[1] - before[1]) else 0)
@@ -112,7 +112,7 @@ class Coach(QObject):
         """Return whether elements came to be by taking what the camera expects."""
         document = self._document
         origins = document.review.origins(frame)
-        lines = filter(None, map(document.annotation.get, names))
+        lines = filter(None, map(document.state.annotation.get, names))
         keys = ((p.u, p.v) for line in lines for p in line.points)
         return any(key in origins and origins[key].kind in _TAKEN for key in keys)
 
@@ -124,7 +124,7 @@ class Coach(QObject):
             self._show()
 
     def _show(self) -> None:
-        shown = self._going and self._document.frame is not None
+        shown = self._going and self._document.state.frame is not None
         self.card.setVisible(shown)
         self.close_button.setVisible(shown)
         if not shown:

@@ -41,43 +41,45 @@ class Commands:
     def take_tool(self, mode: Mode) -> None:
         """Draw or edit from now on, without the tool that moves the picture."""
         self._canvas.set_pan(False)
-        self._document.set_mode(mode)
+        self._document.selecting.set_mode(mode)
 
     def switch_mode(self) -> None:
         """From drawing to editing and back."""
-        self.take_tool("edit" if self._document.mode == "draw" else "draw")
+        self.take_tool("edit" if self._document.state.mode == "draw" else "draw")
 
     def step_element(self, step: int) -> None:
         """Choose the next class of the field (1) or the one before (-1)."""
-        field = self._document.field
+        field = self._document.state.field
         names = [*(e.name for e in field.elements), *field.classes_without_geometry]
-        current = self._document.selected_class
+        current = self._document.state.selected_class
         if current in names:
             index = (names.index(current) + step) % len(names)
         else:
             index = 0 if step > 0 else -1
-        self._document.select_class(names[index], continues=True)
+        self._document.selecting.select_class(names[index], continues=True)
 
     def step_camera(self, step: int) -> None:
         """Judge with the next source (1) or the one before (-1)."""
         document = self._document
-        if not document.sources:
+        if not document.state.sources:
             document.say(tr("no cameras are loaded (Ctrl+L)"))
             return
-        active = document.active_source
+        active = document.state.active
         if active is None:
-            document.set_active_camera(0 if step > 0 else len(document.sources) - 1)
+            document.camera_sources.set_active_camera(
+                0 if step > 0 else len(document.state.sources) - 1
+            )
             return
-        index = document.sources.index(active) + step
-        document.set_active_camera(index % len(document.sources))
+        index = document.state.sources.index(active) + step
+        document.camera_sources.set_active_camera(index % len(document.state.sources))
 
     def step_tau(self, steps: int) -> None:
         """Allow larger (1) or smaller (-1) distances."""
-        self._document.set_tau(self._document.tau + steps * _TAU_STEP)
+        self._document.terms.set_tau(self._document.state.tau + steps * _TAU_STEP)
 
     def set_off_plane(self, choice: str) -> None:
         """How elements count that a homography cannot project."""
-        self._document.set_protocol(off_plane=choice)
+        self._document.terms.set_protocol(off_plane=choice)
 
     # --- comparing sources ----------------------------------------------------------------
 
@@ -94,7 +96,7 @@ class Commands:
             self._say_if_alone(tr("load a second set of cameras to compare (Ctrl+L)"))
 
     def _say_if_alone(self, text: str) -> None:
-        if self._document.compared is None:
+        if self._document.state.compared is None:
             self._document.say(text)
 
     # --- the program ----------------------------------------------------------------------
@@ -126,9 +128,11 @@ class Commands:
     def show_keys(self) -> None:
         """Open the sheet of keys."""
         if self._sheet is None:
-            self._sheet = KeySheet(self._document.field, self._document.state.keymap, self._window)
+            self._sheet = KeySheet(
+                self._document.state.field, self._document.state.keymap, self._window
+            )
             self._sheet.actionCalled.connect(self._call)
-            self._sheet.elementCalled.connect(self._document.select_class)
+            self._sheet.elementCalled.connect(self._document.selecting.select_class)
         self._fill_sheet()
         self._sheet.show()
         self._sheet.raise_()
@@ -136,12 +140,12 @@ class Commands:
 
     def _fill_sheet(self, _: object = None) -> None:
         if self._sheet is not None:
-            self._sheet.show_field(self._document.field, self._document.state.keymap)
+            self._sheet.show_field(self._document.state.field, self._document.state.keymap)
 
     def change_keys(self) -> None:
         """Ask for other keys, and have them call what they stand for from now on."""
         document = self._document
-        dialog = KeymapDialog(document.field, document.state.keymap, self._window)
+        dialog = KeymapDialog(document.state.field, document.state.keymap, self._window)
         if dialog.exec() == QDialog.DialogCode.Accepted:
             self._options.change(KEYS, dialog.keymap)
         dialog.deleteLater()

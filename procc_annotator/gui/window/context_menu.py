@@ -52,11 +52,11 @@ def canvas_menu(
         for each in names:
             menu.addAction(actions[each])
 
-    name, annotation = document.selected_class, document.annotation
+    name, annotation = document.state.selected_class, document.state.annotation
     waiting = annotation.get_unconfirmed(name) if name is not None else None
     polyline = waiting or (annotation.get(name) if name is not None else None)
     if drawing:
-        menu.addSection(tr("Drawing {title}", title=class_title(document.field, name or "")))
+        menu.addSection(tr("Drawing {title}", title=class_title(document.state.field, name or "")))
         add(*_DRAWING)
     elif on_ground or name is None or polyline is None or not polyline.points:
         if ghost_tasks is not None and ghost is not None:
@@ -65,12 +65,12 @@ def canvas_menu(
         if ghost_tasks is not None:
             _add_not_visible(menu, document, ghost_tasks)
     else:
-        title = class_title(document.field, name)
+        title = class_title(document.state.field, name)
         if waiting is not None:
             menu.addSection(tr("{title}, unconfirmed", title=title))
             add("confirm", *_UNCONFIRMED)
-        if (point := document.selected_point) is not None:
-            count = len(document.selected_points)
+        if (point := document.state.selection.point) is not None:
+            count = len(document.state.selection.points)
             this = tr("Point {number} of {title}", number=point[1] + 1, title=title)
             menu.addSection(tr_count(count, "{n} point", "{n} points") if count > 1 else this)
             add(*_POINT)
@@ -85,15 +85,17 @@ def canvas_menu(
 
 def _add_split(menu: QMenu, document: Document, element_edits: ElementEdits, name: str) -> None:
     free = [
-        e for e in touching_elements(document.field, name) if document.annotation.get(e) is None
+        e
+        for e in touching_elements(document.state.field, name)
+        if document.state.annotation.get(e) is None
     ]
     menu.addMenu(
         class_menu(
             menu,
-            document.field,
+            document.state.field,
             tr("Split here: the rest becomes"),
             first=free,
-            disabled=document.annotation.annotated,
+            disabled=document.state.annotation.annotated,
             keymap=document.state.keymap,
             chosen=element_edits.split,
         )
@@ -126,12 +128,12 @@ def _apply(label_check: LabelCheckCommands, found: StoredFinding, remedy: Remedy
 
 
 def _ignore(label_check: LabelCheckCommands, document: Document, found: StoredFinding) -> None:
-    if document.frame is not None:
-        label_check.ignore(document.frame.name, found)
+    if document.state.frame is not None:
+        label_check.ignore(document.state.frame.name, found)
 
 
 def _add_ghost(menu: QMenu, document: Document, tasks: GhostTasks, name: str) -> None:
-    menu.addSection(tr("Ghost of {title}", title=class_title(document.field, name)))
+    menu.addSection(tr("Ghost of {title}", title=class_title(document.state.field, name)))
     menu.addAction(tr("Accept"), lambda: tasks.accept_named(name))
     menu.addAction(tr("Look closely"), lambda: tasks.look_at(name))
     menu.addAction(tr("Not visible here"), lambda: tasks.set_not_visible(name, True))
@@ -145,12 +147,12 @@ def _add_not_visible(menu: QMenu, document: Document, tasks: GhostTasks) -> None
         hidden = menu.addMenu(tr("Not visible here: take back"))
         for name in names:
             take_back = partial(tasks.set_not_visible, name, False)
-            hidden.addAction(class_title(document.field, name)).triggered.connect(take_back)
+            hidden.addAction(class_title(document.state.field, name)).triggered.connect(take_back)
 
 
 def add_class_menus(menu: QMenu, document: Document, element_edits: ElementEdits) -> None:
     """Submenus that give the selected element another class, or join it to another element."""
-    field, name = document.field, document.selected_class or ""
+    field, name = document.state.field, document.state.selected_class or ""
     likely = list(element_edits.symmetric_classes())
     met = touching_elements(field, name)  # worked out once: it takes time on large fields
     likely += [c for c in met if c not in likely]
@@ -165,7 +167,7 @@ def add_class_menus(menu: QMenu, document: Document, element_edits: ElementEdits
             chosen=element_edits.change_class,
         )
     )
-    others = [c for c in document.annotation.annotated if c != name]
+    others = [c for c in document.state.annotation.annotated if c != name]
     if others:
         every = [e.name for e in field.elements] + list(field.classes_without_geometry)
         menu.addMenu(

@@ -35,7 +35,7 @@ class FindingTips(QObject):
         return reasons_of(near)
 
     def _stands_at(self, found: StoredFinding, cursor: QPointF) -> bool:
-        size, annotation = self._document.picture_size, self._document.annotation
+        size, annotation = self._document.state.picture_size, self._document.state.annotation
         for name, row in found.places:
             drawn = annotation.get(name)
             if drawn is None or size is None or row >= len(drawn.points):

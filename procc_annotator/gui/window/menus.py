@@ -148,9 +148,9 @@ class ActionStates(QObject):
 
     def _show_mode(self) -> None:
         document, actions = self._document, self._actions
-        actions.set_checked("draw_mode", document.mode == "draw")
-        actions.set_checked("edit_mode", document.mode == "edit")
-        actions.set_checked("blind", document.blind)
+        actions.set_checked("draw_mode", document.state.mode == "draw")
+        actions.set_checked("edit_mode", document.state.mode == "edit")
+        actions.set_checked("blind", document.state.blind)
         for name, on in asdict(document.state.options).items():
             actions.set_checked(name, on)
         reason = document.blind_lock.reason

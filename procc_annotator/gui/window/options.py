@@ -116,9 +116,9 @@ def _places(document: Document, canvas: Canvas) -> dict[str, _Place]:
         fit_source.preferred = fit
 
     return {
-        rows.TAU.key: _Place(lambda: document.tau, document.set_tau),
-        rows.PROTOCOL.key: _Place(lambda: document.setup.protocol),
-        rows.OFF_PLANE.key: _Place(lambda: document.setup.off_plane),
+        rows.TAU.key: _Place(lambda: document.state.tau, document.terms.set_tau),
+        rows.PROTOCOL.key: _Place(lambda: document.state.setup.protocol),
+        rows.OFF_PLANE.key: _Place(lambda: document.state.setup.off_plane),
         rows.COLOUR_BY.key: _Place(lambda: canvas.drawing.colour_by),
         rows.FIT_MODEL.key: _Place(lambda: document.live_fit.model, document.live_fit.set_model),
         rows.JUDGE_FIT.key: _Place(lambda: fit_source.preferred, prefer),

@@ -131,7 +131,7 @@ class PaletteEntries:
 
     def _of_elements(self) -> Iterator[Entry]:
         document = self._document
-        field = document.field
+        field = document.state.field
         for name in (*(e.name for e in field.elements), *field.classes_without_geometry):
             yield Entry(
                 "",
@@ -139,22 +139,22 @@ class PaletteEntries:
                 tr(field.title_of(name)),
                 name,
                 key_text(field, name, document.state.keymap),
-                partial(document.select_class, name, continues=True),
-                document.selected_class == name,
+                partial(document.selecting.select_class, name, continues=True),
+                document.state.selected_class == name,
                 english=field.title_of(name),
             )
 
     def _of_cameras(self) -> Iterator[Entry]:
         document = self._document
-        for index, source in enumerate(document.sources):
+        for index, source in enumerate(document.state.sources):
             yield Entry(
                 "",
                 _CAMERAS,
                 tr("Judge {source}", source=source.name),
                 tr("Judge with this source"),
                 "",
-                partial(document.set_active_camera, index),
-                source is document.active_source,
+                partial(document.camera_sources.set_active_camera, index),
+                source is document.state.active,
                 english=f"Judge {source.name}",  # not shown
             )
         for model in MODELS:
@@ -208,10 +208,10 @@ class PaletteEntries:
                 tr("Threshold {px:g} px", px=number),
                 tr("Judge elements by this tau"),
                 "",
-                lambda: document.set_tau(number),
-                document.tau == number,
+                lambda: document.terms.set_tau(number),
+                document.state.tau == number,
             )
-        count = len(document.workspace.frames) if document.workspace is not None else 0
+        count = len(document.state.workspace.frames) if document.state.workspace is not None else 0
         if number.is_integer() and 1 <= number <= count:
             index = int(number) - 1
             title = tr("Frame {number} of {count}", number=int(number), count=count)
@@ -219,7 +219,7 @@ class PaletteEntries:
 
     def _of_frames(self, text: str) -> Iterator[Entry]:
         """Frames whose names hold every word."""
-        workspace = self._document.workspace
+        workspace = self._document.state.workspace
         wanted = text.casefold().split()
         for index, frame in enumerate(workspace.frames if workspace is not None else ()):
             name = frame.name.casefold()
@@ -228,16 +228,16 @@ class PaletteEntries:
 
     def _frame(self, index: int, title: str) -> Entry:
         document = self._document
-        assert document.workspace is not None
-        name = document.workspace.frames[index].name
+        assert document.state.workspace is not None
+        name = document.state.workspace.frames[index].name
         return Entry(
             "",
             _FRAME,
             title,
             name if name != title else tr("Go to this frame"),
             "",
-            lambda: document.go_to(index),
-            index == document.frame_index,
+            lambda: document.walk.go_to(index),
+            index == document.state.frame_index,
         )
 
 

@@ -89,7 +89,7 @@ class SaveState(PaintedText):
             self.set_saved(tr("saving..."), alarm=False)
         elif saver.saved_at is not None:
             self.set_saved(tr("saved {time}", time=f"{saver.saved_at:%H:%M:%S}"), alarm=False)
-        elif self._document.frame is not None:
+        elif self._document.state.frame is not None:
             self.set_saved(tr("no changes"), alarm=False)
         else:
             self.set_saved("", alarm=False)

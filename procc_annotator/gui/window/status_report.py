@@ -35,7 +35,7 @@ class StatusReport(QObject):
         document.uncertainty.changed.connect(self._look_again)
         document.set_scores.progressed.connect(self.show_scoring)
         status.set_hint(canvas.hint)
-        self._show_titles(document.field)
+        self._show_titles(document.state.field)
 
     def _show_titles(self, field: Field) -> None:
         """What elements are called, which hints and messages name."""
@@ -72,14 +72,14 @@ class StatusReport(QObject):
 
     def _evaluated(self, px: tuple[float, float]) -> tuple[float, float] | None:
         """A place of the picture in px of the evaluation size."""
-        size, target = self._document.picture_size, self._document.setup.size
+        size, target = self._document.state.picture_size, self._document.state.setup.size
         if size is None:
             return None
         # Both grids share the centres of their corners.
         return px[0] * (target[0] - 1) / (size[0] - 1), px[1] * (target[1] - 1) / (size[1] - 1)
 
     def _metres(self, at: tuple[float, float]) -> tuple[float, float] | None:
-        camera = self._document.camera
+        camera = self._document.judge.camera
         if camera is None:
             return None
         ground = ground_from_px(camera, np.array([at]))

@@ -41,10 +41,10 @@ class TauControl(QWidget):
             widget.setAccessibleName(tr("Threshold tau"))
             layout.addWidget(widget)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
-        self.slider.valueChanged.connect(lambda tenths: document.set_tau(tenths / 10))
-        self.spin.valueChanged.connect(document.set_tau)
+        self.slider.valueChanged.connect(lambda tenths: document.terms.set_tau(tenths / 10))
+        self.spin.valueChanged.connect(document.terms.set_tau)
         document.store.watch(lambda s: s.tau, self._show)
-        self._show(document.tau)
+        self._show(document.state.tau)
 
     def _show(self, tau: float) -> None:
         with QSignalBlocker(self.slider), QSignalBlocker(self.spin):

@@ -49,11 +49,11 @@ class Telling(QObject):
         self._tell_broken()
 
     def _tell_broken(self) -> None:
-        self._frame_bar.tell(self._document.frame_error)
+        self._frame_bar.tell(self._document.state.why_not_editable)
 
     def _tell_saved(self) -> None:
-        saver, frame = self._document.saver, self._document.frame
-        conflict = saver.conflict(self._document.frame_index)
+        saver, frame = self._document.saver, self._document.state.frame
+        conflict = saver.conflict(self._document.state.frame_index)
         self._conflicts.tell(str(conflict) if conflict is not None else "")
         self._window.setWindowTitle(f"{frame.name}[*]" if frame is not None else _TITLE)
         self._window.setWindowModified(bool(saver.problems))
@@ -68,7 +68,7 @@ class Telling(QObject):
 
     def _tell(self, told: Told) -> None:
         document = self._document
-        conflict = document.saver.conflict(document.frame_index)
+        conflict = document.saver.conflict(document.state.frame_index)
         if told.level == "info":
             self._status.tell(told.text)
         elif told.text == document.state.why_broken:

@@ -191,20 +191,22 @@ class TopBar(QToolBar):
         return search
 
     def _show_status(self, _frame: str = "") -> None:
-        shown = self._document.frame
+        shown = self._document.state.frame
         self.status.setText(tr(self._document.review.status(shown.name).value) if shown else "")
 
     def _show_frame(self, _: object = None) -> None:
-        workspace = self._document.workspace
+        workspace = self._document.state.workspace
         count = len(workspace.frames) if workspace is not None else 0
-        self.position.setText(f" {self._document.frame_index + 1} / {count} " if count else " – ")
-        frame = self._document.frame
+        self.position.setText(
+            f" {self._document.state.frame_index + 1} / {count} " if count else " – "
+        )
+        frame = self._document.state.frame
         self.position.setToolTip(str(frame.image_path) if frame is not None else "")
         self._show_status()
 
     def _show_dataset(self, _: object = None) -> None:
         """What is open, and the sport it is of."""
-        workspace, field = self._document.workspace, self._document.field
+        workspace, field = self._document.state.workspace, self._document.state.field
         name = workspace.root.name if workspace is not None else ""
         self.chip.set_words(" · ".join(filter(None, (name, tr(field.title)))))
         lines = [str(workspace.root)] if workspace is not None else []

@@ -91,33 +91,33 @@ class OurHand:
 
     def edit(self, first: int) -> None:
         document, watch, canvas = self.document, self.watch, self.window.canvas
-        document.go_to(first)
+        document.walk.go_to(first)
         self.rest(0.5)
-        document.set_mode("edit")
+        document.selecting.set_mode("edit")
         for snapping, name in ((True, "snapping and loupe"), (False, "neither")):
-            document.set_option("snapping", snapping)
+            document.selecting.set_option("snapping", snapping)
             if not snapping:
                 canvas._place_loupe = canvas.loupe.hide  # type: ignore[method-assign]
             self.rest()
             for turn in range(3):
                 self._drag(f"drag, per move, {name}", turn)
         del canvas._place_loupe
-        document.set_option("snapping", True)
+        document.selecting.set_option("snapping", True)
         for turn in range(20):
             self.rest()
-            watch.time("undo", document.redo if turn % 2 else document.undo)
+            watch.time("undo", document.editing.redo if turn % 2 else document.editing.undo)
         self._draw()
         for turn in range(20):
-            (document.redo if turn % 2 else document.undo)()
+            (document.editing.redo if turn % 2 else document.editing.undo)()
             self.rest()
-            workspace, index = document.workspace, document.frame_index
+            workspace, index = document.state.workspace, document.state.frame_index
             edited = workspace.state(index).history
             workspace.edit(index, "bench", _moved(edited.current, 1e-4 * (turn + 1)))
             watch.time("save", partial(document.saver.save_behind, index), paints=False)
             self.rest()
 
     def _drag(self, row: str, turn: int) -> None:
-        polyline = self.document.annotation.get(ELEMENT)
+        polyline = self.document.state.annotation.get(ELEMENT)
         point = polyline.points[0]
         grip = self.window.canvas.to_view(point.u * 1919, point.v * 1079).toPoint()
         viewport = self.window.canvas.viewport()
@@ -135,13 +135,15 @@ class OurHand:
 
     def _draw(self) -> None:
         document, watch, canvas = self.document, self.watch, self.window.canvas
-        document.set_mode("draw")
+        document.selecting.set_mode("draw")
         name = next(
-            e.name for e in document.field.elements if document.annotation.get(e.name) is None
+            e.name
+            for e in document.state.field.elements
+            if document.state.annotation.get(e.name) is None
         )
-        ground = document.annotation.get(ELEMENT).points
+        ground = document.state.annotation.get(ELEMENT).points
         for turn in range(10):
-            document.select_class(name)
+            document.selecting.select_class(name)
             self.rest()
             for i in range(5):
                 at = ground[0].u * 1919 + 20 * i + turn, ground[0].v * 1079 + 15 * i
@@ -153,7 +155,7 @@ class OurHand:
             row = "an element finished (Enter), shown"
             watch.time(row, partial(QTest.keyClick, canvas, Qt.Key.Key_Return))
             self.rest()
-            document.undo()
+            document.editing.undo()
             self.rest()
 
     def _move(self, at: QPoint, held: Qt.MouseButton) -> None:
@@ -166,21 +168,21 @@ class OurHand:
     def walk(self, first: int) -> None:
         """Frame after frame; each prefetched, or each jumped to."""
         document, watch = self.document, self.watch
-        document.set_mode("draw")
+        document.selecting.set_mode("draw")
         for index in range(first + 1, first + 41):
-            path = document.workspace.frames[index].image_path
+            path = document.state.workspace.frames[index].image_path
             watch.rest(lambda path=path: document.cache.peek(path) is not None)
             self.rest()
-            watch.time("next frame, prefetched", lambda i=index: document.go_to(i))
+            watch.time("next frame, prefetched", lambda i=index: document.walk.go_to(i))
         for index in itertools.islice(itertools.count(first + 60, 20), 20):
             self.rest()
-            watch.time("next frame, decoded", lambda i=index: document.go_to(i))
+            watch.time("next frame, decoded", lambda i=index: document.walk.go_to(i))
 
     def memory(self) -> dict[str, float]:
         """After so many frames seen from here, one after the other as fast as they come."""
         document, found = self.document, {}
         for index in range(500):
-            self._step(lambda i=index: document.go_to(i))
+            self._step(lambda i=index: document.walk.go_to(i))
             if index + 1 in (75, 500):
                 self.rest(0.3)
                 found[str(index + 1)] = resident_mb()

@@ -35,7 +35,7 @@ PAN = 0.1  # of the width
 def near_lines(window: MainWindow, count: int) -> Iterator[tuple[float, float]]:
     """Places up to 4 px beside the annotated points of the frame, again and again."""
     rng = np.random.default_rng(1)
-    places = [points_px(p, SIZE) for p in window.document.annotation.polylines]
+    places = [points_px(p, SIZE) for p in window.document.state.annotation.polylines]
     points = np.concatenate(places)
     inside = points[((points > 40) & (points < np.array(SIZE) - 40)).all(axis=1)]
     for i in range(count):
@@ -45,24 +45,24 @@ def near_lines(window: MainWindow, count: int) -> Iterator[tuple[float, float]]:
 
 def test_click_with_snap(window: MainWindow, report: Report) -> None:
     document, hand = window.document, Hand(window)
-    document.go_to(1)
+    document.walk.go_to(1)
     places = near_lines(window, 10_000)
-    document.set_mode("draw")
-    document.select_class("Circle left")
+    document.selecting.set_mode("draw")
+    document.selecting.select_class("Circle left")
     QApplication.processEvents()
-    before = len(points_px(document.annotation.get("Circle left"), SIZE))
+    before = len(points_px(document.state.annotation.get("Circle left"), SIZE))
     clicked: list[tuple[float, float]] = []
     report("a click that snaps, repainted", lambda: clicked.append(hand.click(*next(places))), 60)
     hand.key(Qt.Key.Key_Return)
-    drawn = points_px(document.annotation.get("Circle left"), SIZE)
+    drawn = points_px(document.state.annotation.get("Circle left"), SIZE)
     assert len(drawn) == before + len(clicked)
     moved = np.hypot(*(drawn[before:] - clicked).T) > 0.01
     assert moved.mean() > 0.3  # the others are at crossings, or on no paint
 
 
 def test_snap_alone(window: MainWindow, report: Report) -> None:
-    window.document.go_to(1)
-    picture = window.document.picture
+    window.document.walk.go_to(1)
+    picture = window.document.walk.picture
     assert picture is not None
     places = near_lines(window, 10_000)
     report("finding a line's centre", lambda: snap_to_line(picture, next(places)), 300)
@@ -76,15 +76,15 @@ def test_snap_alone(window: MainWindow, report: Report) -> None:
 
 def test_regularise_a_frame(window: MainWindow, qtbot: QtBot, report: Report) -> None:
     document = window.document
-    document.go_to(1)
-    elements = len(document.annotation.polylines)
+    document.walk.go_to(1)
+    elements = len(document.state.annotation.polylines)
 
     def regularise() -> None:
         with qtbot.waitSignal(document.message, check_params_cb=lambda t, _: "regularise" in t):
             window.assistant.regularise_frame()
 
     def restore() -> None:
-        document.undo()
+        document.editing.undo()
 
     report(f"regularise a frame of {elements} elements, in the background", regularise, 10, restore)
 
@@ -110,13 +110,13 @@ def test_copy_with_motion(qtbot: QtBot, panned: Path, tmp_path: Path, report: Re
     window = build_window(panned)
     qtbot.addWidget(window)
     document = window.document
-    document.go_to(1)
+    document.walk.go_to(1)
 
     def copy() -> None:
         with qtbot.waitSignal(document.message, check_params_cb=lambda t, _: "copied" in t):
             window.assistant.copy_from_previous()
 
-    report("copy, moved with the camera", copy, 10, document.undo)
+    report("copy, moved with the camera", copy, 10, document.editing.undo)
     document.close()
 
 
@@ -146,12 +146,12 @@ def test_open_a_very_large_dataset(
     QApplication.processEvents()
 
     def opened() -> None:
-        window.document.open_path(folder)
+        window.document.opening.open_path(folder)
         QApplication.processEvents()
         window.grab()
 
     benchmark.pedantic(opened, rounds=5, warmup_rounds=1)
-    assert len(window.document.workspace.frames) == MANY
+    assert len(window.document.state.workspace.frames) == MANY
     assert window.document.review.database.record(names[2]).status == Status.REJECTED
     print(f"\nopen {MANY:,} frames with their database: {benchmark.stats.stats.median:.2f} s")
     window.document.close()

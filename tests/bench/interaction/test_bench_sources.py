@@ -40,13 +40,15 @@ def sources(window: MainWindow, sample_data: Path, tmp_path: Path, qtbot: QtBot)
             prefix = "camera_" if file.suffix == ".json" else ""
             (folder / f"{prefix}{i + 1:05d}{file.suffix}").symlink_to(file)
         begin = time.perf_counter()
-        assert document.load_cameras(folder)
+        assert document.camera_sources.load_cameras(folder)
         print(f"\nload {FRAMES:,} cameras ({name}): {(time.perf_counter() - begin) * 1e3:.0f} ms")
     begin = time.perf_counter()
     qtbot.waitUntil(lambda: not document.set_scores.running, timeout=300_000)
     print(f"audit the set for {len(SETS)} sources: {time.perf_counter() - begin:.1f} s")
-    document.go_to(1)
-    qtbot.waitUntil(lambda: all(document.source_frames.of(s) is not None for s in document.sources))
+    document.walk.go_to(1)
+    qtbot.waitUntil(
+        lambda: all(document.source_frames.of(s) is not None for s in document.state.sources)
+    )
     all_done(qtbot)
     return window
 
@@ -55,7 +57,9 @@ def test_switch_the_active_source(sources: MainWindow, report: Report) -> None:
     document = sources.document
     turns = itertools.cycle(range(len(SETS)))
     report(
-        "switch the active source, all redrawn", lambda: document.set_active_camera(next(turns)), 60
+        "switch the active source, all redrawn",
+        lambda: document.camera_sources.set_active_camera(next(turns)),
+        60,
     )
     _assert_shown(document, turns)
     sources.panels.show("cameras")
@@ -67,25 +71,29 @@ def test_switch_with_the_panel_of_sources(sources: MainWindow, report: Report) -
     QApplication.processEvents()
     document = sources.document
     turns = itertools.cycle(range(len(SETS)))
-    report("switch, list of sources open", lambda: document.set_active_camera(next(turns)), 60)
+    report(
+        "switch, list of sources open",
+        lambda: document.camera_sources.set_active_camera(next(turns)),
+        60,
+    )
     _assert_shown(document, turns)
 
 
 def _assert_shown(document: Document, turns: Iterator[int]) -> None:
     """The source that was switched to last is the one that is judged, and drawn."""
-    assert document.active_source is document.sources[(next(turns) - 1) % len(SETS)]
-    assert document.measurement is not None
+    assert document.state.active is document.state.sources[(next(turns) - 1) % len(SETS)]
+    assert document.judge.measurement is not None
 
 
 @pytest.mark.parametrize("split", [False, True], ids=["wireframes", "wireframes and split"])
 def test_drag_beside_other_sources(sources: MainWindow, report: Report, split: bool) -> None:
     document, hand = sources.document, Hand(sources)
-    document.set_active_camera(0)
-    document.set_mode("edit")
+    document.camera_sources.set_active_camera(0)
+    document.selecting.set_mode("edit")
     if split:
         sources.actions_["split"].trigger()
     QApplication.processEvents()
-    polyline = document.annotation.get("Big rect. left main")
+    polyline = document.state.annotation.get("Big rect. left main")
     assert polyline is not None
     grip = hand.at(*map(float, points_px(polyline, SIZE)[0]))
     viewport = sources.canvas.viewport()
@@ -115,18 +123,18 @@ def test_next_frame_with_four_sources(sources: MainWindow, report: Report, qtbot
     indices = itertools.count(2)
 
     def ready() -> None:
-        index = document.frame_index + 1
-        frame = document.workspace.frames[index]
+        index = document.state.frame_index + 1
+        frame = document.state.workspace.frames[index]
         qtbot.waitUntil(lambda: document.cache.peek(frame.image_path) is not None)
         all_done(qtbot)
 
-    report("next frame, four sources", lambda: document.go_to(next(indices)), 25, setup=ready)
+    report("next frame, four sources", lambda: document.walk.go_to(next(indices)), 25, setup=ready)
 
 
 def test_disagreement(sources: MainWindow, report: Report, qtbot: QtBot) -> None:
     document = sources.document
-    size, field = (1280, 720), document.field
-    folder = document.sources
+    size, field = (1280, 720), document.state.field
+    folder = document.state.sources
     for a, b in (("pinhole", "true"), ("bad", "homography")):
         pair = [
             CameraSet.open(next(s.camera_set.path for s in folder if s.name == name))

@@ -82,8 +82,8 @@ class Assistant(QObject):
         """Resample the selected element along its painted line, or the one just finished."""
         document = self._document
         document.aboutToLeave.emit()
-        annotation = document.annotation
-        for name in (document.state.selection.last_finished, document.selected_class):
+        annotation = document.state.annotation
+        for name in (document.state.selection.last_finished, document.state.selected_class):
             polyline = annotation.get(name or "") or annotation.get_unconfirmed(name or "")
             if polyline is not None and polyline.points:
                 self._regularise((polyline,))
@@ -93,18 +93,18 @@ class Assistant(QObject):
     def regularise_named(self, name: str) -> None:
         """Resample the element of a class along its painted line."""
         self._document.aboutToLeave.emit()
-        polyline = self._document.annotation.get(name)
+        polyline = self._document.state.annotation.get(name)
         self._regularise((polyline,) if polyline is not None else ())
 
     def regularise_frame(self) -> None:
         """Resample all elements of the frame along their painted lines."""
         self._document.aboutToLeave.emit()
-        self._regularise(self._document.annotation.polylines)
+        self._regularise(self._document.state.annotation.polylines)
 
     def _regularise(self, polylines: tuple[Polyline, ...]) -> None:
         self._work.finish()  # what was asked for before is done first
-        document, picture = self._document, self._document.picture
-        field, size = document.field, document.picture_size
+        document, picture = self._document, self._document.walk.picture
+        field, size = document.state.field, document.state.picture_size
         # Smoothing would round the corners off, and a single place has no line.
         smooth = {e.name for e in field.elements if isinstance(e.geometry, Line | Arc | Circle)}
         given = [p for p in polylines if field.element(p.class_name) is not None]
@@ -117,7 +117,7 @@ class Assistant(QObject):
             return
         if not polylines:
             document.say(tr("no element of the field is annotated here"))
-        if not polylines or not document.begin_edit() or picture is None or size is None:
+        if not polylines or not document.editing.begin_edit() or picture is None or size is None:
             return
         curved = {e.name for e in field.elements if e.is_curved}
         paint = ExpectedLines(field, size[0])
@@ -141,9 +141,9 @@ class Assistant(QObject):
 
     def _apply_regularised(self, outcome: _Outcome) -> None:
         document = self._document
-        if not document.begin_edit():
+        if not document.editing.begin_edit():
             return
-        annotation = document.annotation
+        annotation = document.state.annotation
         done: list[Polyline] = []
         unseen: set[PointKey] = set()
         for before, after in outcome.pairs:
@@ -157,16 +157,16 @@ class Assistant(QObject):
                 annotation = annotation.with_polyline(after.polyline)
                 done.append(after.polyline)
         if not done:
-            document.note_unseen(frozenset(unseen))
+            document.editing.note_unseen(frozenset(unseen))
             document.say(_with_unconfirmed(tr(_NOTHING_REGULARISED), len(unseen)))
             return
 
         if len(done) == 1:
-            what = translatable(document.field.title_of(done[0].class_name))
+            what = translatable(document.state.field.title_of(done[0].class_name))
         else:
             what = translatable_count(len(done), "{n} element", "{n} elements")
         label = translatable("regularise {what}", what=what)
-        if document.commit_edit(
+        if document.editing.commit_edit(
             label, annotation, OriginKind.REGULARISED, unseen=frozenset(unseen)
         ):
             points = sum(len(p.points) for p in done)
@@ -186,16 +186,16 @@ class Assistant(QObject):
         self._work.finish()
         document = self._document
         document.aboutToLeave.emit()
-        workspace = document.workspace
-        source = annotated_before(workspace, document.frame_index) if workspace else None
-        picture, size = document.picture, document.picture_size
+        workspace = document.state.workspace
+        source = annotated_before(workspace, document.state.frame_index) if workspace else None
+        picture, size = document.walk.picture, document.state.picture_size
         if source is None:
             document.say(tr("no frame before this one is annotated"))
             return
-        if not document.begin_edit() or picture is None or size is None:
+        if not document.editing.begin_edit() or picture is None or size is None:
             return
         frame, annotation = source
-        known = set(document.annotation.annotated)
+        known = set(document.state.annotation.annotated)
         polylines = tuple(p for p in annotation.polylines if p.points and p.class_name not in known)
         if not polylines:
             document.say(tr("{frame} has no element that is missing here", frame=frame.name))
@@ -203,7 +203,7 @@ class Assistant(QObject):
         self._doing = _COPYING
         fit = document.shot_track.fit_here if document.proposals.allowed else None
         if fit is not None:
-            here, field = document.annotation, document.state.sized_field
+            here, field = document.state.annotation, document.state.sized_field
             self._work.start(
                 lambda _: copy_along_track(polylines, here, picture, field, fit),
                 partial(self._apply_copied, frame.name, along_track=True),
@@ -221,24 +221,27 @@ class Assistant(QObject):
             previous = kept if kept is not None else decode_bgra(frame.image_path)
             return copy_moved(polylines, previous, picture, curved, paint, spots)
 
-        elements = document.field.elements
-        paint = ExpectedLines(document.field, width)
+        elements = document.state.field.elements
+        paint = ExpectedLines(document.state.field, width)
         curved = frozenset(e.name for e in elements if e.is_curved)
         spots = frozenset(e.name for e in elements if e.is_spot)
         self._work.start(work, partial(self._apply_copied, frame.name))
 
     def _apply_copied(self, source: str, outcome: Copied, *, along_track: bool = False) -> None:
         document = self._document
-        if not document.begin_edit():
+        if not document.editing.begin_edit():
             return
-        proposed = editing.add_unconfirmed(document.annotation, outcome.polylines)
+        proposed = editing.add_unconfirmed(document.state.annotation, outcome.polylines)
         label = translatable("copy from {frame}", frame=source)
-        if document.commit_edit(label, proposed, OriginKind.COPIED, unseen=outcome.unseen):
+        if document.editing.commit_edit(label, proposed, OriginKind.COPIED, unseen=outcome.unseen):
             if (
                 outcome.polylines
-                and document.annotation.get_unconfirmed(document.selected_class or "") is None
+                and document.state.annotation.get_unconfirmed(document.state.selected_class or "")
+                is None
             ):
-                document.select_class(outcome.polylines[0].class_name)  # Enter confirms it
+                document.selecting.select_class(
+                    outcome.polylines[0].class_name
+                )  # Enter confirms it
             what = tr_count(len(outcome.polylines), "{n} element", "{n} elements")
             how = _ALONG_TRACK if along_track else _MOVED if outcome.moved else _AS_THEY_WERE
             words = tr(how, what=what, frame=source)

@@ -31,22 +31,22 @@ class ElementEdits:
         old = self._selected()
         if old is None or new == old:
             return
-        if self._document.annotation.get(new) is not None:
+        if self._document.state.annotation.get(new) is not None:
             self._swap(old, new)
             return
         label = self._step(word("{element} becomes {other}"), element=old, other=new)
         if self._edit((old, new), label, lambda seen: editing.change_class(seen, old, new)):
-            self._document.select_class(new)
+            self._document.selecting.select_class(new)
 
     def _swap(self, old: str, other: str) -> None:
         label = self._step(word("swap {element} and {other}"), element=old, other=other)
         if self._edit((old, other), label, lambda seen: editing.swap_classes(seen, old, other)):
-            self._document.select_class(other)
+            self._document.selecting.select_class(other)
 
     def symmetric_classes(self) -> tuple[str, ...]:
         """The other classes that the selected one becomes on the turned field, a turn each."""
-        name = self._document.selected_class
-        return self._document.field.symmetric_names(name) if name is not None else ()
+        name = self._document.state.selected_class
+        return self._document.state.field.symmetric_names(name) if name is not None else ()
 
     def duplicate_symmetric(self) -> None:
         """Put an unconfirmed copy of the selected element under its symmetric class; of several
@@ -59,7 +59,7 @@ class ElementEdits:
         if not partners or polyline is None:
             document.say(tr("{element} is its own symmetric element", element=self._title(old)))
             return
-        new = next((name for name in partners if document.annotation.get(name) is None), None)
+        new = next((name for name in partners if document.state.annotation.get(name) is None), None)
         if new is None:
             document.say(
                 tr_count(
@@ -73,8 +73,8 @@ class ElementEdits:
         copy = editing.change_class(FrameAnnotation((polyline,)), old, new).polylines
         label = self._step(word("duplicate {element} as {other}"), element=old, other=new)
         if self._edit((old, new), label, lambda seen: editing.add_unconfirmed(seen, copy)):
-            document.set_mode("edit")
-            document.select_class(new)
+            document.selecting.set_mode("edit")
+            document.selecting.select_class(new)
             document.say(
                 tr(
                     "{element} lies where {other} is: drag it to its place",
@@ -93,7 +93,7 @@ class ElementEdits:
 
     def split(self, rest: str) -> None:
         """Cut the selected element at its chosen point; the rest becomes another class."""
-        point = self._document.selected_point
+        point = self._document.state.selection.point
         if point is None:
             self._document.say(tr("choose the point to split at first (edit mode)"))
             return
@@ -116,28 +116,28 @@ class ElementEdits:
             return
         label = self._step(word("merge {element} into {other}"), element=source, other=target)
         if self._edit((source, target), label, lambda seen: editing.merge(seen, source, target)):
-            self._document.select_class(target)
+            self._document.selecting.select_class(target)
 
     def close_gaps(self) -> None:
         """Let the selected element, or all, reach the corners and edges they fall short of."""
-        document, size = self._document, self._document.picture_size
+        document, size = self._document, self._document.state.picture_size
         document.aboutToLeave.emit()
-        if not document.begin_edit() or size is None:
+        if not document.editing.begin_edit() or size is None:
             return
-        selected = document.selected_class
+        selected = document.state.selected_class
 
         def close(annotation: FrameAnnotation) -> FrameAnnotation:
             changed = annotation if selected is None else editing.confirm(annotation, selected)
             for polyline in changed.polylines:
                 if selected in (None, polyline.class_name):
-                    closed = close_gaps(polyline, changed, document.field, size)
+                    closed = close_gaps(polyline, changed, document.state.field, size)
                     if closed != polyline:
                         changed = changed.with_polyline(closed)
             if changed == annotation:
                 raise UsageError(tr("no end is that near to a corner or the picture's edge"))
             return changed
 
-        document.edit(translatable("close gaps"), close, OriginKind.MOVED)
+        document.editing.edit(translatable("close gaps"), close, OriginKind.MOVED)
 
     # --- unconfirmed elements -------------------------------------------------------------
 
@@ -145,32 +145,36 @@ class ElementEdits:
         """Make the selected unconfirmed element an annotated one."""
         document = self._document
         document.aboutToLeave.emit()
-        name = document.selected_class
-        if name is not None and document.annotation.get_unconfirmed(name) is not None:
-            label = step_name(CONFIRM, document.field.title_of(name))
-            document.edit(label, lambda seen: editing.confirm(seen, name), OriginKind.COPIED)
+        name = document.state.selected_class
+        if name is not None and document.state.annotation.get_unconfirmed(name) is not None:
+            label = step_name(CONFIRM, document.state.field.title_of(name))
+            document.editing.edit(
+                label, lambda seen: editing.confirm(seen, name), OriginKind.COPIED
+            )
 
     def confirm_all(self) -> None:
         """Make all unconfirmed elements annotated ones; the next one is chosen, as after each that
         is finished: a click must not go on with one that was chosen because it waited."""
         if waiting := self._unconfirmed():
             document = self._document
-            name = document.selected_class or ""
-            waited = document.annotation.get_unconfirmed(name) is not None
+            name = document.state.selected_class or ""
+            waited = document.state.annotation.get_unconfirmed(name) is not None
             label = translatable_count(waiting, "confirm {n} element", "confirm {n} elements")
-            if not document.edit(label, editing.confirm_all, OriginKind.COPIED):
+            if not document.editing.edit(label, editing.confirm_all, OriginKind.COPIED):
                 return
-            if waited and document.mode == "draw":
-                document.select_class(self._following(name))
+            if waited and document.state.mode == "draw":
+                document.selecting.select_class(self._following(name))
             document.say(tr_count(waiting, "confirmed {n} element", "confirmed {n} elements"))
 
     def _following(self, name: str) -> str | None:
         document = self._document
         if not document.state.options.auto_advance:
             return None
-        field, gains = document.field, document.ghosts.gains
+        field, gains = document.state.field, document.ghosts.gains
         unseen = document.ghosts.out_of_sight
-        return next_element(field, document.annotation, name, gains=gains, out_of_sight=unseen)
+        return next_element(
+            field, document.state.annotation, name, gains=gains, out_of_sight=unseen
+        )
 
     def drop_unconfirmed(self) -> None:
         """Throw all unconfirmed elements away."""
@@ -178,7 +182,7 @@ class ElementEdits:
             label = translatable_count(
                 waiting, "drop {n} unconfirmed element", "drop {n} unconfirmed elements"
             )
-            if self._document.edit(label, editing.drop_unconfirmed):
+            if self._document.editing.edit(label, editing.drop_unconfirmed):
                 self._document.say(
                     tr_count(
                         waiting,
@@ -190,7 +194,7 @@ class ElementEdits:
     def _unconfirmed(self) -> int:
         """Return how many elements are unconfirmed; says so where none is."""
         self._document.aboutToLeave.emit()
-        waiting = len(self._document.annotation.unconfirmed)
+        waiting = len(self._document.state.annotation.unconfirmed)
         if not waiting:
             self._document.say(tr("nothing is unconfirmed on this frame"))
         return waiting
@@ -200,7 +204,7 @@ class ElementEdits:
     def _selected(self) -> str | None:
         """The selected class if it is annotated; else says so. What is under way ends first."""
         self._document.aboutToLeave.emit()
-        name = self._document.selected_class
+        name = self._document.state.selected_class
         polyline = self._touched(name).get(name) if name is not None else None
         if polyline is None or not polyline.points:
             self._document.say(tr("choose an annotated element first"))
@@ -209,14 +213,14 @@ class ElementEdits:
 
     def _touched(self, class_name: str) -> FrameAnnotation:
         """The annotation with this element confirmed, if it was not."""
-        return editing.confirm(self._document.annotation, class_name)
+        return editing.confirm(self._document.state.annotation, class_name)
 
     def _title(self, class_name: str) -> str:
-        return tr(self._document.field.title_of(class_name))
+        return tr(self._document.state.field.title_of(class_name))
 
     def _step(self, words: str, **elements: str) -> str:
         """The name of a step of undo: what ``word`` marked, with elements by their classes."""
-        title_of = self._document.field.title_of
+        title_of = self._document.state.field.title_of
         return translatable(
             words, **{place: translatable(title_of(name)) for place, name in elements.items()}
         )
@@ -244,4 +248,4 @@ class ElementEdits:
             except ValueError as error:
                 raise UsageError(str(error)) from error
 
-        return self._document.edit(label, apply)
+        return self._document.editing.edit(label, apply)

@@ -126,10 +126,10 @@ class GhostAccepting(QObject):
         document = self._document
         if self._asked is not None and self._asked.all:
             return  # they are under way
-        before, one_more = document.annotation, self.busy
+        before, one_more = document.state.annotation, self.busy
         self.finish()
         document.aboutToLeave.emit()
-        if document.annotation is not before:
+        if document.state.annotation is not before:
             # The ghosts of the better camera are examined before they are accepted.
             self._say(
                 tr("the ghost is accepted: accept the ghosts of the new fit")
@@ -214,7 +214,7 @@ class GhostAccepting(QObject):
         document = self._document
         if document.ghosts.insight is made_for:
             return ""
-        if document.annotation is not made_for.annotation:
+        if document.state.annotation is not made_for.annotation:
             return tr("the frame was edited meanwhile")
         return tr("the camera is another one meanwhile")
 
@@ -222,11 +222,14 @@ class GhostAccepting(QObject):
         self, made_for: FrameAnalysis, annotation: FrameAnnotation, what: TranslatableText
     ) -> bool:
         document = self._document
-        if not document.begin_edit() or document.annotation is not made_for.annotation:
+        if (
+            not document.editing.begin_edit()
+            or document.state.annotation is not made_for.annotation
+        ):
             return False  # somebody else has the frame, or had it meanwhile: that is said
         kind = OriginKind.SUGGESTED if made_for.from_clicks else OriginKind.ACCEPTED
         label = translatable("accept {what}", what=what)
-        return document.commit_edit(label, annotation, kind)
+        return document.editing.commit_edit(label, annotation, kind)
 
     # --- looking for points ---------------------------------------------------------------
 
@@ -245,9 +248,13 @@ class GhostAccepting(QObject):
         """Have the points of ghosts found in the background; most are known already."""
         document, field = self._document, self._document.state.sized_field
         made_for = document.ghosts.insight
-        if not ghosts or made_for is None or not document.begin_edit():
+        if not ghosts or made_for is None or not document.editing.begin_edit():
             return False  # somebody else has the frame, or nobody can edit it: that is said
-        picture, size, frame = document.picture, document.picture_size, document.frame
+        picture, size, frame = (
+            document.walk.picture,
+            document.state.picture_size,
+            document.state.frame,
+        )
         if picture is None or size is None or frame is None:
             self._say(tr("no ghost was accepted: there is no picture to look for their lines in"))
             return False
@@ -333,7 +340,7 @@ class GhostAccepting(QObject):
         return tr(self._said_title(name))
 
     def _said_title(self, name: str) -> TranslatableText:
-        return translatable(self._document.field.title_of(name))
+        return translatable(self._document.state.field.title_of(name))
 
     def _say(self, text: str) -> None:
         self._document.say(text)

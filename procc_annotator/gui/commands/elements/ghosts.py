@@ -73,7 +73,7 @@ class GhostTasks(QObject):
     def _why_none(self) -> str:
         """Why there is no ghost to go to or to accept; empty if there is one."""
         foresight, insight = self._document.foresight, self._ghosts.insight
-        if self._document.frame is None:
+        if self._document.state.frame is None:
             return tr("open a folder of pictures first")
         if off := self._why_off():
             return off
@@ -82,7 +82,7 @@ class GhostTasks(QObject):
             return coming if foresight.working else tr("no ghosts: no camera could be fitted")
         if insight.fit.camera is None and self._document.proposals.working:
             return tr("no ghosts: the camera is looked for in the picture")
-        if insight.fit.camera is None and not self._document.annotation.annotated:
+        if insight.fit.camera is None and not self._document.state.annotation.annotated:
             return self._why_not_found()
         if insight.fit.camera is None:
             why = insight.fit.failure or tr("no camera fits yet")
@@ -150,8 +150,8 @@ class GhostTasks(QObject):
         if self._before is None:
             self._before = _Before(
                 self._canvas.place,
-                document.selected_class,
-                document.frame,
+                document.state.selected_class,
+                document.state.frame,
             )
         self._shown = ghost.name
         self._choose(ghost.name)
@@ -159,7 +159,7 @@ class GhostTasks(QObject):
 
     def _choose(self, name: str | None) -> None:
         self._choosing = True
-        self._document.select_class(name)
+        self._document.selecting.select_class(name)
         self._choosing = False
 
     def _end(self) -> None:
@@ -171,14 +171,14 @@ class GhostTasks(QObject):
 
     def _chosen_before(self, before: _Before | None) -> str | None:
         """The element that was chosen before the walk."""
-        if before is None or before.frame != self._document.frame:
+        if before is None or before.frame != self._document.state.frame:
             return None
         return before.selected
 
     def _go_on(self, accepted: tuple[str, ...]) -> None:
         """Ghosts are elements now: they are done."""
         document, walking = self._document, self._ghosts.walking
-        if document.selected_class in accepted:
+        if document.state.selected_class in accepted:
             self._choose(self._chosen_before(self._before))
         if walking and len(accepted) == 1 and not document.state.options.auto_advance:
             self._leave_here()  # otherwise the walk goes on: this ghost is none any more
@@ -191,14 +191,14 @@ class GhostTasks(QObject):
     def _leave_for_drawing(self) -> None:
         if not self._canvas.editor.drawing:
             return
-        if self._document.selected_class in self.accepting.waiting:
+        if self._document.state.selected_class in self.accepting.waiting:
             self.accepting.drop(tr("it is being drawn by hand"))
         if self._ghosts.walking:
             self._leave_here()
 
     def _follow_selection(self) -> None:
         """Anyone who chooses another element means that one."""
-        chosen = self._document.selected_class
+        chosen = self._document.state.selected_class
         if self._choosing or not self._ghosts.walking or chosen in (None, self._shown):
             return
         if self._ghosts.named(chosen) is not None:
@@ -225,8 +225,11 @@ class GhostTasks(QObject):
             return True
         if name != "Enter":
             return False
-        if shift and document.frame is not None:
-            selected, waiting = document.selected_class, document.annotation.unconfirmed
+        if shift and document.state.frame is not None:
+            selected, waiting = (
+                document.state.selected_class,
+                document.state.annotation.unconfirmed,
+            )
             if any(polyline.class_name == selected for polyline in waiting):
                 return False  # it confirms that element
             if ghosts.painted or not waiting:
@@ -260,12 +263,12 @@ class GhostTasks(QObject):
         """Accept all ghosts and show the next frame: going through a shot, one key a frame. A frame
         that has none left because it is annotated is passed over."""
         document = self._document
-        if self._why_none() and document.annotation.annotated and not self._why_off():
-            document.next_frame()
+        if self._why_none() and document.state.annotation.annotated and not self._why_off():
+            document.walk.next_frame()
         elif why_none := self._why_none():
             self._say(why_none)
         else:
-            self.accepting.accept_all(then=document.next_frame)
+            self.accepting.accept_all(then=document.walk.next_frame)
 
     # --- not visible here -----------------------------------------------------------------
 
@@ -277,23 +280,23 @@ class GhostTasks(QObject):
         if self._ghosts.walking and current is None:
             self._say(self._why_none())  # what was chosen before the walk is not meant
             return
-        name = current.name if current is not None else document.selected_class
-        if document.frame is None or name is None:
+        name = current.name if current is not None else document.state.selected_class
+        if document.state.frame is None or name is None:
             off = self._why_off()
             self._say(tr("{off}; choose an element first", off=off) if off else tr(_CHOOSE_FIRST))
             return
-        hidden = name in document.review.not_visible(document.frame.name)
+        hidden = name in document.review.not_visible(document.state.frame.name)
         self.set_not_visible(name, not hidden)
 
     def set_not_visible(self, name: str, hidden: bool) -> None:
         """Say that an element cannot be seen in this frame, or that it can after all."""
         document, title = self._document, self._title(name)
-        if document.frame is None or not document.begin_edit():
+        if document.state.frame is None or not document.editing.begin_edit():
             return  # somebody else has the frame, or nobody can edit it: that is said
-        if hidden and name in document.annotation.annotated:  # maybe only since just now
+        if hidden and name in document.state.annotation.annotated:  # maybe only since just now
             self._say(tr("{title} is annotated here: delete it first (Ctrl+Delete)", title=title))
             return
-        document.review.set_not_visible(document.frame.name, name, hidden)
+        document.review.set_not_visible(document.state.frame.name, name, hidden)
         self._say(
             tr("{title} is not visible here; Ctrl+. takes it back", title=title)
             if hidden
@@ -310,7 +313,7 @@ class GhostTasks(QObject):
 
     def not_visible(self) -> tuple[str, ...]:
         """The elements said to be not visible in this frame, the latest last."""
-        frame, database = self._document.frame, self._document.review.database
+        frame, database = self._document.state.frame, self._document.review.database
         if frame is None or database is None:
             return ()
         marks = database.is_marked_not_visible(frame.name)
@@ -319,7 +322,7 @@ class GhostTasks(QObject):
     # --- inside ---------------------------------------------------------------------------
 
     def _title(self, name: str) -> str:
-        return tr(self._document.field.title_of(name))
+        return tr(self._document.state.field.title_of(name))
 
     def _say(self, text: str) -> None:
         self._document.say(text)

@@ -82,7 +82,7 @@ class Naming(QObject):
 
     def _ask_soon(self, class_name: str) -> None:
         document = self._document
-        polyline, size = document.annotation.get(class_name), document.picture_size
+        polyline, size = document.state.annotation.get(class_name), document.state.picture_size
         if polyline is None or size is None:
             return
         drawn = points_px(polyline, size)
@@ -91,7 +91,7 @@ class Naming(QObject):
             # Once the click that finished the line is through: a menu would take its release.
             QTimer.singleShot(0, self, lambda: self._ask(class_name, drawn, likely))
             return
-        field, known = document.field, self._named(size)
+        field, known = document.state.field, self._named(size)
         self._looking.start(
             lambda _: likely_classes(field, drawn, size, known),
             lambda names: self._ask(class_name, drawn, self._likely(drawn, names)),
@@ -107,15 +107,18 @@ class Naming(QObject):
         document = self._document
         return {
             p.class_name: np.asarray(points_px(p, size))
-            for p in document.annotation
-            if p.points and document.field.element(p.class_name) is not None
+            for p in document.state.annotation
+            if p.points and document.state.field.element(p.class_name) is not None
         }
 
     def _ask(self, class_name: str, drawn: FloatArray, likely: tuple[str, ...]) -> None:
         document = self._document
-        if document.selected_class != class_name or document.annotation.get(class_name) is None:
+        if (
+            document.state.selected_class != class_name
+            or document.state.annotation.get(class_name) is None
+        ):
             return  # the frame was left, or the line taken back
-        field = document.field
+        field = document.state.field
         keys = element_keys(field, document.state.keymap)
         menu = self.menu = _Offer(keys, partial(self._name, class_name), self._canvas)
         menu.setObjectName("namingMenu")
@@ -137,15 +140,20 @@ class Naming(QObject):
 
     def _name(self, class_name: str, name: str) -> None:
         document = self._document
-        drawn, title = document.annotation.get(class_name), tr(document.field.title_of(name))
-        if document.selected_class != class_name or drawn is None:
+        drawn, title = (
+            document.state.annotation.get(class_name),
+            tr(document.state.field.title_of(name)),
+        )
+        if document.state.selected_class != class_name or drawn is None:
             return
-        if document.annotation.get(name) is not None:  # the two would be swapped
+        if document.state.annotation.get(name) is not None:  # the two would be swapped
             document.say(tr("{element} is annotated already", element=title), "warning")
             return
         self._edits.change_class(name)
         unclear = name in self._canvas.editor.curved and len(drawn.points) < _CURVE
-        document.select_class(name if unclear else None, continues=unclear)  # or a line comes next
+        document.selecting.select_class(
+            name if unclear else None, continues=unclear
+        )  # or a line comes next
         if unclear:
             why = tr("{element} is a curve, which two points do not show: click on", element=title)
             document.say(why, "warning")
@@ -154,11 +162,11 @@ class Naming(QObject):
         """By the camera that is known, else by what the frame before had there and by the usual
         views of such a field; then by what usually comes next."""
         document = self._document
-        field, annotation = document.field, document.annotation
+        field, annotation = document.state.field, document.state.annotation
         there = {p.class_name for p in annotation}
         if len(drawn) < _CURVE:
             there |= self._canvas.editor.curved
-        size = document.picture_size or (2, 2)
+        size = document.state.picture_size or (2, 2)
         before, last = self._canvas.editor.seen_before, document.state.selection.last_finished
         following = next_element(field, annotation, last, before)
         usual = [following] if following is not None and following not in there else []
@@ -178,13 +186,13 @@ class Naming(QObject):
     def _before(self, size: tuple[int, int], there: set[str]) -> dict[str, list[FloatArray]]:
         """Return what the frame before had and this one has not yet, px of this picture."""
         document = self._document
-        if document.workspace is None:
+        if document.state.workspace is None:
             return {}
-        found = annotated_before(document.workspace, document.frame_index)
+        found = annotated_before(document.state.workspace, document.state.frame_index)
         if found is None:
             return {}
         return {
             p.class_name: [np.asarray(points_px(p, size))]
             for p in found[1]
-            if p.class_name not in there and document.field.element(p.class_name) is not None
+            if p.class_name not in there and document.state.field.element(p.class_name) is not None
         }

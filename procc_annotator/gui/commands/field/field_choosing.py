@@ -99,7 +99,7 @@ class FieldChoosing(QObject):
         for action in self._own:
             menu.removeAction(action)
             action.deleteLater()
-        field = self._document.field
+        field = self._document.state.field
         shipped = field.source is None or is_builtin_field(field.source)
         shown = field.name if shipped or field.source is None else field.source.absolute()
         paths = self._settings.get(OWN_FIELDS)
@@ -144,7 +144,7 @@ class FieldChoosing(QObject):
 
     def _note_own(self) -> None:
         """A file of the user's own is offered from now on, also to datasets whose classes fit."""
-        source = self._document.field.source
+        source = self._document.state.field.source
         if source is not None and not is_builtin_field(source):
             self._settings.put_first(OWN_FIELDS, source.absolute())
             self._choice.own_files = self._settings.get(OWN_FIELDS)
@@ -156,7 +156,7 @@ class FieldChoosing(QObject):
                 tr(
                     "{problem}; the field stays as it was: {field}",
                     problem=choice.problem,
-                    field=tr(self._document.field.title),
+                    field=tr(self._document.state.field.title),
                 )
             )
             return
@@ -165,7 +165,7 @@ class FieldChoosing(QObject):
             said = tr(
                 "Is this {field}? The classes annotated here are those of {field}", field=title
             )
-            self._bar.ask(said, title, tr(self._document.field.title), self._switch_keys)
+            self._bar.ask(said, title, tr(self._document.state.field.title), self._switch_keys)
             return
         mismatch = choice.mismatch
         if mismatch is None:

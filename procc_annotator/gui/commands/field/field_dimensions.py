@@ -45,18 +45,18 @@ class FieldDimensionsTask(DialogTask):
         document = self._document
         if opened_frame(document) is None:
             return
-        is_open = any(d.is_open for d in document.field.dimensions)
-        if not is_open and not has_off_centre_markings(document.field):
-            title = tr(document.field.title)
+        is_open = any(d.is_open for d in document.state.field.dimensions)
+        if not is_open and not has_off_centre_markings(document.state.field):
+            title = tr(document.state.field.title)
             document.say(tr("the rules fix every dimension of the field {field}", field=title))
             return
         if self.dialog is not None:
             self.dialog.raise_()
         else:
-            self._field_name = document.field.name
-            self._before = {d.name: d.value for d in document.field.dimensions}
-            self._lines_before = document.field.lines
-            self.dialog = dialog = FieldDimensionsDialog(self._parent, document.field)
+            self._field_name = document.state.field.name
+            self._before = {d.name: d.value for d in document.state.field.dimensions}
+            self._lines_before = document.state.field.lines
+            self.dialog = dialog = FieldDimensionsDialog(self._parent, document.state.field)
             dialog.chosen.connect(self._settled.start)
             dialog.estimateWanted.connect(self.estimate)
             dialog.stopWanted.connect(self.stop)
@@ -68,14 +68,14 @@ class FieldDimensionsTask(DialogTask):
     def estimate(self) -> None:
         """Find the dimensions from all frames without a stadium of their own, in the background."""
         document, dialog = self._document, self.dialog
-        workspace = document.workspace
+        workspace = document.state.workspace
         if dialog is None or workspace is None or self._work.running:
             return
-        revealed = document.revealed_frames  # what their cameras say may be known
+        revealed = document.state.revealed_frames  # what their cameras say may be known
         meant = {
             frame.name: partial(workspace.read, i)
             for i, frame in enumerate(workspace.frames)
-            if stadium_of(document.field, frame.name) is None
+            if stadium_of(document.state.field, frame.name) is None
         }
         read = {name: own for name, own in meant.items() if revealed is None or name in revealed}
         if meant and not read:
@@ -84,7 +84,7 @@ class FieldDimensionsTask(DialogTask):
             )
             return
         hidden = len(meant) - len(read)
-        field, size = document.field, document.picture_size or document.setup.size
+        field, size = document.state.field, document.state.picture_size or document.state.setup.size
         # A homography knows no zoom that could be held against the field.
         model = document.live_fit.model if document.live_fit.model != "H" else "R"
 
@@ -132,7 +132,7 @@ class FieldDimensionsTask(DialogTask):
 
     def _leave_other_field(self) -> None:
         """Another sport was chosen: the numbers were meant for the one before."""
-        if self.dialog is not None and self._document.field.name != self._field_name:
+        if self.dialog is not None and self._document.state.field.name != self._field_name:
             self._leave()
 
     def _leave(self) -> None:

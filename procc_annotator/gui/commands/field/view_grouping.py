@@ -40,7 +40,10 @@ class ViewGrouping(DialogTask):
 
     def ask(self) -> None:
         """Show the dialog, with a pattern that fits the names where there is one."""
-        if opened_frame(self._document) is None or (workspace := self._document.workspace) is None:
+        if (
+            opened_frame(self._document) is None
+            or (workspace := self._document.state.workspace) is None
+        ):
             return
         self._leave()
         self._names = names = tuple(workspace.index)
@@ -93,7 +96,7 @@ class ViewGrouping(DialogTask):
             self.dialog.show_preview(preview)
 
     def _write(self, groups: ViewGroups, known: bytes | None) -> None:
-        dialog, workspace = self.dialog, self._document.workspace
+        dialog, workspace = self.dialog, self._document.state.workspace
         if dialog is None or workspace is None:
             return
         path = workspace.folder / VIEWS_FILE

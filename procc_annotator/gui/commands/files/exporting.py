@@ -56,9 +56,9 @@ class Exporter:
     def write_overview(self, path: Path) -> None:
         """Write the status, counts and time of every frame as CSV."""
         document = self._document
-        workspace, database = document.workspace, document.review.database
+        workspace, database = document.state.workspace, document.review.database
         document.review.note_activity()
-        scores = dict(document.frame_scores.items())
+        scores = dict(document.auditing.frame_scores.items())
         scoring = document.set_scores.running
 
         def work(control: JobControl) -> int:
@@ -105,11 +105,11 @@ class Exporter:
         """Write the JaC of every frame, at tau and in words which protocol, to .csv or .json; in
         blind mode of those that are committed."""
         document = self._document
-        if document.active_source is not None and (why := self._why_none_scored()):
+        if document.state.active is not None and (why := self._why_none_scored()):
             document.say(why, "warning")
             return
-        scoring = Scoring(document.setup, (document.tau,), self._scored)
-        only = document.revealed_frames
+        scoring = Scoring(document.state.setup, (document.state.tau,), self._scored)
+        only = document.state.revealed_frames
         self._run(
             lambda workspace, progress: export_scores(
                 dataset_frames(workspace), path, scoring, progress, only=only
@@ -121,16 +121,16 @@ class Exporter:
     def _scored(self) -> CameraSet | None:
         """The cameras whose JaC is exported; None for fits, which are made from the very clicks
         they would be scored against."""
-        active = self._document.active_source
+        active = self._document.state.active
         return active.files if active is not None else None
 
     def _why_none_scored(self) -> str:
         """Why no JaC can be exported; empty if it can."""
-        active = self._document.active_source
+        active = self._document.state.active
         if active is None:
             return tr("load cameras first: there is nothing to score")
         if self._scored is not None:
-            hidden = self._document.revealed_frames == frozenset()
+            hidden = self._document.state.revealed_frames == frozenset()
             none = tr("blind: no frame is committed yet, so there is no JaC to show")
             return none if hidden else ""
         return tr(
@@ -147,11 +147,11 @@ class Exporter:
         document = self._document
         if opened_frame(document) is None:
             return
-        if not document.save_now():
+        if not document.editing.save_now():
             document.say(
                 tr("not everything could be saved: the export has the last saved state"), "warning"
             )
-        reopen = document.reopener()
+        reopen = document.opening.reopener()
 
         def export(control: JobControl) -> Exported:
             return work(reopen(), control.progress)

@@ -45,8 +45,8 @@ class ExportAs(DialogTask):
         if dialog is None:
             return
         unsaved = tr("Not everything could be saved: what is on disk goes.")
-        said = "" if document.save_now() else unsaved
-        review, reopen = document.review, document.reopener()
+        said = "" if document.editing.save_now() else unsaved
+        review, reopen = document.review, document.opening.reopener()
         drafts = set(review.database.drafts()) if review.database is not None else set()
         wanted = ConversionRequest(
             dialog.format.name,
@@ -70,7 +70,7 @@ class ExportAs(DialogTask):
             self._fail(tr("Cancelled; files that were written already are still there."))
 
     def _ask_path(self) -> None:
-        workspace = self._document.workspace
+        workspace = self._document.state.workspace
         if self.dialog is not None and workspace is not None:
             out = self.dialog.ask_path(workspace.folder.parent)
             if out is not None:

@@ -40,19 +40,19 @@ class FitSaving(QObject):
     def save(self) -> None:
         """Write the fit on screen into the dataset's folder of fits, in the background."""
         document = self._document
-        frame, workspace = opened_frame(document), document.workspace
+        frame, workspace = opened_frame(document), document.state.workspace
         insight = document.live_fit.insight
         if frame is None or workspace is None:
             return
         if insight is None or insight.fit.camera is None:
             document.say(self._why_none())
             return
-        if not document.begin_edit():
+        if not document.editing.begin_edit():
             return  # somebody else has the frame, or nobody can edit it: that is said
         if document.live_fit.insight is not insight:
             document.say(tr("the fit is worked out again: save it in a moment"))
             return
-        if document.picture_size != insight.fit.size:
+        if document.state.picture_size != insight.fit.size:
             document.say(
                 tr(
                     "{frame}: the picture cannot be read, so that the camera's pixels belong to no"
@@ -65,11 +65,15 @@ class FitSaving(QObject):
         folder = fitted_folder(workspace.folder)
         loaded = [
             (source, source.files)
-            for source in document.sources
+            for source in document.state.sources
             if source.files is not None and _same(source.files.path, folder)
         ]
         left_open = ill_conditioned_reason(insight.fit)
-        annotation, fit, field = insight.annotation, insight.fit, document.frame_field.described
+        annotation, fit, field = (
+            insight.annotation,
+            insight.fit,
+            document.judge.frame_setup.field.described,
+        )
 
         def work(control: JobControl) -> _Saved:
             path = save_fit(folder, frame.name, annotation, fit, field=field)
@@ -93,7 +97,7 @@ class FitSaving(QObject):
     def _tell(self, saved: _Saved) -> None:
         document = self._document
         for source, cameras in saved.again:
-            if source in document.sources:
+            if source in document.state.sources:
                 document.camera_sources.add_source(cameras, active=False, changed=[saved.frame])
         if saved.problem:
             document.say(

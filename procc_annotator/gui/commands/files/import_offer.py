@@ -62,7 +62,7 @@ class ImportOffer(QObject):
 
     def _look(self) -> None:
         self._bar.hide()
-        workspace = self._document.workspace
+        workspace = self._document.state.workspace
         if workspace is None:
             self._work.cancel()
             return

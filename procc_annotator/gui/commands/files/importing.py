@@ -59,7 +59,7 @@ class AnnotationImporter(DialogTask):
         """
         from procc_annotator.gui.commands.files.dialogs import ImportDialog
 
-        workspace = self._document.workspace
+        workspace = self._document.state.workspace
         if opened_frame(self._document) is None or workspace is None:
             return
         self._leave()
@@ -76,7 +76,7 @@ class AnnotationImporter(DialogTask):
         document, dialog = self._document, self.dialog
         if dialog is None:
             return
-        document.save_now()
+        document.editing.save_now()
         look = LabelLook(path, str(dialog.formats.currentData()), document)
         self._replace = dialog.replace.isChecked()
         dialog.set_running(True)
@@ -126,7 +126,7 @@ class AnnotationImporter(DialogTask):
 
     def _take(self, read: ReadSet) -> None:
         """Begin to save what was read."""
-        workspace = self._document.workspace
+        workspace = self._document.state.workspace
         assert workspace is not None
         self._imported = read
         self._unmatched = [name for name in read.frames if name not in workspace.index]
@@ -179,7 +179,7 @@ class AnnotationImporter(DialogTask):
         )
 
     def _refused(self, outcome: EditedFrames) -> list[str]:
-        workspace = self._document.workspace
+        workspace = self._document.state.workspace
         frames = workspace.frames if workspace is not None else ()
         left = [(i, why) for i, why in outcome.left if not isinstance(why, LeftAlone)]
         unsaved = [(i, tr("it could not be saved: {why}", why=why)) for i, why in outcome.unsaved]

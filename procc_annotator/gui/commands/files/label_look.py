@@ -60,10 +60,12 @@ class LabelLook:
 
     def __init__(self, path: Path, fmt: str, document: Document) -> None:
         self._path, self._fmt = path, fmt
-        self._reopen = document.reopener()
+        self._reopen = document.opening.reopener()
         active = document.state.active
         self._cameras = None if active is None else active.files
-        self._folder = folder_of_dataset(document.workspace.root) if document.workspace else None
+        self._folder = (
+            folder_of_dataset(document.state.workspace.root) if document.state.workspace else None
+        )
 
     def read(self, control: JobControl) -> LookedAt:
         """Read by the dataset's own map, and propose what the labels stand for that it leaves open.

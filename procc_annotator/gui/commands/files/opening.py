@@ -49,7 +49,7 @@ class OpeningTask(QObject):
         if _is_video(path):
             self.video.ask(path, field)
             return True
-        opened = self._document.open_path(path, annotations)
+        opened = self._document.opening.open_path(path, annotations)
         if field is not None:
             self._document.field_choice.take(field)
         if opened:
@@ -64,7 +64,7 @@ class OpeningTask(QObject):
             if _holds_pictures(path) or _is_video(path):
                 self.open_path(path)
             else:
-                self._document.load_cameras(path)
+                self._document.camera_sources.load_cameras(path)
 
     def open_folder(self) -> None:
         """Ask for a folder of pictures."""
@@ -120,7 +120,7 @@ class OpeningTask(QObject):
     # --- inside ---
 
     def _load(self, chosen: Path | None) -> None:
-        if chosen is not None and self._document.load_cameras(chosen):
+        if chosen is not None and self._document.camera_sources.load_cameras(chosen):
             self._settings.set(CAMERAS, str(chosen))
 
     def _remember(self, path: Path) -> None:

@@ -110,7 +110,7 @@ class OverlaySaving:
     def ask(self) -> None:
         """Ask how and where, and write."""
         document = self._document
-        frame, size = document.frame, document.picture_size
+        frame, size = document.state.frame, document.state.picture_size
         if frame is None or size is None:
             document.say(tr("open a picture first"), "warning")
             return
@@ -133,7 +133,7 @@ class OverlaySaving:
             Whether writing began. What came of it is a message of the document.
         """
         document = self._document
-        frame = document.frame
+        frame = document.state.frame
         if frame is None:
             return False
         if path.resolve() == frame.image_path.resolve():
@@ -145,12 +145,12 @@ class OverlaySaving:
             return False
         scene = Scene(
             frame.image_path,
-            document.annotation,
-            document.setup,
-            document.measurement,
-            document.score,
+            document.state.annotation,
+            document.state.setup,
+            document.judge.measurement,
+            document.judge.score,
             frame.name,
-            "" if document.active_source is None else document.active_source.name,
+            "" if document.state.active is None else document.state.active.name,
             document.painted_width.value,
         )
         try:

@@ -56,7 +56,7 @@ class SourceMemory(QObject):
         document.camerasChanged.connect(self._write_down)
 
     def _take_dataset(self) -> None:
-        workspace = self._document.workspace
+        workspace = self._document.state.workspace
         dataset = workspace.root.resolve() if workspace is not None else None
         if dataset == self._dataset:
             return
@@ -95,7 +95,7 @@ class SourceMemory(QObject):
     def _add(self, reopened: _Reopened) -> None:
         document = self._document
         # Sources that were opened meanwhile, or named on the command line, stay as they are.
-        taken = {_place(s.files): s for s in document.sources if s.files is not None}
+        taken = {_place(s.files): s for s in document.state.sources if s.files is not None}
         for source, cameras in reopened.found:
             known = taken.get(_place(cameras))
             if known is None:
@@ -106,8 +106,8 @@ class SourceMemory(QObject):
                     active=source.active and not taken,
                 )
             elif known.name in (cameras.path.name, cameras.path.stem):  # nobody named it otherwise
-                document.rename_source(known, source.name)
-                document.set_source_colour(known, source.colour)
+                document.camera_sources.rename_source(known, source.name)
+                document.camera_sources.set_source_colour(known, source.colour)
         self._changing = False
         self._write_down()
         if reopened.lost:
@@ -131,10 +131,10 @@ class SourceMemory(QObject):
                     source.name,
                     source.colour,
                     source.visible,
-                    source is document.active_source,
+                    source is document.state.active,
                 )
             )
-            for source in document.sources
+            for source in document.state.sources
             if (cameras := source.files) is not None
         ]
         if entries != self._written:

@@ -157,7 +157,7 @@ class VideoOpening:
 
     def _open(self, path: Path, numbers: list[int], field: Field | str | None) -> None:
         document = self._document
-        if not document.opening.open_workspace(open_video(path, numbers, document.field)):
+        if not document.opening.open_workspace(open_video(path, numbers, document.state.field)):
             return
         self._opened(path)
         if isinstance(field, Field):
@@ -198,7 +198,7 @@ class VideoOpening:
 
 def keep_video_frame(document: Document) -> None:
     """Write the picture on screen next to its annotation, if it is a frame of a video."""
-    frame, picture = document.frame, document.picture
+    frame, picture = document.state.frame, document.walk.picture
     if frame is None or picture is None or frame.image_folder.is_dir():
         document.say(tr("this frame is a picture already"))
         return

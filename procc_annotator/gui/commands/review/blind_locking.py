@@ -39,7 +39,7 @@ class BlindLocking:
         box.setIcon(QMessageBox.Icon.Warning)
         box.setWindowTitle(tr("Unlock blind mode"))
         box.setText(f"{reason[0].upper()}{reason[1:]}.")
-        box.setInformativeText(tr(words, author=self._document.author))
+        box.setInformativeText(tr(words, author=self._document.state.author))
         unlock = box.addButton(tr("Unlock, and record it"), QMessageBox.ButtonRole.AcceptRole)
         keep = box.addButton(tr("Keep it locked"), QMessageBox.ButtonRole.RejectRole)
         box.setDefaultButton(keep)

@@ -69,7 +69,7 @@ class LabelCheckCommands(QObject):
     def step(self, step: int) -> None:
         """Go to the next finding (1) or the one before (-1), from frame to frame."""
         document = self._document
-        if document.workspace is None:
+        if document.state.workspace is None:
             return
         document.aboutToLeave.emit()  # what is under way may become an element with findings
         entries = self._walked()
@@ -82,14 +82,14 @@ class LabelCheckCommands(QObject):
 
     def go(self, frame: str, found: StoredFinding) -> None:
         """Show a finding: its frame, its element, its place."""
-        document, workspace = self._document, self._document.workspace
+        document, workspace = self._document, self._document.state.workspace
         if workspace is None:
             return
         if frame != self._passed_in:
             self._passed_in = frame
             self._passed.clear()
         self._passed.add(found.key)
-        document.go_to(workspace.index[frame])
+        document.walk.go_to(workspace.index[frame])
         self._check.set_current(frame, found)
         self._show(found)
         self.walked.emit()
@@ -105,8 +105,8 @@ class LabelCheckCommands(QObject):
 
     def _next(self, entries: list[Entry], step: int) -> int:
         """Which finding comes next; the one walked to last may have been fixed meanwhile."""
-        document, workspace = self._document, self._document.workspace
-        here, current = document.frame, self._check.current
+        document, workspace = self._document, self._document.state.workspace
+        here, current = document.state.frame, self._check.current
         assert workspace is not None  # the caller looked
         name = here.name if here is not None else ""
         if current is not None:
@@ -117,7 +117,7 @@ class LabelCheckCommands(QObject):
         order = range(len(entries)) if step > 0 else range(len(entries) - 1, -1, -1)
         for at in order:
             frame, found = entries[at]
-            ahead = (workspace.index[frame] - document.frame_index) * step
+            ahead = (workspace.index[frame] - document.state.frame_index) * step
             if ahead > 0 or (ahead == 0 and found.key not in passed):
                 return at
         return order[0]
@@ -164,17 +164,17 @@ class LabelCheckCommands(QObject):
         self._show(found)
 
     def _show(self, found: StoredFinding) -> None:
-        document, size = self._document, self._document.picture_size
-        annotated = set(document.annotation.annotated)
+        document, size = self._document, self._document.state.picture_size
+        annotated = set(document.state.annotation.annotated)
         if size is None or not found.places or not annotated.issuperset(p[0] for p in found.places):
             return
         name, index = found.places[0]
         if found.finding.point is not None:
-            document.select_point(name, index)
+            document.selecting.select_point(name, index)
         else:
-            document.select_point(None)
-            document.select_class(name)
-        annotation = document.annotation
+            document.selecting.select_point(None)
+            document.selecting.select_class(name)
+        annotation = document.state.annotation
         if found.finding.point is not None:
             polyline = annotation.get(name)
             if polyline is not None and index < len(polyline.points):
@@ -222,22 +222,22 @@ class LabelCheckCommands(QObject):
         def mend(annotation: FrameAnnotation) -> FrameAnnotation:
             if not found.holds_for(annotation):  # another window changed them
                 raise UsageError(tr("the elements have changed since: checked again"))
-            return apply_remedy(annotation, finding, remedy, document.field)
+            return apply_remedy(annotation, finding, remedy, document.state.field)
 
-        if not document.edit(done, mend):
+        if not document.editing.edit(done, mend):
             return
         self._passed_in = self._frame_name()
         self._passed.add(found.key)
         shown = dict(remedy.renamed).get(finding.elements[0], finding.elements[0])
-        document.select_point(None)
-        document.select_class(shown)
+        document.selecting.select_point(None)
+        document.selecting.select_class(shown)
         document.say(tr("{done}; Ctrl+Z takes it back", done=done))
 
     def _done(self, finding: Finding, remedy: Remedy) -> TranslatableText:
         """Return what a remedy has done, in words."""
 
         def title(name: str) -> TranslatableText:
-            return translatable(self._document.field.title_of(name))
+            return translatable(self._document.state.field.title_of(name))
 
         renamed = remedy.renamed
         if remedy.kind is RemedyKind.REMOVE_POINT:
@@ -347,8 +347,8 @@ class LabelCheckCommands(QObject):
     # --- inside ---------------------------------------------------------------------------
 
     def _frame_name(self) -> str:
-        frame = self._document.frame
+        frame = self._document.state.frame
         return frame.name if frame is not None else ""
 
     def _title(self, class_name: str) -> str:
-        return tr(self._document.field.title_of(class_name))
+        return tr(self._document.state.field.title_of(class_name))

@@ -18,8 +18,8 @@ class Tour:
 
     def go_last(self) -> None:
         """The last frame."""
-        if (workspace := self._document.workspace) is not None:
-            self._document.go_to(len(workspace.frames) - 1)
+        if (workspace := self._document.state.workspace) is not None:
+            self._document.walk.go_to(len(workspace.frames) - 1)
 
     def go_unfinished(self, step: int) -> None:
         """The nearest frame after (1) or before (-1) this one that is neither done nor approved."""
@@ -43,7 +43,7 @@ class Tour:
     def set_status(self, status: str) -> None:
         """Give the frame on screen a status."""
         document = self._document
-        if (frame := document.frame) is None:
+        if (frame := document.state.frame) is None:
             return
         document.aboutToLeave.emit()
         document.review.set_status(frame.name, Status(status))
@@ -53,14 +53,14 @@ class Tour:
         self, step: int, wanted: Callable[[str], bool], none_left: str, *, around: bool = False
     ) -> None:
         document = self._document
-        if document.workspace is None:
+        if document.state.workspace is None:
             return
-        frames = document.workspace.frames
-        here, count = document.frame_index, len(frames)
+        frames = document.state.workspace.frames
+        here, count = document.state.frame_index, len(frames)
         ahead = range(here + step, count if step > 0 else -1, step)
         order = [*ahead, *(range(here) if around else ())]
         for index in order:
             if wanted(frames[index].name):
-                document.go_to(index)
+                document.walk.go_to(index)
                 return
         document.say(none_left)

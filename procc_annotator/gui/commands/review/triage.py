@@ -41,7 +41,7 @@ class Triage(QObject):
         """Give the frame on screen a verdict under the active source; the same again takes it
         back."""
         document = self._document
-        source, frame = document.active_source, document.frame
+        source, frame = document.state.active, document.state.frame
         if frame is None or source is None:
             document.say(tr("a verdict is on a frame and a camera: load cameras first"))
             return
@@ -60,7 +60,7 @@ class Triage(QObject):
                 )
             )
             return
-        if not document.projection_visible:
+        if not document.state.projection_visible:
             document.say(
                 tr("blind: the camera is hidden until this frame is committed (Ctrl+Enter)")
             )
@@ -81,9 +81,9 @@ class Triage(QObject):
     def ask_note(self) -> None:
         """Ask for a few words on the verdict."""
         document = self._document
-        source, frame = document.active_source, document.frame
+        source, frame = document.state.active, document.state.frame
         verdict = None
-        if frame is not None and source is not None and document.projection_visible:
+        if frame is not None and source is not None and document.state.projection_visible:
             verdict = document.verdicts.verdict(frame.name, source)
         if frame is None or source is None or verdict is None:
             document.say(tr("mark the frame first: camera fault, annotation fault or fine"))
@@ -110,14 +110,14 @@ class Triage(QObject):
         every = [
             v for of_frame in document.review.all_verdicts().values() for v in of_frame.values()
         ]
-        revealed = document.revealed_frames
+        revealed = document.state.revealed_frames
         verdicts = [v for v in every if revealed is None or v.frame in revealed]
         if not verdicts:
             hidden = tr("blind: no frame that is committed has a verdict")
             none = tr("no frame has a verdict yet: mark one first")
             document.say(hidden if every else none)
             return
-        if not document.save_now():
+        if not document.editing.save_now():
             document.say(
                 tr("not everything could be saved: the figures are of the last saved state"),
                 "warning",
@@ -144,7 +144,7 @@ class Triage(QObject):
 
     def _in_order(self, verdicts: list[Verdict]) -> list[Verdict]:
         """As the frames lie in the set; those of frames that are gone behind."""
-        workspace = self._document.workspace
+        workspace = self._document.state.workspace
         places = workspace.index if workspace is not None else {}
         return sorted(verdicts, key=lambda v: (places.get(v.frame, len(places)), v.frame, v.source))
 
@@ -152,10 +152,10 @@ class Triage(QObject):
         """Return what writes the verdicts, in a thread of its own, and returns how many."""
         document = self._document
         sets: dict[str, CameraSet] = {}
-        for source in document.sources:
+        for source in document.state.sources:
             if (files := source.files) is not None:
                 sets[document.verdicts.place(source)] = sets[place_by_name(source.name)] = files
-        setup, tau, reopen = document.setup, document.tau, document.reopener()
+        setup, tau, reopen = document.state.setup, document.state.tau, document.opening.reopener()
 
         def work(control: JobControl) -> int:
             fresh = reopen()

@@ -26,13 +26,13 @@ class Versions:
         document = self._document
         document.aboutToLeave.emit()
         document.saver.settle()  # what is written is a version too
-        workspace, frame = document.workspace, document.frame
+        workspace, frame = document.state.workspace, document.state.frame
         database = document.review.database
         if workspace is None or frame is None or database is None:
             document.say(tr("open a folder of pictures first"))
             return
         rows = [VersionRow(v.id, v.author, v.time, v.reason) for v in database.versions(frame.name)]
-        index = document.frame_index
+        index = document.state.frame_index
 
         def read(version: str) -> FrameAnnotation:
             return workspace.parse(index, database.version_data(version))
@@ -41,10 +41,10 @@ class Versions:
             self._parent,
             rows,
             read,
-            document.picture,
-            document.field,
-            document.picture_size or (2, 2),
-            current=document.annotation,
+            document.walk.picture,
+            document.state.field,
+            document.state.picture_size or (2, 2),
+            current=document.state.annotation,
         )
         if dialog.exec() and dialog.chosen_id is not None:
             apply_version(document, dialog.chosen_id)
@@ -54,10 +54,10 @@ class Versions:
 def apply_version(document: Document, version: str) -> None:
     """Make a saved version the annotation of the frame on screen; undo takes it back. Where the
     file cannot be read, it is replaced, and stays a version."""
-    workspace, database = document.workspace, document.review.database
+    workspace, database = document.state.workspace, document.review.database
     if workspace is None or database is None:
         return
-    seen, index = document.annotation, document.frame_index
+    seen, index = document.state.annotation, document.state.frame_index
     if document.state.damage:
         document.editing.look_at_frame()  # somebody may have mended it
     try:
@@ -77,5 +77,5 @@ def apply_version(document: Document, version: str) -> None:
             raise UsageError(tr("the frame was changed elsewhere: look at it, then restore again"))
         return editing.add_unconfirmed(restored, annotation.unconfirmed)
 
-    if document.edit(translatable("restore an earlier version"), restore, OriginKind.FILE):
+    if document.editing.edit(translatable("restore an earlier version"), restore, OriginKind.FILE):
         document.say(tr("the earlier version is back; undo takes it away again"))

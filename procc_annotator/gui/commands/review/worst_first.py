@@ -67,7 +67,7 @@ class WorstFirst(QObject):
 
     def go_worst(self) -> None:
         """The frame with the lowest JaC, then the next better one."""
-        tau = self._document.tau
+        tau = self._document.state.tau
         self._go_by_audits("jac", lambda audit: audit.jac_at(tau), low=True, more=(tau,))
 
     def go_largest_error(self) -> None:
@@ -78,7 +78,7 @@ class WorstFirst(QObject):
         """The frame where the active source and the compared one differ most, then the next."""
         document = self._document
         pair = self._pair()
-        if pair is None or document.workspace is None:
+        if pair is None or document.state.workspace is None:
             document.say(
                 tr("two sources are needed to see where they disagree: load more cameras (Ctrl+L)"),
             )
@@ -115,7 +115,7 @@ class WorstFirst(QObject):
         low: bool,
         more: tuple[object, ...] = (),
     ) -> None:
-        source = self._document.active_source
+        source = self._document.state.active
         if source is None:
             self._say_no_scores()
             return
@@ -125,23 +125,23 @@ class WorstFirst(QObject):
             found = ((name, value(audit)) for name, audit in audits.items())
             return {name: number for name, number in found if number is not None}
 
-        key = (source.camera_set, self._document.setup, len(audits), *more)
+        key = (source.camera_set, self._document.state.setup, len(audits), *more)
         self._go(order, values, key, low=low)
 
     def _go(self, order: Order, values: Values, more: tuple[object, ...], *, low: bool) -> None:
         """Take the next step of a walk, or rank the frames and take the first one."""
         document = self._document
-        workspace = document.workspace
+        workspace = document.state.workspace
         if workspace is None or self._ranking.running:
             return
-        committed = document.revealed_frames
+        committed = document.state.revealed_frames
         key = (order, *more, None if committed is None else len(committed))
         if self._walk is not None and self._walk.key == key:
             # An edit changes a frame's value; while one walks its place stays, so that none is
             # visited twice and none is missed.
             self._step(order, self._walk)
             return
-        index, frame = workspace.index, document.frame
+        index, frame = workspace.index, document.state.frame
 
         def rank() -> _Walk:
             found = values()
@@ -150,7 +150,7 @@ class WorstFirst(QObject):
             return _Walk(key, worst_frames_first(found, index, low=low), found)
 
         def done(walk: _Walk) -> None:
-            if document.frame is frame:  # nobody has moved on meanwhile
+            if document.state.frame is frame:  # nobody has moved on meanwhile
                 self._walk = walk
                 self._step(order, walk)
 
@@ -161,25 +161,25 @@ class WorstFirst(QObject):
 
     def _step(self, order: Order, walk: _Walk) -> None:
         document = self._document
-        workspace = document.workspace
+        workspace = document.state.workspace
         if workspace is None or not walk.order:
             self._say_no_scores()
             return
-        if walk.place < 0 and walk.order[0] == document.frame_index:
+        if walk.place < 0 and walk.order[0] == document.state.frame_index:
             walk.place = 0
             self._tell(order, walk, tr("this is the worst; once more goes on"))
             return
-        place = next_worst(walk.order, walk.place, document.frame_index)
+        place = next_worst(walk.order, walk.place, document.state.frame_index)
         if place is None:
             document.say(tr("no other frame has a score"))
             return
         again, walk.place = place < walk.place, place
-        document.go_to(walk.order[place])
+        document.walk.go_to(walk.order[place])
         self._tell(order, walk, tr("from the worst again") if again else "")
 
     def _tell(self, order: Order, walk: _Walk, more: str) -> None:
         """Say where in a walk the frame on screen is."""
-        frame = self._document.frame
+        frame = self._document.state.frame
         if frame is not None:
             said = tr(
                 _SAID[order],
@@ -191,9 +191,9 @@ class WorstFirst(QObject):
 
     def _say_no_scores(self) -> None:
         words = tr("no JaC yet: load cameras first")
-        if self._document.active_source is not None:
+        if self._document.state.active is not None:
             words = tr("no frame with a score to go to")
-            if self._document.blind:
+            if self._document.state.blind:
                 words = tr(
                     "no frame with a score to go to: blind mode shows those of committed frames"
                     " only"
@@ -204,17 +204,21 @@ class WorstFirst(QObject):
 
     def _pair(self) -> tuple[CameraSource, CameraSource] | None:
         """The active source and the one it is held against."""
-        active, other = self._document.active_source, self._document.compared
+        active, other = self._document.state.active, self._document.state.compared
         return None if active is None or other is None else (active, other)
 
     def _pair_key(self, a: CameraSource, b: CameraSource) -> tuple[object, ...]:
         """The same whichever of the two is active: metres do not depend on it."""
-        setup = self._document.setup
+        setup = self._document.state.setup
         return frozenset((a.camera_set, b.camera_set)), setup.size, setup.field.described
 
     def _compare(self, a: CameraSource, b: CameraSource) -> None:
         document = self._document
-        workspace, frame, setup = document.workspace, document.frame, document.setup
+        workspace, frame, setup = (
+            document.state.workspace,
+            document.state.frame,
+            document.state.setup,
+        )
         if workspace is None:
             return
         if self._comparing.running:
@@ -235,7 +239,7 @@ class WorstFirst(QObject):
         def done(found: SetDisagreement) -> None:
             self.progressed.emit(0, 0)
             self._kept[key] = found
-            if document.frame is frame:  # nobody has moved on meanwhile
+            if document.state.frame is frame:  # nobody has moved on meanwhile
                 self.go_disagreement()
             else:
                 document.say(tr("{source} and {other} are compared", source=a.name, other=b.name))
@@ -256,7 +260,7 @@ class WorstFirst(QObject):
 
     def _forget_removed(self) -> None:
         """Comparisons of sources that are gone are not kept."""
-        there = {source.camera_set for source in self._document.sources}
+        there = {source.camera_set for source in self._document.state.sources}
         self._kept = {
             key: found
             for key, found in self._kept.items()

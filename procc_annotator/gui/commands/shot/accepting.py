@@ -124,7 +124,7 @@ class StretchAccepting(QObject):
 
     def accept(self) -> None:
         """Annotate the sure frames along the track."""
-        document, workspace = self._document, self._document.workspace
+        document, workspace = self._document, self._document.state.workspace
         if self.running or workspace is None:
             return
         if not document.proposals.allowed:
@@ -156,9 +156,9 @@ class StretchAccepting(QObject):
             self._stop_looking()
             self._document.say(tr("taken back: no frame is accepted"))
             return True
-        if name != "Undo" or self._at != self._document.frame_index or not self._accepted:
+        if name != "Undo" or self._at != self._document.state.frame_index or not self._accepted:
             return False
-        if self._document.annotation != self._here:
+        if self._document.state.annotation != self._here:
             return False  # something was done here since: that is meant
         self.take_back()
         return True
@@ -168,10 +168,10 @@ class StretchAccepting(QObject):
     def _stretch(self) -> _Stretch | None:
         """Return what is asked for; None where nothing was followed."""
         document, sequence = self._document, self._document.sequence.value
-        workspace, shot_track = document.workspace, self._document.shot_track
+        workspace, shot_track = document.state.workspace, self._document.shot_track
         if sequence is None or workspace is None or not shot_track.tracked:
             return None
-        here, marked = int(sequence.numbers[document.frame_index]), self.marked()
+        here, marked = int(sequence.numbers[document.state.frame_index]), self.marked()
         meant = shot_track.shot_of(here) if marked is None else range(marked[0], marked[1] + 1)
         begin, end = np.searchsorted(sequence.numbers, (meant.start, meant.stop)).tolist()
         return _Stretch(
@@ -180,9 +180,9 @@ class StretchAccepting(QObject):
             dict(shot_track.tracked),
             document.annotated_frames.indices,
             workspace.frames,
-            document.revealed_frames,
+            document.state.revealed_frames,
             document.review.not_visible,
-            document.field,
+            document.state.field,
             self._least_support(),
         )
 
@@ -201,7 +201,7 @@ class StretchAccepting(QObject):
             self._document.say(tr("no frame was accepted: too little of their lines is seen"))
             return
         self._found, self._put, self._then = found, {}, self._tell_accepted
-        self._at, self._here = self._document.frame_index, self._document.annotation
+        self._at, self._here = self._document.state.frame_index, self._document.state.annotation
         self._edits.start(tuple(found), self._put_frame)
 
     def _fail(self, text: str) -> None:
@@ -215,7 +215,7 @@ class StretchAccepting(QObject):
     # --- edits --------------------------------------------------------------------------------
 
     def _put_frame(self, index: int) -> str:
-        workspace = self._document.workspace
+        workspace = self._document.state.workspace
         assert workspace is not None
         if not self._document.proposals.allowed_in(workspace.frames[index].name):
             return tr(_BLIND)
@@ -274,8 +274,8 @@ class StretchAccepting(QObject):
     def _go_on(self) -> None:
         """A person looks at another frame: from now on undo means that one, unless the stretch is
         accepted just now."""
-        self._at = self._document.frame_index if self._edits.running else -1
-        self._here = self._document.annotation
+        self._at = self._document.state.frame_index if self._edits.running else -1
+        self._here = self._document.state.annotation
 
     def forget(self) -> None:
         """Accept no more and say nothing: the dataset or the window closes."""

@@ -105,11 +105,11 @@ class ShotFollowing(QObject):
         if sequence is None:
             document.say(tr("only a video, or frames that follow one another, can be followed"))
             return
-        if document.blind:
+        if document.state.blind:
             document.say(tr("blind mode: no shot is followed, its cameras would be seen"))
             return
         document.aboutToLeave.emit()
-        number = int(sequence.numbers[document.frame_index])
+        number = int(sequence.numbers[document.state.frame_index])
         marked = self.marked()
         within = None
         if marked is not None and marked[0] <= number <= marked[1]:
@@ -139,10 +139,14 @@ class ShotFollowing(QObject):
         if insight is not None and insight.from_clicks and insight.fit.camera is not None:
             return insight.fit.camera
         agreed = insight is not None and insight.fit.camera is not None
-        agreed = agreed or not document.annotation.annotated
+        agreed = agreed or not document.state.annotation.annotated
         if found is not None and agreed and not document.foresight.doubt:
             return found.camera
-        cameras, name, size = document.active_camera, document.frame, document.picture_size
+        cameras, name, size = (
+            document.state.active_cameras,
+            document.state.frame,
+            document.state.picture_size,
+        )
         if cameras is None or name is None or size is None:
             return None
         try:
@@ -154,14 +158,16 @@ class ShotFollowing(QObject):
 
     def _begin(self, number: int, camera: Camera | None, within: range | None) -> None:
         document = self._document
-        workspace, sequence = document.workspace, document.sequence.value
+        workspace, sequence = document.state.workspace, document.sequence.value
         assert workspace is not None
         assert sequence is not None
         asked = _Asked(
             workspace,
             sequence,
-            document.field,
-            stadium_of(document.field, document.frame.name) if document.frame else None,
+            document.state.field,
+            stadium_of(document.state.field, document.state.frame.name)
+            if document.state.frame
+            else None,
             document.live_fit.model,
             number,
             camera,
@@ -212,13 +218,13 @@ class ShotFollowing(QObject):
 
     def _note_edit(self) -> None:
         """The frame on screen was edited: an anchor was corrected, came or went."""
-        sequence, index = self._document.sequence.value, self._document.frame_index
+        sequence, index = self._document.sequence.value, self._document.state.frame_index
         if sequence is not None and 0 <= index < len(sequence.numbers):
             number = int(sequence.numbers[index])
             tracked = self._document.shot_track.tracked.get(number)
             if tracked is None or self._only_accepted():
                 return
-            if tracked.state == "anchor" or self._document.annotation.annotated:
+            if tracked.state == "anchor" or self._document.state.annotation.annotated:
                 self._corrected[number] = None
             else:
                 self._corrected.pop(number, None)  # taken back: the track did not pass through it
@@ -226,7 +232,7 @@ class ShotFollowing(QObject):
     def _note_dragged(self, _: str) -> None:
         """The camera of the frame on screen was dragged, or is as it was before that."""
         document, sequence = self._document, self._document.sequence.value
-        dragged, index = document.corrections.here, document.frame_index
+        dragged, index = document.corrections.here, document.state.frame_index
         if sequence is None or not 0 <= index < len(sequence.numbers):
             return
         number = int(sequence.numbers[index])
@@ -240,18 +246,18 @@ class ShotFollowing(QObject):
     def _only_accepted(self) -> bool:
         """Return whether all that is annotated here was taken over along the track: that is no
         news."""
-        document, frame = self._document, self._document.frame
-        if frame is None or not document.annotation.annotated:
+        document, frame = self._document, self._document.state.frame
+        if frame is None or not document.state.annotation.annotated:
             return False
-        return set(document.review.origin_counts(frame.name, document.annotation)) == {
+        return set(document.review.origin_counts(frame.name, document.state.annotation)) == {
             OriginKind.ACCEPTED
         }
 
     def _follow_corrected(self) -> None:
         """Once a person is done with it: what is between its neighbours is followed again."""
         document = self._document
-        sequence, index = document.sequence.value, document.frame_index
-        if self.running or sequence is None or document.blind:
+        sequence, index = document.sequence.value, document.state.frame_index
+        if self.running or sequence is None or document.state.blind:
             return
         here = int(sequence.numbers[index]) if 0 <= index < len(sequence.numbers) else None
         for number in [n for n in self._corrected if n != here]:

@@ -44,9 +44,9 @@ class ShotWalk(QObject):
 
     def step(self, frames: int) -> None:
         """Go so many frames on, or back; to the last or the first one at most."""
-        workspace = self._document.workspace
+        workspace = self._document.state.workspace
         if workspace is not None and workspace.frames:
-            index = self._document.frame_index + frames
+            index = self._document.state.frame_index + frames
             self._document.walk.come_to(min(max(index, 0), len(workspace.frames) - 1))
 
     def go_anchor(self, step: int) -> None:
@@ -61,7 +61,7 @@ class ShotWalk(QObject):
         tracked = self._document.shot_track.tracked
         if sequence is None or not self._has_order():
             return
-        if self._document.blind:
+        if self._document.state.blind:
             self._document.say(tr("blind mode: how the track does is hidden"))
             return
         if not tracked:
@@ -71,7 +71,7 @@ class ShotWalk(QObject):
         self._go((index_of[n] for n in index_of if _doubtful(tracked, n)), step, _DOUBTFUL)
 
     def _go(self, indices: Iterable[int], step: int, what: str) -> None:
-        here = self._document.frame_index
+        here = self._document.state.frame_index
         beyond = [index for index in indices if (index - here) * step > 0]
         if beyond:
             self._document.walk.come_to(min(beyond) if step > 0 else max(beyond))
@@ -97,7 +97,7 @@ class ShotWalk(QObject):
             self.stop()
         elif self._has_order():
             self._window.installEventFilter(self)
-            self._at = self._document.frame_index
+            self._at = self._document.state.frame_index
             self.playingChanged.emit(True)
             self._play_on()
 
@@ -133,7 +133,7 @@ class ShotWalk(QObject):
         if document.walk.coming:  # pictures come more slowly than they should be shown
             self._clock.start(5)
             return
-        if document.frame_index != at or at + 1 >= len(sequence.numbers):
+        if document.state.frame_index != at or at + 1 >= len(sequence.numbers):
             self.stop()
             return
         self._at = at + 1

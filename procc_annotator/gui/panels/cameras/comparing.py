@@ -56,8 +56,8 @@ class ComparingSection(QWidget):
     def refresh(self) -> None:
         """Show the choice and the figures as they are now."""
         document = self._document
-        compared = document.compared
-        others = [s for s in document.sources if s is not document.active_source]
+        compared = document.state.compared
+        others = [s for s in document.state.sources if s is not document.state.active]
         with QSignalBlocker(self.other):
             self.other.clear()
             for source in others:
@@ -66,13 +66,13 @@ class ComparingSection(QWidget):
             self.other.setCurrentIndex(others.index(compared) if compared is not None else -1)
         self.other.setEnabled(compared is not None)
         wanted = compared is not None or document.disagreement.wanted
-        self.setVisible(wanted and bool(document.sources))
+        self.setVisible(wanted and bool(document.state.sources))
         found = document.disagreement.value
         self.figures.show_found(found)
         show_note(self.problem, document.disagreement.problem)
 
     def _choose(self, index: int) -> None:
-        self._document.compare_with(self.other.itemData(index))
+        self._document.camera_sources.compare_with(self.other.itemData(index))
 
 
 class _Figures(QWidget):

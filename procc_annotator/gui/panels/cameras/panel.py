@@ -116,14 +116,14 @@ class CamerasPanel(QWidget):
             )
         )
         self.protocol.activated.connect(
-            lambda: self._document.set_protocol(self.protocol.currentData())
+            lambda: self._document.terms.set_protocol(self.protocol.currentData())
         )
         self.off_plane = _combo("cameras_off_plane", OFF_PLANE, OFF_PLANE_TITLES)
         self.off_plane.setToolTip(
             tr("A homography knows the ground only: how posts and crossbars count for it")
         )
         self.off_plane.activated.connect(
-            lambda: self._document.set_protocol(off_plane=self.off_plane.currentData())
+            lambda: self._document.terms.set_protocol(off_plane=self.off_plane.currentData())
         )
         form = QFormLayout()
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
@@ -151,7 +151,7 @@ class CamerasPanel(QWidget):
     def load(self, path: Path) -> None:
         """Load cameras as the chosen format says; what goes wrong is reported by the document."""
         self._offer_formats()
-        self._document.load_cameras(path, self.format.currentData())
+        self._document.camera_sources.load_cameras(path, self.format.currentData())
 
     def _offer_formats(self) -> None:
         """Those of this program and of plug-ins, which are looked for when they can be chosen."""
@@ -164,20 +164,20 @@ class CamerasPanel(QWidget):
     def _refresh(self) -> None:
         self._offer_formats()
         self.list.refresh()
-        self.empty.setVisible(not self._document.sources)
+        self.empty.setVisible(not self._document.state.sources)
         self.comparing.refresh()
         self._show_details()
-        setup = self._document.setup
+        setup = self._document.state.setup
         self.protocol.setCurrentIndex(self.protocol.findData(setup.protocol))
         self.off_plane.setCurrentIndex(self.off_plane.findData(setup.off_plane))
 
     def _show_details(self) -> None:
         document = self._document
-        notice, error = document.camera_notice, document.camera_error
+        notice, error = document.judge.shown.notice, document.judge.shown.error
         notice = tr("This frame: {notice}", notice=notice) if notice else ""
-        if document.active_camera is None:
+        if document.state.active_cameras is None:
             notice = error = ""
-        elif not document.projection_visible:
+        elif not document.state.projection_visible:
             notice, error = tr("Blind: the projection is hidden until this frame is committed."), ""
         show_note(self.notice, notice)
         if error:

@@ -46,7 +46,7 @@ class SourceList(QWidget):
         self.none = QRadioButton(tr("no camera"))
         self.none.setObjectName("cameras_none")
         self.none.setToolTip(tr("Judge nothing, draw no camera"))
-        self.none.clicked.connect(lambda: document.set_active_camera(NO_CAMERA))
+        self.none.clicked.connect(lambda: document.camera_sources.set_active_camera(NO_CAMERA))
         self._group.addButton(self.none, _NO_CAMERA_ID)
         self._layout = QVBoxLayout(self)
         self._layout.setContentsMargins(0, 0, 0, 0)
@@ -55,11 +55,11 @@ class SourceList(QWidget):
 
     def refresh(self) -> None:
         """Show the sources as they are now."""
-        sources = tuple(self._document.sources)
+        sources = tuple(self._document.state.sources)
         if sources != self._listed:
             self._build(sources)
         self.none.setVisible(bool(sources))
-        self.none.setChecked(self._document.active_source is None)
+        self.none.setChecked(self._document.state.active is None)
         for row, source in zip(self.rows, sources, strict=True):
             row.show_source(source)
             self._show_state(row, source)
@@ -84,14 +84,18 @@ class SourceList(QWidget):
     def _connect(self, row: SourceRow, source: CameraSource) -> None:
         document = self._document
         row.activated.connect(lambda: self._activate(source))
-        row.renamed.connect(lambda name: document.rename_source(source, name))
-        row.recoloured.connect(lambda colour: document.set_source_colour(source, colour))
-        row.shown.connect(lambda shown: document.set_source_visible(source, shown))
+        row.renamed.connect(lambda name: document.camera_sources.rename_source(source, name))
+        row.recoloured.connect(
+            lambda colour: document.camera_sources.set_source_colour(source, colour)
+        )
+        row.shown.connect(lambda shown: document.camera_sources.set_source_visible(source, shown))
         row.removed.connect(lambda: self._remove(source))
 
     def _activate(self, source: CameraSource) -> None:
-        if self._document.active_source is not source:
-            self._document.set_active_camera(self._document.sources.index(source))
+        if self._document.state.active is not source:
+            self._document.camera_sources.set_active_camera(
+                self._document.state.sources.index(source)
+            )
 
     def _remove(self, source: CameraSource) -> None:
         if source is self._document.shot_track.source:
@@ -99,7 +103,9 @@ class SourceList(QWidget):
         elif source.files is None:
             self._document.live_fit.set_wanted(False)
         else:
-            self._document.remove_camera_set(self._document.sources.index(source))
+            self._document.camera_sources.remove_camera_set(
+                self._document.state.sources.index(source)
+            )
 
     # --- what a row says -----------------------------------------------------------------------
 
@@ -108,7 +114,7 @@ class SourceList(QWidget):
         jac, tip = self._jac(source)
         matched, matched_tip = self._matched(source)
         row.show_state(
-            active=source is document.active_source,
+            active=source is document.state.active,
             jac=jac,
             jac_tip=tip,
             model=self._model(source),
@@ -120,15 +126,15 @@ class SourceList(QWidget):
     def _jac(self, source: CameraSource) -> tuple[str, str]:
         """Mean JaC of the set, and what it is the mean of."""
         document = self._document
-        if document.blind:
+        if document.state.blind:
             return "JaC –", tr("Blind mode hides how the sources do")
-        mean = source.mean_jac(document.tau)
+        mean = source.mean_jac(document.state.tau)
         if mean is None:
             return "JaC –", tr("No frame has both annotated elements and a camera of this source")
         frames = tr_count(len(source.audits), "{n:,} frame", "{n:,} frames")
         if document.set_scores.running:
             frames = tr("{frames} so far", frames=frames)
-        tip = tr("Mean JaC at {tau:.1f} px over {frames}", tau=document.tau, frames=frames)
+        tip = tr("Mean JaC at {tau:.1f} px over {frames}", tau=document.state.tau, frames=frames)
         if bad := len(source.problems):
             tip = tr_count(
                 bad,
@@ -136,7 +142,7 @@ class SourceList(QWidget):
                 "{mean}; {n:,} cameras cannot be read and take no part",
                 mean=tip,
             )
-        return f"JaC {mean:.3f}", f"{tip}\n{document.setup.describe()}"
+        return f"JaC {mean:.3f}", f"{tip}\n{document.state.setup.describe()}"
 
     def _model(self, source: CameraSource) -> str:
         """The camera model: of the set when it has one, else of the frame on screen."""
@@ -159,7 +165,7 @@ class SourceList(QWidget):
 
     def _matched(self, source: CameraSource) -> tuple[str, str]:
         """Return how many frames have a camera, and which of these cannot be used."""
-        workspace, cameras = self._document.workspace, source.camera_set
+        workspace, cameras = self._document.state.workspace, source.camera_set
         if source is self._document.shot_track.source:
             count = len(cameras.frames)
             words = tr_count(count, "{n:,} frame followed", "{n:,} frames followed")
@@ -200,10 +206,10 @@ class SourceList(QWidget):
         it of the active one."""
         document = self._document
         known = document.source_frames.of(source)
-        if known is None or source is document.active_source:
+        if known is None or source is document.state.active:
             return ""
         if source.files is None:
-            return known.notice if document.projection_visible and not known.camera else ""
+            return known.notice if document.state.projection_visible and not known.camera else ""
         if known.error:
             return tr("cannot be used here: {error}", error=known.error)
         return tr("no camera for this frame") if known.camera is None else ""

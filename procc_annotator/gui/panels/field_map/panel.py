@@ -83,7 +83,7 @@ class FieldMapPanel(QWidget):
         self.setMouseTracking(True)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self._document = document
-        self._shape = FieldShape.of(document.field)
+        self._shape = FieldShape.of(document.state.field)
         self._states: dict[str, ElementState] = {}
         self._next: AnnotationSuggestion | None = None
         self._findings: Mapping[str, tuple[StoredFinding, ...]] = {}
@@ -145,11 +145,11 @@ class FieldMapPanel(QWidget):
             return
         event.accept()
         anchors = dict(zip(self._shape.names, self._placement().anchors, strict=True))
-        chosen = self._document.selected_class
+        chosen = self._document.state.selected_class
         if chosen not in anchors:
-            self._document.select_class(next(iter(anchors), None), continues=True)
+            self._document.selecting.select_class(next(iter(anchors), None), continues=True)
         elif (found := nearest(anchors[chosen], anchors, way)) is not None:
-            self._document.select_class(found, continues=True)
+            self._document.selecting.select_class(found, continues=True)
 
     # --- mouse ---------------------------------------------------------------------------------
 
@@ -165,7 +165,7 @@ class FieldMapPanel(QWidget):
             self.update()
             return
         hovered = self.class_at(event.position())
-        self._document.hover_class(hovered)
+        self._document.selecting.hover_class(hovered)
         if hovered is None:
             self.unsetCursor()
         else:
@@ -180,7 +180,7 @@ class FieldMapPanel(QWidget):
         if moved:
             self.unsetCursor()
         elif event.button() == Qt.MouseButton.LeftButton:
-            self._document.select_class(self.class_at(event.position()), continues=True)
+            self._document.selecting.select_class(self.class_at(event.position()), continues=True)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         if self.class_at(event.position()) is None:
@@ -188,7 +188,7 @@ class FieldMapPanel(QWidget):
             self.update()
 
     def leaveEvent(self, event: QEvent) -> None:
-        self._document.hover_class(None)
+        self._document.selecting.hover_class(None)
 
     def event(self, event: QEvent) -> bool:
         if isinstance(event, QHelpEvent):
@@ -209,8 +209,8 @@ class FieldMapPanel(QWidget):
 
     def _heading(self, name: str) -> str:
         """Return what a class is called, and its key."""
-        title = class_title(self._document.field, name)
-        keys = key_text(self._document.field, name, self._document.state.keymap)
+        title = class_title(self._document.state.field, name)
+        keys = key_text(self._document.state.field, name, self._document.state.keymap)
         return f"{title}  ({keys})" if keys else title
 
     # --- what next -----------------------------------------------------------------------------
@@ -246,7 +246,7 @@ class FieldMapPanel(QWidget):
         # The line of what is next has its room also before there is anything to say.
         lines = 2 if self._document.ghosts.suggesting else 1
         line = self.fontMetrics().height()
-        above = line if self._document.field.own_terms else 0
+        above = line if self._document.state.field.own_terms else 0
         return QRectF(self.rect()).adjusted(
             _MARGIN, _MARGIN + above, -_MARGIN, -_MARGIN - lines * line - 4
         )
@@ -254,7 +254,7 @@ class FieldMapPanel(QWidget):
     def _placement(self) -> Placement:
         """Return where the field is in the widget; worked out again only when that changes."""
         room, view, sight = self._room(), self._view, self._document.map_sight
-        needed = {*self._states, self._document.selected_class}
+        needed = {*self._states, self._document.state.selected_class}
         part = part_to_show(self._shape, sight, needed, room)
         key = self._shape, room.getRect(), view.zoom, view.shift.toTuple(), sight.turns, part
         if self._drawn is None or self._drawn[0] != key:
@@ -282,8 +282,8 @@ class FieldMapPanel(QWidget):
     def _paint_rank(self, index: int) -> tuple[bool, bool, bool]:
         name = self._shape.names[index]
         return (
-            name == self._document.selected_class,
-            name == self._document.hovered_class,
+            name == self._document.state.selected_class,
+            name == self._document.state.hovered_class,
             name in self._states,
         )
 
@@ -300,23 +300,23 @@ class FieldMapPanel(QWidget):
         if (sight := document.map_sight.shown) is None or name in sight.names:
             return False
         return self._states.get(name) is None and name not in (
-            document.selected_class,
-            document.hovered_class,
+            document.state.selected_class,
+            document.state.hovered_class,
         )
 
     def _paint_element(self, painter: QPainter, placed: Placement, index: int) -> None:
         name = self._shape.names[index]
         state = self._states.get(name, ElementState.UNTOUCHED)
-        hovered = name == self._document.hovered_class
+        hovered = name == self._document.state.hovered_class
         polygon = placed.polygons[index]
         if polygon.count() == 1:
-            chosen = name == self._document.selected_class
+            chosen = name == self._document.state.selected_class
             paint_spot(
                 painter, polygon.at(0), state, self.palette(), chosen=chosen, hovered=hovered
             )
             return
         width = _WIDTHS[state] + (1.0 if hovered else 0.0)
-        if name == self._document.selected_class:
+        if name == self._document.state.selected_class:
             painter.setPen(_round_pen(QColor(tones.OUTLINE), width + 6))
             painter.drawPolyline(polygon)
             painter.setPen(_round_pen(QColor(tones.HALO), width + 4))
@@ -339,7 +339,7 @@ class FieldMapPanel(QWidget):
 
     def _paint_dimensions(self, painter: QPainter) -> None:
         """What of the field is its own, above it."""
-        text = self._document.field.own_terms
+        text = self._document.state.field.own_terms
         if not text:
             return
         painter.setPen(self.palette().color(QPalette.ColorRole.Text))
@@ -352,13 +352,13 @@ class FieldMapPanel(QWidget):
         if self._next is not None:
             following = tr(
                 "Next: {title}, {before:.1f} → {after:.1f} px",
-                title=class_title(self._document.field, self._next.name),
+                title=class_title(self._document.state.field, self._next.name),
                 before=self._next.sd_before_px,
                 after=self._next.sd_after_px,
             )
             painter.setPen(self.palette().color(QPalette.ColorRole.Text))
             self._paint_line(painter, following, 1)
-        name = self._document.hovered_class or self._document.selected_class
+        name = self._document.state.hovered_class or self._document.state.selected_class
         if name is None:
             text = tr("Click an element to choose its class")
             painter.setPen(muted(self.palette()))

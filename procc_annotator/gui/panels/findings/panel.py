@@ -152,7 +152,7 @@ class FindingsPanel(QWidget):
     # --- showing --------------------------------------------------------------------------
 
     def _refresh(self) -> None:
-        check, frame = self._check, self._document.frame
+        check, frame = self._check, self._document.state.frame
         whole_set = self.scope.currentIndex() == _SET
         every: list[Entry]
         if whole_set:
@@ -180,13 +180,13 @@ class FindingsPanel(QWidget):
         self._stack.setCurrentWidget(self.list if entries else self.empty)
         self._show_note(words if entries else "", whole_set)
         self._show_remedies()
-        self.check_button.setEnabled(self._document.workspace is not None)
+        self.check_button.setEnabled(self._document.state.workspace is not None)
         self.export_button.setEnabled(check.known.count > 0)
 
     def _show_entries(self, entries: list[Entry], whole_set: bool) -> None:
         self._following = True
         self.model.show_entries(entries, with_frames=whole_set)
-        frame = self._document.frame
+        frame = self._document.state.frame
         row = self.model.row_of(frame.name if frame is not None else "", self._check.current)
         index = self.model.index(row) if row >= 0 else QModelIndex()
         if row >= 0 and index != self.list.currentIndex():
@@ -224,7 +224,7 @@ class FindingsPanel(QWidget):
                     self.remedyWanted.emit(found, remedy)
 
                 wanted.append((f"{text} (F12)" if at == 0 else text, "", do))
-            frame = self._document.frame
+            frame = self._document.state.frame
             name = frame.name if frame is not None else ""
             tip = tr("Do not show it again until the points of its elements change")
             wanted.append(

@@ -90,7 +90,7 @@ class FindingsModel(QAbstractListModel):
     def texts(self, row: int) -> tuple[str, str, str]:
         """The frame (empty in a list of one frame), word and elements, reason."""
         frame, found = self.entries[row]
-        finding, title = found.finding, self._document.field.title_of
+        finding, title = found.finding, self._document.state.field.title_of
         elements = " · ".join(dict.fromkeys(tr(title(name)) for name in finding.elements))
         head = f"{tr(WORDS[finding.severity])}: {elements}"
         return frame if self.with_frames else "", head, tr(finding.reason)

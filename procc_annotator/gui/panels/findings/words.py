@@ -12,10 +12,10 @@ def frame_words(document: Document) -> str:
 
     Empty if there are findings and every rule was examined.
     """
-    check, frame = document.label_check, document.frame
+    check, frame = document.label_check, document.state.frame
     if frame is None:
         return tr("No frames.\nOpen a folder of pictures to check their labels.")
-    if not document.annotation.annotated:
+    if not document.state.annotation.annotated:
         return tr("Nothing is annotated in this frame.")
     checked = check.checked
     if checked is None:
@@ -38,7 +38,7 @@ def frame_words(document: Document) -> str:
 
 
 def _limit(document: Document, failure: str) -> str:
-    if not document.projection_visible:
+    if not document.state.projection_visible:
         return tr(
             "Blind: findings that need a camera wait until this frame is committed (Ctrl+Enter)."
         )
@@ -57,13 +57,13 @@ def set_words(document: Document) -> str:
 
     Empty if there are findings and every frame was checked.
     """
-    check, workspace = document.label_check, document.workspace
+    check, workspace = document.label_check, document.state.workspace
     if workspace is None or not workspace.frames:
         return tr("No frames.\nOpen a folder of pictures to check their labels.")
     if check.running:
         return "" if check.known.in_set() else tr("Checking the set…")
     problems = ""
-    if document.blind:
+    if document.state.blind:
         problems = tr("Blind: only committed frames are checked with a camera.")
     if check.problems:
         count = len(check.problems)

@@ -30,7 +30,7 @@ class FrameFilter(QObject):
         super().__init__(parent)
         self._document = document
         self._text = ""
-        self._query = parse_query("", document.field)
+        self._query = parse_query("", document.state.field)
         document.fieldChanged.connect(lambda: self.set_text(self._text))
         self._searching = Latest(self, self.problem.emit)
 
@@ -43,7 +43,7 @@ class FrameFilter(QObject):
         """Read a filter; one that cannot be read leaves the frames as they are."""
         self._text = text
         try:
-            query = parse_query(text, self._document.field)
+            query = parse_query(text, self._document.state.field)
         except UsageError as error:
             self.problem.emit(str(error))
             return
@@ -54,7 +54,7 @@ class FrameFilter(QObject):
     def search(self) -> None:
         """Ask all frames again."""
         self._searching.cancel()
-        workspace = self._document.workspace
+        workspace = self._document.state.workspace
         if workspace is None or self._query.is_empty:
             self.found.emit(None)
             return
@@ -74,13 +74,13 @@ class FrameFilter(QObject):
         database = document.review.database
         records: Mapping[str, FrameRecord] = dict(database.records()) if database else {}
         unsaved = frozenset(document.state.unsaved)
-        source = document.active_source
+        source = document.state.active
         broken = frozenset(source.problems) if source is not None else frozenset()
         cameras = source.camera_set.frames if source is not None else {}
-        audits, tau = dict(document.active_audits), document.tau
+        audits, tau = dict(document.auditing.active_audits), document.state.tau
         drafts = frozenset(database.drafts()) if database is not None else frozenset()
         needs_annotation, reveals = self._query.needs_annotation, document.state.reveals
-        allowed = document.frame_scores.allowed
+        allowed = document.auditing.frame_scores.allowed
         verdicts = _Verdicts(document.review.all_verdicts(), allowed)
         asked = workspace.frames if self._query.needs_check else ()
         findings = {f.name: document.label_check.known.severities_of(f.name) for f in asked}

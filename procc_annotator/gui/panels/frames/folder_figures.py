@@ -44,7 +44,7 @@ class FolderFigures(QObject):
 
     def look_again(self) -> None:
         """Statuses or scores of some frames are other ones."""
-        if self._document.frame_scores.allowed is not None:
+        if self._document.auditing.frame_scores.allowed is not None:
             self._jac[:] = math.nan  # while blind nothing that was known before stays in sight
         if self._names:
             self._soon.start()
@@ -65,7 +65,7 @@ class FolderFigures(QObject):
             self._go_on.start()
 
     def _count(self) -> None:
-        review, scores = self._document.review, self._document.frame_scores
+        review, scores = self._document.review, self._document.auditing.frame_scores
         end = perf_counter() + _BUDGET_S
         while self._at < len(self._names) and perf_counter() < end:
             name = self._names[self._at]

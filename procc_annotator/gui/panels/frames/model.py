@@ -86,13 +86,13 @@ class FramesModel(QAbstractListModel):
         self._thumbnails.arrived.connect(self._show_thumbnails)
         self._without_thumbnail: dict[Path, int] = {}  # frames
         self._count_soon = soon(self, self._count_some)
-        self.scores = document.frame_scores
+        self.scores = document.auditing.frame_scores
 
     # --- rows and frames -----------------------------------------------------------------------
 
     def reset(self) -> None:
         """Another dataset was opened."""
-        workspace = self._document.workspace
+        workspace = self._document.state.workspace
         self._thumbnails.clear()
         self._counts.clear()
         self._without_thumbnail.clear()
@@ -100,10 +100,10 @@ class FramesModel(QAbstractListModel):
         frames = workspace.frames if workspace is not None else ()
         self._count = len(frames)
         self._shown = None
-        self.scores = self._document.frame_scores
+        self.scores = self._document.auditing.frame_scores
         names = [frame.name for frame in frames]
         self.folders = folders_of(names)
-        here = self._document.frame_index
+        here = self._document.state.frame_index
         self._folded = {folder.path for folder in self.folders if here not in folder}
         self._folded_found.clear()
         self.figures.reset(names if self.folders else [])
@@ -226,7 +226,7 @@ class FramesModel(QAbstractListModel):
         return 0 if parent.isValid() else len(self._rows)
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
-        workspace = self._document.workspace
+        workspace = self._document.state.workspace
         if workspace is None or role not in (
             Qt.ItemDataRole.DisplayRole,
             Qt.ItemDataRole.ToolTipRole,
@@ -260,7 +260,7 @@ class FramesModel(QAbstractListModel):
     def info(self, row: int) -> RowInfo | None:
         """Return what a row shows now; what is missing is fetched, and the row reported to be
         another one."""
-        workspace = self._document.workspace
+        workspace = self._document.state.workspace
         if workspace is None:
             return None
         index = self._rows[row]
@@ -306,7 +306,7 @@ class FramesModel(QAbstractListModel):
         )
 
     def _camera_problem(self, name: str) -> str:
-        source = self._document.active_source
+        source = self._document.state.active
         if source is None or not self._document.state.reveals(name):
             return ""
         return source.problems.get(name, "")
@@ -314,7 +314,7 @@ class FramesModel(QAbstractListModel):
     def recount(self, frame_index: int) -> None:
         """The frame's annotation changed. In memory it costs nothing to count; a file is read when
         its row is shown."""
-        workspace = self._document.workspace
+        workspace = self._document.state.workspace
         if workspace is None or not 0 <= frame_index < len(workspace.frames):
             return
         if workspace.loaded_annotation(frame_index) is not None:
@@ -330,7 +330,7 @@ class FramesModel(QAbstractListModel):
 
     def take_scores(self) -> None:
         """Look again at the per-frame scores."""
-        self.scores = self._document.frame_scores
+        self.scores = self._document.auditing.frame_scores
         self.figures.look_again()
 
     def repaint(self, frame_index: int) -> None:
@@ -345,7 +345,7 @@ class FramesModel(QAbstractListModel):
 
     def _count_some(self) -> None:
         """Count elements of waiting rows for a few milliseconds, the newest wish first."""
-        workspace = self._document.workspace
+        workspace = self._document.state.workspace
         if workspace is None:
             return
         end = perf_counter() + _BUDGET_S

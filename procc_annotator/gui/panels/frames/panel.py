@@ -119,11 +119,11 @@ class FramesPanel(QWidget):
 
     def _take_dataset(self) -> None:
         self.model.reset()
-        self._revealed = self._document.frame_index
+        self._revealed = self._document.state.frame_index
         self.filter.clear()
         self.frame_filter.search()
         self.model.take_save_state()
-        self._due = {self._document.frame_index}
+        self._due = {self._document.state.frame_index}
         self._show_which()
         self._show_current()
 
@@ -253,10 +253,10 @@ class FramesPanel(QWidget):
         super().changeEvent(event)
 
     def _show_current(self) -> None:
-        if self._revealed != self._document.frame_index:
-            self._revealed = self._document.frame_index
+        if self._revealed != self._document.state.frame_index:
+            self._revealed = self._document.state.frame_index
             self.model.reveal(self._revealed)
-        row = self.model.row_showing(self._document.frame_index)
+        row = self.model.row_showing(self._document.state.frame_index)
         index = self.model.index(row) if row >= 0 else QModelIndex()
         if index != self.list.currentIndex():
             self.list.setCurrentIndex(index)
@@ -267,18 +267,18 @@ class FramesPanel(QWidget):
 
     def _go(self, current: QModelIndex, previous: QModelIndex) -> None:
         if current.isValid() and (frame := self.model.frame_index(current.row())) >= 0:
-            self._document.go_to(frame)
+            self._document.walk.go_to(frame)
 
     def _follow_soon(self) -> None:
         """Another frame is on screen, or what is annotated in it is another thing."""
-        self._due.add(self._document.frame_index)
+        self._due.add(self._document.state.frame_index)
         self._soon.start()
 
     def _follow_frames(self) -> None:
         for index in self._due:
             self.model.recount(index)
             self.model.repaint(index)
-        self._due = {self._document.frame_index}  # it may be edited and left at once
+        self._due = {self._document.state.frame_index}  # it may be edited and left at once
         self._show_current()
 
     def _take_edited(self, indices: list[int]) -> None:
@@ -297,11 +297,11 @@ class FramesPanel(QWidget):
 
     def _repaint(self, name: str) -> None:
         """Paint the row of a frame again, or those of all (an empty name)."""
-        workspace = self._document.workspace
+        workspace = self._document.state.workspace
         index = workspace.index.get(name) if workspace is not None else None
         if index is None:
             self.list.viewport().update()
-        elif index == self._document.frame_index:
+        elif index == self._document.state.frame_index:
             self._soon.start()
         else:
             self.model.repaint(index)

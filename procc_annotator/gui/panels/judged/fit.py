@@ -207,7 +207,7 @@ class FitPanel(QWidget):
         with QSignalBlocker(self.model):
             self.model.setCurrentIndex(self.model.findData(live.model))
         insight = live.insight
-        frame = document.frame.name if document.frame is not None else None
+        frame = document.state.frame.name if document.state.frame is not None else None
         came, self._frame = frame != self._frame, frame
         if insight is None and live.working and not came and self._shown is not None:
             if not self._slow.isActive():
@@ -233,7 +233,7 @@ class FitPanel(QWidget):
 
     def _why_empty(self, insight: FrameAnalysis | None) -> str:
         document, live = self._document, self._document.live_fit
-        if document.frame is None:
+        if document.state.frame is None:
             return tr("Open a folder of pictures to see the camera its clicks give.")
         if barred := document.blind_lock.no_fit:
             return tr("{text}.", text=barred)
@@ -250,7 +250,7 @@ class FitPanel(QWidget):
         known = document.source_frames.of(document.fit_source.source)
         _, score = self._opinion.of(known, insight.annotation, document.judge)
         self.jac.setText("–" if score is None else f"{score.jac:.3f}")
-        self.at_tau.setText(tr("JaC at {tau:.1f} px", tau=document.tau))
+        self.at_tau.setText(tr("JaC at {tau:.1f} px", tau=document.state.tau))
         show_note(self.counted, "" if score is None else _counted_words(score))
         self.mean.setText("–" if fit.mean_px is None else f"{fit.mean_px:.2f} px")
         left_open = ill_conditioned_reason(fit)
@@ -259,7 +259,7 @@ class FitPanel(QWidget):
         show_note(self.chosen, _chosen_words(fit))
         camera = known.camera if known is not None else None
         ground_only = camera is not None and projects_only_ground(camera)
-        terms = document.setup.describe(ground_only=ground_only)
+        terms = document.state.setup.describe(ground_only=ground_only)
         width, height = fit.size
         show_note(
             self.terms,
@@ -270,8 +270,8 @@ class FitPanel(QWidget):
                 height=height,
             ),
         )
-        self.rows.replace(fit_rows(fit, insight.annotation, document.frame_field))
-        self.table.show_chosen(document.selected_class)
+        self.rows.replace(fit_rows(fit, insight.annotation, document.judge.frame_setup.field))
+        self.table.show_chosen(document.state.selected_class)
         figures = pose_figures(fit)
         self.figures.setVisible(bool(figures))
         for labels, texts in zip(self.pose, figures, strict=False):  # none for a homography
@@ -282,17 +282,17 @@ class FitPanel(QWidget):
 
     def _fly(self, at: int) -> None:
         document, row = self._document, self.rows.rows[at]
-        polyline = document.annotation.get(row.class_name)
+        polyline = document.state.annotation.get(row.class_name)
         if polyline is None or not polyline.points:
             return
         # While new clicks are fitted the rows are those of the clicks before.
         point = row.point if row.point is not None and row.point < len(polyline.points) else None
         if point is not None:
-            document.select_point(row.class_name, point)
+            document.selecting.select_point(row.class_name, point)
         else:
-            document.select_class(row.class_name)
-        if document.picture_size is not None:
-            x, y = points_px(polyline, document.picture_size)[point or 0]
+            document.selecting.select_class(row.class_name)
+        if document.state.picture_size is not None:
+            x, y = points_px(polyline, document.state.picture_size)[point or 0]
             document.flyTo.emit(float(x), float(y))
 
 

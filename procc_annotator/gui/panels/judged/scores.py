@@ -194,16 +194,16 @@ class ScoresPanel(QWidget):
     # --- showing -------------------------------------------------------------------------------
 
     def _refresh(self) -> None:
-        score = self._document.score
-        if score is None or self._document.why_not_judged:
+        score = self._document.judge.score
+        if score is None or self._document.state.why_not_judged:
             self.empty.setText(self._why_empty())
             self._stack.setCurrentIndex(0)
             return
         self._show_figures(score)
-        active = self._document.active_source
+        active = self._document.state.active
         self.verdict.setVisible(active is not None and active.files is not None)
         self.verdict.refresh()
-        measurement = self._document.measurement
+        measurement = self._document.judge.measurement
         if self.tabs.currentIndex() == 0 and measurement is not None:
             self.model.show(*score_rows(score, measurement, measurement.setup.field))
             self._show_selection()
@@ -213,22 +213,24 @@ class ScoresPanel(QWidget):
 
     def _why_empty(self) -> str:
         document = self._document
-        if document.frame is None:
+        if document.state.frame is None:
             return tr("Open a folder of pictures to see scores.")
-        if document.active_camera is None:
+        if document.state.active_cameras is None:
             return tr(
                 "No camera to judge.\nLoad cameras to see how well they agree with your clicks."
             )
-        if not document.projection_visible:
+        if not document.state.projection_visible:
             return tr("Hidden: blind mode shows the score once this frame is committed.")
-        if document.score is not None:
-            return tr("JaC –: {why}.", why=document.why_not_judged)
-        if document.camera_error:
-            return tr("This frame's camera cannot be used:\n{error}", error=document.camera_error)
-        if document.active_camera is document.fit_source.cameras:
-            why = document.active_camera.why_none(document.frame.name)
+        if document.judge.score is not None:
+            return tr("JaC –: {why}.", why=document.state.why_not_judged)
+        if document.judge.shown.error:
+            return tr(
+                "This frame's camera cannot be used:\n{error}", error=document.judge.shown.error
+            )
+        if document.state.active_cameras is document.fit_source.cameras:
+            why = document.state.active_cameras.why_none(document.state.frame.name)
             return tr("No fit to judge: {why}.", why=why)
-        return tr("{name} has no camera for this frame.", name=document.active_camera.name)
+        return tr("{name} has no camera for this frame.", name=document.state.active_cameras.name)
 
     def _show_figures(self, score: FrameScore) -> None:
         self.jac.setText(f"{score.jac:.3f}")
@@ -239,13 +241,13 @@ class ScoresPanel(QWidget):
             value = getattr(score, key)
             unit = " px" if key.endswith("error") else ""
             label.setText("–" if value is None else f"{value:.2f}{unit}")
-        camera = self._document.camera
+        camera = self._document.judge.camera
         ground_only = camera is not None and projects_only_ground(camera)
         terms = [self._document.judge.frame_setup.describe(ground_only=ground_only)]
-        if self._document.active_source is self._document.fit_source.source:
+        if self._document.state.active is self._document.fit_source.source:
             terms.append(tr(_OWN_FIT))
-        if (floor := self._document.noise_floor) is not None:
-            above = floor[1] > self._document.tau
+        if (floor := self._document.state.noise_floor) is not None:
+            above = floor[1] > self._document.state.tau
             words = _NOISE_ABOVE_TAU if above else _NOISE
             terms.append(tr(words, median=floor[0], p95=floor[1]))
         if (points := self._points_by_origin()) is not None:
@@ -256,30 +258,30 @@ class ScoresPanel(QWidget):
     def _points_by_origin(self) -> str | None:
         """Return how many points of each origin the score rests on."""
         document = self._document
-        if (frame := document.frame) is None:
+        if (frame := document.state.frame) is None:
             return None
-        counts = document.review.origin_counts(frame.name, document.shown_annotation)
+        counts = document.review.origin_counts(frame.name, document.state.shown_annotation)
         if not counts:
             return None
         kinds = ", ".join(f"{n} {tr(kind.value, 'points')}" for kind, n in counts.items())
         return tr("points: {kinds}", kinds=kinds)
 
     def _show_plot(self) -> None:
-        measurement = self._document.measurement
+        measurement = self._document.judge.measurement
         if measurement is None:
             return
         from procc_annotator.gui.panels.judged.jac_plot import JacPlot  # imports pyqtgraph
 
         if not isinstance(self._plot, JacPlot):
             self._plot = JacPlot()
-            self._plot.tauChosen.connect(self._document.set_tau)
+            self._plot.tauChosen.connect(self._document.terms.set_tau)
             layout = self._plot_page.layout()
             assert layout is not None
             layout.addWidget(self._plot)
-        self._plot.show_curve(measurement, self._document.tau)
+        self._plot.show_curve(measurement, self._document.state.tau)
 
     def _show_selection(self) -> None:
-        row = self.table.show_chosen(self._document.selected_class)
+        row = self.table.show_chosen(self._document.state.selected_class)
         why = self.model.rows[row].why if row >= 0 else tr(_CHOOSE)
         if self.why.text() != why:
             self.why.setText(why)
@@ -298,11 +300,11 @@ class ScoresPanel(QWidget):
     # --- choosing ------------------------------------------------------------------------------
 
     def _hover(self, index: QModelIndex) -> None:
-        self._document.hover_class(self.model.rows[index.row()].class_name)
+        self._document.selecting.hover_class(self.model.rows[index.row()].class_name)
 
     def eventFilter(self, watched: object, event: QEvent) -> bool:
         if event.type() == QEvent.Type.Leave and watched is self.table.viewport():
-            self._document.hover_class(None)
+            self._document.selecting.hover_class(None)
         return False
 
     def _copy_one(self) -> None:
@@ -316,9 +318,9 @@ class ScoresPanel(QWidget):
     def _fly(self, at: int) -> None:
         row, element = self.model.rows[at], self.model.elements[at]
         if element.deciding_point is not None:
-            self._document.select_point(row.class_name, element.deciding_point)
+            self._document.selecting.select_point(row.class_name, element.deciding_point)
         else:
-            self._document.select_class(row.class_name)
+            self._document.selecting.select_class(row.class_name)
         target = self._target(row.class_name, element)
         if target is not None:
             self._document.flyTo.emit(*target)
@@ -326,11 +328,11 @@ class ScoresPanel(QWidget):
     def _target(self, class_name: str, element: ScoreExplanation) -> tuple[float, float] | None:
         """Return where the verdict is decided, picture px: a point, or the middle of a
         projection."""
-        size = self._document.picture_size
-        measurement = self._document.measurement
+        size = self._document.state.picture_size
+        measurement = self._document.judge.measurement
         if size is None or measurement is None:
             return None
-        polyline = self._document.shown_annotation.get(class_name)
+        polyline = self._document.state.shown_annotation.get(class_name)
         if polyline is not None and polyline.points:
             x, y = points_px(polyline, size)[element.deciding_point or 0]
             return float(x), float(y)

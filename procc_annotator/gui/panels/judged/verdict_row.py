@@ -62,9 +62,9 @@ class VerdictRow(QWidget):
     def refresh(self) -> None:
         """Show what is known now."""
         document = self._document
-        frame, source = document.frame, document.active_source
+        frame, source = document.state.frame, document.state.active
         verdict = None
-        if frame is not None and source is not None and document.projection_visible:
+        if frame is not None and source is not None and document.state.projection_visible:
             verdict = document.verdicts.verdict(frame.name, source)
         for fault, button in self.buttons.items():
             button.setChecked(verdict is not None and verdict.fault is fault)

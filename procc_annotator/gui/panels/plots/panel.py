@@ -100,7 +100,7 @@ class PlotsPanel(TakingAlong):
         """The elements of the field; the one that was chosen stays, if there is one of its name."""
         row = self.classes.currentData()
         before = self._elements[row] if row not in (None, _ALL_CLASSES) else None
-        titles = element_titles(self._document.field)
+        titles = element_titles(self._document.state.field)
         self._elements = tuple(titles)
         blocked = self.classes.blockSignals(True)
         self.classes.clear()
@@ -204,8 +204,8 @@ class PlotsPanel(TakingAlong):
         page = self._made.get(self._kind)
         if page is None:
             page = self._made[self._kind] = self._kind()
-            page.tauChosen.connect(self._document.set_tau)
-            page.frameChosen.connect(self._document.go_to)
+            page.tauChosen.connect(self._document.terms.set_tau)
+            page.frameChosen.connect(self._document.walk.go_to)
             page.readout.connect(self._read_out)
             page.changed.connect(self._redraw)
             self._stack.addWidget(page)
@@ -266,9 +266,9 @@ class PlotsPanel(TakingAlong):
 
     def _why_empty(self) -> str:
         document = self._document
-        if document.frame is None:
+        if document.state.frame is None:
             return tr("Open a folder of pictures to see plots.")
-        if not document.sources:
+        if not document.state.sources:
             return tr(
                 "No camera to judge.\nLoad cameras to see how well they agree with your clicks."
             )

@@ -56,24 +56,24 @@ class PlotSources:
                 source.colour,
                 number,
                 self._of_frame(source) if scope == "frame" else dict(source.audits),
-                source.camera_set is document.active_camera,
+                source.camera_set is document.state.active_cameras,
                 source.camera_set,
                 source.fitted,
             )
-            for number, source in enumerate(document.sources)
-            if source.visible or source.camera_set is document.active_camera
+            for number, source in enumerate(document.state.sources)
+            if source.visible or source.camera_set is document.state.active_cameras
         )
         request = PlotRequest(
             sources,
             self._names,
-            document.frame_index,
+            document.state.frame_index,
             scope,
             class_row,
-            document.tau,
-            document.setup.size,
-            tuple(element_titles(document.field).values()),
-            document.blind if scope == "set" else not document.projection_visible,
-            document.field,
+            document.state.tau,
+            document.state.setup.size,
+            tuple(element_titles(document.state.field).values()),
+            document.state.blind if scope == "set" else not document.state.projection_visible,
+            document.state.field,
             order_file=self._order_file,
         )
         return request, self._restriction(scope)
@@ -81,21 +81,21 @@ class PlotSources:
     def _of_frame(self, source: CameraSource) -> dict[str, FrameAudit]:
         """The audit of the frame on screen; of the active source as the clicks are right now."""
         document = self._document
-        frame = document.frame
-        if frame is None or not document.projection_visible:
+        frame = document.state.frame
+        if frame is None or not document.state.projection_visible:
             return {}
-        measurement, camera = document.measurement, document.camera
-        if source.camera_set is not document.active_camera:
+        measurement, camera = document.judge.measurement, document.judge.camera
+        if source.camera_set is not document.state.active_cameras:
             found = source.audits.get(frame.name)
-        elif measurement is None or camera is None or not document.shown_annotation.annotated:
+        elif measurement is None or camera is None or not document.state.shown_annotation.annotated:
             found = None
         else:
-            found = audit_frame(frame.name, camera, "", measurement, document.tau)
+            found = audit_frame(frame.name, camera, "", measurement, document.state.tau)
         return {} if found is None else {frame.name: found}
 
     def _restriction(self, scope: Scope) -> Restrict:
         document = self._document
-        if scope == "frame" or not document.blind:
+        if scope == "frame" or not document.state.blind:
             return _as_it_is
         database = document.review.database
         records = dict(database.records()) if database is not None else {}
@@ -112,7 +112,7 @@ class PlotSources:
         return restrict
 
     def _take_dataset(self, *_: object) -> None:
-        workspace = self._document.workspace
+        workspace = self._document.state.workspace
         self._names = () if workspace is None else tuple(f.name for f in workspace.frames)
         self._order_file = None if workspace is None else workspace.folder / FRAMES_FILE
 

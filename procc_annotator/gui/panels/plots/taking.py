@@ -111,7 +111,7 @@ class TakingAlong(QWidget):
                 what = tr("{frames}, as far as scored", frames=what)
         if request.class_row is not None:
             what += f", {tr(request.titles[request.class_row])}"
-        terms = f"{what}; {self._document.setup.describe()}"
+        terms = f"{what}; {self._document.state.setup.describe()}"
         return PlotPicture(page, self.legend, (tr(page.title), terms, self._said))
 
     @contextmanager
@@ -129,7 +129,7 @@ class TakingAlong(QWidget):
             page.draw(data, request)
 
     def _ask(self, suffix: str, filters: str) -> Path | None:
-        if self._document.frame is None or self._request is None:
+        if self._document.state.frame is None or self._request is None:
             self._document.say(tr("there is nothing plotted to take along"))
             return None
         words = "".join(c for c in self.page.title.lower() if c.isalnum() or c == " ")

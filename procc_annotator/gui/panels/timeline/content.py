@@ -54,7 +54,7 @@ class StripContent(QObject):
     @property
     def hidden(self) -> bool:
         """Return whether nothing of a camera may be shown."""
-        return self._document.blind
+        return self._document.state.blind
 
     @property
     def cuts(self) -> tuple[int, ...]:
@@ -112,7 +112,7 @@ class StripContent(QObject):
             self.changed.emit()
 
     def _take_dragged(self, _: str = "") -> None:
-        sequence, workspace = self.sequence, self._document.workspace
+        sequence, workspace = self.sequence, self._document.state.workspace
         if sequence is not None and workspace is not None:
             index, numbers = workspace.index, sequence.numbers
             names = self._document.state.corrected.keys() & index.keys()
@@ -120,7 +120,7 @@ class StripContent(QObject):
             self.changed.emit()
 
     def _take_statuses(self, frame: str = "") -> None:
-        sequence, workspace = self.sequence, self._document.workspace
+        sequence, workspace = self.sequence, self._document.state.workspace
         database = self._document.review.database
         if sequence is None or workspace is None or database is None:
             return

@@ -114,7 +114,7 @@ class Filmstrip(QTableView):
 
     def _follow(self) -> None:
         """The frame on screen is marked and in sight."""
-        row = self._frames.row_showing(self._document.frame_index)
+        row = self._frames.row_showing(self._document.state.frame_index)
         index = self._rows.index(0, row) if row >= 0 else QModelIndex()
         if index != self.currentIndex():
             self.setCurrentIndex(index)

@@ -61,7 +61,7 @@ class StripPlace(QObject):
             self._show()
 
     def _show(self) -> None:
-        sequence, workspace = self._document.sequence, self._document.workspace
+        sequence, workspace = self._document.sequence, self._document.state.workspace
         follow = sequence.value is not None
         several = workspace is not None and len(workspace.frames) > 1
         self._strip.setVisible(self._wanted and follow)

@@ -110,7 +110,7 @@ class ShotStrip(QWidget):
     @property
     def number(self) -> int | None:
         """The frame on screen, or the one that the user drags to."""
-        sequence, index = self.content.sequence, self._document.frame_index
+        sequence, index = self.content.sequence, self._document.state.frame_index
         if self._aim is not None or sequence is None:
             return self._aim
         return int(sequence.numbers[index]) if 0 <= index < len(sequence.numbers) else None

@@ -24,8 +24,8 @@ def strip_words(document: Document, content: StripContent, number: int | None) -
         return ""
     index = sequence.index_of.get(number)
     name = None
-    if index is not None and document.workspace is not None:
-        name = document.workspace.frames[index].name
+    if index is not None and document.state.workspace is not None:
+        name = document.state.workspace.frames[index].name
     said = [
         tr(
             "frame {number} of {first}–{last}",

@@ -171,9 +171,15 @@ class FrameWalk(QObject):
         state, annotation = self._store.state, found["annotation"]
         if workspace is state.workspace and isinstance(annotation, FrameAnnotation):
             # In the next frame of a dataset the same element is often the next one to draw.
-            kept = class_that_fits(state.selection.class_name, state.field, annotation)
+            kept = class_that_fits(state.selected_class, state.field, annotation)
             found["selection"] = ChosenElement(kept)
         return found
+
+    @property
+    def picture(self) -> PixelArray | None:
+        """The whole picture of the frame on screen; waits for it while half its size is shown."""
+        self.see_whole()
+        return self._store.state.picture
 
     def see_whole(self) -> None:
         """Wait for the whole picture where only half its size is shown yet."""

@@ -156,7 +156,7 @@ class Ghosts(QObject):
         if latest is None or not gains:
             return None
         state = self._store.state
-        following = state.selection.class_name
+        following = state.selected_class
         if following not in gains:  # it is there already, or not in sight
             following = next_element(
                 state.field,

@@ -334,6 +334,18 @@ class Auditing(QObject):
         self._soon.start()
 
     @property
+    def frame_scores(self) -> FrameScores:
+        """Frame name -> JaC at the threshold, for the frames scored so far (in blind mode: those
+        that are committed)."""
+        return scores_of(self._store.state)
+
+    @property
+    def active_audits(self) -> Mapping[str, FrameAudit]:
+        """Frame name -> audit of the active source, also where blind mode hides it."""
+        active = self._store.state.active
+        return {} if active is None else active.audits
+
+    @property
     def waiting(self) -> bool:
         """Return whether something of the frame on screen is not judged anew yet."""
         return self._soon.isActive()

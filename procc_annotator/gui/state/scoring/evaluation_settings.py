@@ -80,7 +80,7 @@ class Terms(QObject):
             FieldError: a landmark has the name of one of the field's classes.
         """
         state = self._store.state
-        chosen = state.selection.class_name
+        chosen = state.selected_class
         # What is under way belongs to the field of before, unless that is only written anew.
         if keep or not (chosen is None or field.knows(chosen)):
             self._signals.aboutToLeave.emit()
@@ -90,7 +90,7 @@ class Terms(QObject):
             store_field(database, folder_of(state.workspace.root), field)
         self.take_field(field)
         state = self._store.state
-        chosen = state.selection.class_name
+        chosen = state.selected_class
         if class_that_fits(chosen, field, state.annotation) != chosen:
             self._store.set(selection=ChosenElement())
         self._store.set(hovered_class=None)
