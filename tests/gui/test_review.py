@@ -276,7 +276,8 @@ class TestOverview:
         hand.key(Qt.Key.Key_Return, CTRL)
         document = window.document
         assert document.state.workspace is not None
-        found = overview_rows(document.state.workspace, document.review.database, {}, lambda *_: None)
+        workspace, database = document.state.workspace, document.review.database
+        found = overview_rows(workspace, database, {}, lambda *_: None)
         assert [row.status for row in found] == ["done", "untouched", "untouched"]
         assert dict(found[0].classes) == {MIDDLE: 2}
 

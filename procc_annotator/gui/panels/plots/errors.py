@@ -1,4 +1,4 @@
-"""Errors as histograms, and over the distance from the picture's centre."""
+"""Errors as histograms."""
 
 from __future__ import annotations
 
@@ -8,23 +8,17 @@ from typing import Any
 
 import numpy as np
 from PySide6.QtCore import QPointF
-from PySide6.QtGui import QPalette
 
 from procc_annotator.batch.audit import (
     Histogram,
     PlotData,
     Points,
-    RadialErrors,
     gather,
     histogram,
-    radial_errors,
 )
 from procc_annotator.gui.panels.plots.base import PlotPage
 from procc_annotator.gui.panels.plots.request import PlotRequest
 from procc_annotator.translation import tr, tr_count, word
-
-MOST_DOTS = 6000  # painted in all; medians and files are of every point
-_LARGEST = 50  # of every source that are painted in any case
 
 
 @dataclass(frozen=True, eq=False)
@@ -114,92 +108,6 @@ class HistogramPage(PlotPage[ErrorBars]):
         self.readout.emit(" · ".join([interval, *counts]))
 
 
-@dataclass(frozen=True, eq=False)
-class RadialPlot:
-    """Per source: its points, their errors by radius, and which of them are painted.
-
-    ``top``: px, all but one in a hundred errors are below, and all medians.
-    """
-
-    points: tuple[Points, ...]
-    radial: tuple[RadialErrors, ...]
-    painted: tuple[Any, ...]
-    top: float
-
-
-class RadiusPage(PlotPage[RadialPlot]):
-    """Error against image radius: a rise towards the corners is unmodelled distortion."""
-
-    title = word("Errors, by image radius")
-    by_class = True
-
-    def __init__(self) -> None:
-        super().__init__("plot_radius")
-        self.item = self.add_plot(
-            0, tr("distance from the centre (corner = 1)"), tr("reprojection error (px)")
-        )
-        self.item.vb.setLimits(xMin=-0.05, yMin=-0.05)
-
-    @staticmethod
-    def compute(request: PlotRequest) -> RadialPlot:
-        points = tuple(gather(request.audits(s), request.class_row) for s in request.sources)
-        radial = tuple(radial_errors(p, request.size) for p in points)
-        share = MOST_DOTS // max(1, sum(len(p.errors_px) > 0 for p in points))
-        painted = tuple(thinned_errors(p.errors_px, share) for p in points)
-        highest = [float(np.percentile(p.errors_px, 99)) for p in points if len(p.errors_px)]
-        highest += [float(r.medians.max()) for r in radial if len(r.medians)]
-        return RadialPlot(points, radial, painted, 1.1 * max(highest, default=1.0) + 0.1)
-
-    def draw(self, data: RadialPlot, request: PlotRequest) -> str:
-        items = self.items[0]
-        items.start()
-        total = painted = 0
-        for source, radial, chosen in zip(request.sources, data.radial, data.painted, strict=True):
-            self.cloud(source, radial.radius[chosen], radial.errors_px[chosen])
-            total, painted = total + len(radial.radius), painted + len(chosen)
-        for source, radial in zip(request.sources, data.radial, strict=True):
-            if len(radial.centres) > 1:
-                rim = self.pg.mkPen(self.palette().color(QPalette.ColorRole.Base), width=6)
-                for kind, z, pen in (("rim", 4, rim), ("median", 5, self.pen(source, 2.6))):
-                    line = items.take(kind, source.number, self.pg.PlotCurveItem)
-                    line.setData(radial.centres, radial.medians, pen=pen)
-                    line.setZValue(z)
-        items.finish()
-        self.item.setXRange(0, 1, padding=0.02)
-        self.item.setYRange(0, data.top, padding=0)
-        self.say_empty("" if total else no_points(request))
-        some = tr_count(
-            total,
-            "Dots: {painted:,} of {n:,} point, the largest errors among them.",
-            "Dots: {painted:,} of {n:,} points, the largest errors among them.",
-            painted=painted,
-        )
-        medians = any(len(radial.centres) > 1 for radial in data.radial)
-        return " ".join(
-            filter(None, (some if painted < total else "",
-                          tr("Lines: running median of all points.") if medians else "",
-                          left_out(data.points)))
-        )  # fmt: skip
-
-    @staticmethod
-    def table(data: RadialPlot, request: PlotRequest) -> PlotData:
-        return point_table(
-            request,
-            data.points,
-            radius=np.concatenate([r.radius for r in data.radial]) if data.radial else np.empty(0),
-        )
-
-
-def thinned_errors(errors: Any, most: int) -> Any:
-    """(m,) at most so many positions: the largest errors and an even choice of the others."""
-    count = len(errors)
-    if count <= most:
-        return np.arange(count)
-    largest = np.argpartition(errors, -_LARGEST)[-_LARGEST:]
-    others = np.linspace(0, count - 1, most - _LARGEST).astype(np.intp)
-    return np.union1d(largest, others)
-
-
 def _count_ticks(highest: int, most: int = 4) -> list[tuple[float, str]]:
     """Return round whole numbers from 0 up to a count, ``most`` or one more of them."""
     steps = (digit * 10**power for power in count() for digit in (1, 2, 5))
@@ -235,8 +143,8 @@ def left_out(points: tuple[Points, ...]) -> str:
     )
 
 
-def point_table(request: PlotRequest, points: tuple[Points, ...], **more: Any) -> PlotData:
-    """One row a point: source, frame, class, place, residual, error, and further columns."""
+def point_table(request: PlotRequest, points: tuple[Points, ...]) -> PlotData:
+    """One row a point: source, frame, class, place, residual, error."""
 
     def joined(parts: list[Any], kind: Any = float) -> Any:
         return np.concatenate(parts) if parts else np.empty(0, dtype=kind)
@@ -251,6 +159,6 @@ def point_table(request: PlotRequest, points: tuple[Points, ...], **more: Any) -
     )
     errors = joined([p.errors_px for p in points])
     return PlotData(
-        ("source", "frame", "element", "x_px", "y_px", "dx_px", "dy_px", "error_px", *more),
-        (sources, frames, classes, *at.T, *residuals.T, errors, *more.values()),
+        ("source", "frame", "element", "x_px", "y_px", "dx_px", "dy_px", "error_px"),
+        (sources, frames, classes, *at.T, *residuals.T, errors),
     )

@@ -48,24 +48,11 @@ class _Kind(Protocol):
 
 def _kinds() -> tuple[_Kind, ...]:
     """Every kind of page; loaded when the panel is first seen."""
-    from procc_annotator.gui.panels.plots.curves import DifferencePage, TauPage, TimelinePage
-    from procc_annotator.gui.panels.plots.errors import HistogramPage, RadiusPage
-    from procc_annotator.gui.panels.plots.poses import AnglesPage, PositionPage
-    from procc_annotator.gui.panels.plots.residuals import DirectionsPage, VectorsPage
-    from procc_annotator.gui.panels.plots.steady import SteadyPage
+    from procc_annotator.gui.panels.plots.curves import TauPage, TimelinePage
+    from procc_annotator.gui.panels.plots.errors import HistogramPage
+    from procc_annotator.gui.panels.plots.residuals import VectorsPage
 
-    return (
-        TauPage,
-        DifferencePage,
-        TimelinePage,
-        SteadyPage,
-        HistogramPage,
-        RadiusPage,
-        VectorsPage,
-        DirectionsPage,
-        AnglesPage,
-        PositionPage,
-    )
+    return (TauPage, TimelinePage, HistogramPage, VectorsPage)
 
 
 class PlotsPanel(TakingAlong):

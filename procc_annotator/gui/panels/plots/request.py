@@ -9,9 +9,7 @@ from typing import Literal
 
 from procc_annotator.batch.audit import FrameAudit
 from procc_annotator.batch.grouping import FrameOrder
-from procc_annotator.dataset.camera_set import FrameCameras
 from procc_annotator.errors import InputError
-from procc_annotator.field.model import Field
 from procc_annotator.formats.cameras.fit_record import NOT_FITTED, FitCounts
 from procc_annotator.translation import tr
 
@@ -27,7 +25,6 @@ class PlottedSource:
         number: its place among all sources, which gives its dashes and its symbol.
         audits: by frame name; only of frames that may be shown.
         active: whether it is the one that is judged.
-        cameras: of all its frames, annotated or not.
         fitted: whether they were fitted to the clicks they are judged by.
     """
 
@@ -36,7 +33,6 @@ class PlottedSource:
     number: int
     audits: Mapping[str, FrameAudit]
     active: bool = False
-    cameras: FrameCameras | None = None
     fitted: FitCounts = NOT_FITTED
 
 
@@ -54,8 +50,6 @@ class PlotRequest:
         size: of the evaluation, px.
         titles: of the classes, by row of the field.
         blind: whether blind mode hides frames of the scope.
-        field: the elements, metres.
-        hidden: frames that blind mode hides.
         order_file: the dataset's table of frames, if it has one.
     """
 
@@ -68,8 +62,6 @@ class PlotRequest:
     size: tuple[int, int]
     titles: tuple[str, ...] = ()
     blind: bool = False
-    field: Field | None = None
-    hidden: frozenset[str] = frozenset()
     order_file: Path | None = None
 
     def order(self) -> tuple[FrameOrder | None, str]:

@@ -57,7 +57,6 @@ class PlotSources:
                 number,
                 self._of_frame(source) if scope == "frame" else dict(source.audits),
                 source.camera_set is document.state.active_cameras,
-                source.camera_set,
                 source.fitted,
             )
             for number, source in enumerate(document.state.sources)
@@ -73,7 +72,6 @@ class PlotSources:
             document.state.setup.size,
             tuple(element_titles(document.state.field).values()),
             document.state.blind if scope == "set" else not document.state.projection_visible,
-            document.state.field,
             order_file=self._order_file,
         )
         return request, self._restriction(scope)
@@ -106,8 +104,7 @@ class PlotSources:
                 replace(s, audits={n: a for n, a in s.audits.items() if n in committed})
                 for s in request.sources
             )
-            hidden = frozenset(request.frames) - committed
-            return replace(request, sources=sources, hidden=hidden)
+            return replace(request, sources=sources)
 
         return restrict
 
