@@ -51,7 +51,7 @@ from procc_annotator.gui.panels.frames.panel import FramesPanel
 from procc_annotator.gui.panels.judged.fit import FitPanel
 from procc_annotator.gui.panels.judged.scores import ScoresPanel
 from procc_annotator.gui.panels.landmarks import LandmarksPanel
-from procc_annotator.gui.panels.plots.panel import PlotsPanel
+from procc_annotator.gui.panels.plots.plots_panel import PlotsPanel
 from procc_annotator.gui.panels.review import ReviewPanel
 from procc_annotator.gui.panels.timeline.filmstrip import Filmstrip
 from procc_annotator.gui.panels.timeline.place import StripPlace

@@ -20,10 +20,9 @@ from procc_annotator.formats.cameras.fit_record import FitCounts
 from procc_annotator.gui import theme
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.plots.curves import TauPage, TimelinePage
-from procc_annotator.gui.panels.plots.errors import HistogramPage
-from procc_annotator.gui.panels.plots.looks import dash_of, symbol_of
-from procc_annotator.gui.panels.plots.request import PlotRequest, PlottedSource
-from procc_annotator.gui.panels.plots.residuals import VectorsPage
+from procc_annotator.gui.panels.plots.data import PlotRequest, PlottedSource
+from procc_annotator.gui.panels.plots.errors import HistogramPage, VectorsPage
+from procc_annotator.gui.panels.plots.legend import dash_of, symbol_of
 from procc_annotator.gui.theme import contrast, readable
 from procc_annotator.interaction.palette import SOURCE_COLOURS
 from tests.gui.conftest import MakeWindow, all_done

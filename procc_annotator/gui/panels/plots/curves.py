@@ -18,9 +18,9 @@ from procc_annotator.batch.audit import (
     timeline,
 )
 from procc_annotator.batch.frame_sums import AuditBand, mean_band
-from procc_annotator.gui.panels.plots.base import PlotPage
-from procc_annotator.gui.panels.plots.looks import symbol_of
-from procc_annotator.gui.panels.plots.request import PlotRequest, PlottedSource, Scope
+from procc_annotator.gui.panels.plots.data import PlotRequest, PlottedSource, Scope
+from procc_annotator.gui.panels.plots.legend import symbol_of
+from procc_annotator.gui.panels.plots.page import PlotPage
 from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU
 from procc_annotator.translation import tr, word
 

@@ -23,10 +23,9 @@ from PySide6.QtWidgets import (
 from procc_annotator.field.landmarks import element_titles
 from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.panels.parts import choice, empty_state
-from procc_annotator.gui.panels.plots.base import PlotPage
-from procc_annotator.gui.panels.plots.request import PlotRequest
-from procc_annotator.gui.panels.plots.sources import PlotSources, Restrict
-from procc_annotator.gui.panels.plots.taking import TakingAlong
+from procc_annotator.gui.panels.plots.data import PlotRequest, PlotSources, Restrict
+from procc_annotator.gui.panels.plots.export import TakingAlong
+from procc_annotator.gui.panels.plots.page import PlotPage
 from procc_annotator.gui.panels.refresher import Refresher, judged
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl
@@ -49,8 +48,7 @@ class _Kind(Protocol):
 def _kinds() -> tuple[_Kind, ...]:
     """Every kind of page; loaded when the panel is first seen."""
     from procc_annotator.gui.panels.plots.curves import TauPage, TimelinePage
-    from procc_annotator.gui.panels.plots.errors import HistogramPage
-    from procc_annotator.gui.panels.plots.residuals import VectorsPage
+    from procc_annotator.gui.panels.plots.errors import HistogramPage, VectorsPage
 
     return (TauPage, TimelinePage, HistogramPage, VectorsPage)
 
