@@ -19,7 +19,6 @@ from procc_annotator.gui.commands.field.view_grouping import ViewGrouping
 from procc_annotator.gui.commands.files.exporting import Exporter
 from procc_annotator.gui.commands.files.exporting_as import ExportAs
 from procc_annotator.gui.commands.files.fit_saving import FitSaving
-from procc_annotator.gui.commands.files.import_offer import ImportBar, ImportOffer
 from procc_annotator.gui.commands.files.importing import AnnotationImporter
 from procc_annotator.gui.commands.files.opening import OpeningTask, sample_folder
 from procc_annotator.gui.commands.files.overlay_saving import OverlaySaving
@@ -53,7 +52,6 @@ from procc_annotator.gui.panels.judged.scores import ScoresPanel
 from procc_annotator.gui.panels.landmarks import LandmarksPanel
 from procc_annotator.gui.panels.plots.plots_panel import PlotsPanel
 from procc_annotator.gui.panels.review import ReviewPanel
-from procc_annotator.gui.panels.timeline.filmstrip import Filmstrip
 from procc_annotator.gui.panels.timeline.place import StripPlace
 from procc_annotator.gui.panels.timeline.shot_strip import ShotStrip
 from procc_annotator.gui.settings import RECENT, SECOND, Settings
@@ -217,10 +215,8 @@ class MainWindow(QMainWindow):
         column.addWidget(self.pages)
         self.strip = ShotStrip(self.document)
         self.strip.show_tasks(self.shot_following, self.stretch_accepting)
-        self.filmstrip = Filmstrip(self.document, self.frames.model)
-        self.strip_place = StripPlace(self.document, self.canvas.editor, self.strip, self.filmstrip)
+        self.strip_place = StripPlace(self.document, self.canvas.editor, self.strip)
         column.addWidget(self.strip)
-        column.addWidget(self.filmstrip)
         self.drawer = Drawer(self._docks)
         self.panels = PanelCommands(
             self._docks,
@@ -235,11 +231,7 @@ class MainWindow(QMainWindow):
         )
         self.drawer.clicked.connect(self.panels.toggle_plots)
         column.addWidget(self.drawer)
-        self.import_bar = ImportBar()
-        self.import_offer = ImportOffer(self.document, self.importer, self.import_bar)
-        self._bars = (
-            self.message_bar, self.frame_bar, self.conflict_bar, self.field_bar, self.import_bar,
-        )  # fmt: skip
+        self._bars = (self.message_bar, self.frame_bar, self.conflict_bar, self.field_bar)
         self.bars = BarStack(self._bars, self.pages)
         self.bars.heightChanged.connect(self.canvas.set_covered)
         self.setCentralWidget(centre)

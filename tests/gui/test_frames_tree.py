@@ -74,17 +74,6 @@ def test_a_click_on_a_folder_folds_it_and_stays_on_the_frame(
     assert _rows(window) == ["[a/img1]", "0", "1", "2", "[b/img1]"]
 
 
-def test_a_click_on_a_folder_in_the_strip_unfolds_it(window: MainWindow, qtbot: QtBot) -> None:
-    strip = window.filmstrip
-    qtbot.waitUntil(strip.isVisible)
-    column = _rows(window).index("[b/img1]")
-    strip.scrollTo(strip.model().index(0, column))
-    place = strip.visualRect(strip.model().index(0, column)).center()
-    qtbot.mouseClick(strip.viewport(), Qt.MouseButton.LeftButton, pos=place)
-    assert _rows(window) == ["[a/img1]", "0", "1", "2", "[b/img1]", "0", "1", "2"]
-    assert window.document.state.frame_index == 0
-
-
 def test_keys_fold_and_unfold(window: MainWindow, qtbot: QtBot) -> None:
     view = window.frames.list
     view.setFocus()

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -394,21 +393,6 @@ def test_blind_mode_hides_every_figure(
     assert not panel.jac.isVisible()
     judged.commit_frame()
     qtbot.waitUntil(panel.jac.isVisible)
-
-
-def test_the_plot_is_made_when_it_is_first_looked_at(
-    qtbot: QtBot, judged: Document, show: Callable[[QWidget], None]
-) -> None:
-    panel = ScoresPanel(judged)
-    show(panel)
-    qtbot.waitUntil(lambda: bool(panel.model.rows))
-    assert panel.findChild(QWidget, "scores_plot") is None
-    panel.tabs.setCurrentIndex(1)
-    qtbot.waitUntil(lambda: panel.findChild(QWidget, "scores_plot") is not None)
-    assert "pyqtgraph" in sys.modules
-    assert panel._plot is not None
-    panel._plot.tauChosen.emit(7.0)
-    assert judged.tau == 7.0
 
 
 def test_without_camera_the_panel_says_what_to_do(

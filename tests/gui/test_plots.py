@@ -13,7 +13,7 @@ import pytest
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QColor, QGuiApplication, QImage, QPainter, QPalette
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.formats.cameras.fit_record import FitCounts
@@ -409,19 +409,12 @@ class TestLooks:
         finally:
             qapp.setPalette(before)
 
-    @pytest.mark.parametrize("panel", ["plots", "scores"])
     def test_the_ground_follows_the_theme(
-        self, plotted: MainWindow, qtbot: QtBot, qapp: QApplication, panel: str
+        self, plotted: MainWindow, qtbot: QtBot, qapp: QApplication
     ) -> None:
         before = qapp.palette()
-        plotted.panels.show(panel)
-        if panel == "plots":
-            show(plotted, qtbot, HistogramPage)
-            view = plotted.plots.page.view
-        else:
-            plotted.scores.tabs.setCurrentWidget(plotted.scores._plot_page)
-            qtbot.waitUntil(lambda: plotted.findChild(QWidget, "scores_plot") is not None)
-            view = plotted.findChild(QWidget, "scores_plot")
+        show(plotted, qtbot, HistogramPage)
+        view = plotted.plots.page.view
         qtbot.waitUntil(view.isVisible)
         try:
             for dark in (True, False, True):

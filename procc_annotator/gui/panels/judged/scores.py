@@ -10,7 +10,6 @@ from PySide6.QtWidgets import (
     QLabel,
     QSizePolicy,
     QStackedLayout,
-    QTabWidget,
     QVBoxLayout,
     QWidget,
 )
@@ -67,7 +66,6 @@ class ScoresPanel(QWidget):
         self._icons: dict[ElementState, QIcon] = {}
         self._figures: dict[str, QLabel] = {}
         self._counts: dict[str, QLabel] = {}
-        self._plot: QWidget | None = None
         self._build()
         self._refresher = Refresher(self, self._refresh, interval_ms=60)
         self._refresher.follow(
@@ -96,7 +94,7 @@ class ScoresPanel(QWidget):
         layout.addWidget(self.mirrored)
         self.verdict = VerdictRow(self._document)
         layout.addWidget(self.verdict)
-        layout.addWidget(self._build_tabs(), 1)
+        layout.addLayout(self._build_table(), 1)
         self._stack = QStackedLayout(self)
         self._stack.addWidget(self.empty)
         self._stack.addWidget(scrolling(content))
@@ -146,25 +144,13 @@ class ScoresPanel(QWidget):
             grid.setColumnStretch(column, 1)
         return grid
 
-    def _build_tabs(self) -> QTabWidget:
+    def _build_table(self) -> QVBoxLayout:
+        """The table, and below it why the chosen element counts as it does."""
         self.model = ScoreTableModel(self._icon)
         self.table = score_table(self.model)
         self.table.chosen.connect(self._fly)
         self.table.entered.connect(self._hover)
         self.table.viewport().installEventFilter(self)
-        self._plot_page = QWidget()
-        self._plot_page.setMinimumHeight(110)
-        QVBoxLayout(self._plot_page).setContentsMargins(0, 0, 0, 0)
-        self.tabs = QTabWidget(documentMode=True)
-        self.tabs.setObjectName("scores_tabs")
-        self.tabs.setAccessibleName(tr("Scores and their plot"))
-        self.tabs.addTab(self._build_explained(), tr("Elements"))
-        self.tabs.addTab(self._plot_page, tr("JaC over tau"))
-        self.tabs.currentChanged.connect(lambda: self._refresher.request())
-        return self.tabs
-
-    def _build_explained(self) -> QWidget:
-        """The table, and below it why the chosen element counts as it does."""
         self.why = QLabel()
         self.why.setObjectName("scores_why")
         self.why.setWordWrap(True)
@@ -177,13 +163,11 @@ class ScoresPanel(QWidget):
         copy.setShortcutContext(Qt.ShortcutContext.WidgetShortcut)
         self.table.addAction(tr("Copy all explanations"), self._copy_all)
         self.table.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
-        page = QWidget()
-        layout = QVBoxLayout(page)
-        layout.setContentsMargins(0, 0, 0, 0)
+        layout = QVBoxLayout()
         layout.setSpacing(4)
         layout.addWidget(self.table, 1)
         layout.addWidget(self.why)
-        return page
+        return layout
 
     def _icon(self, state: ElementState) -> QIcon:
         if state not in self._icons:
@@ -204,11 +188,9 @@ class ScoresPanel(QWidget):
         self.verdict.setVisible(active is not None and active.files is not None)
         self.verdict.refresh()
         measurement = self._document.judge.measurement
-        if self.tabs.currentIndex() == 0 and measurement is not None:
+        if measurement is not None:
             self.model.show(*score_rows(score, measurement, measurement.setup.field))
             self._show_selection()
-        else:
-            self._show_plot()
         self._stack.setCurrentIndex(1)
 
     def _why_empty(self) -> str:
@@ -265,20 +247,6 @@ class ScoresPanel(QWidget):
             return None
         kinds = ", ".join(f"{n} {tr(kind.value, 'points')}" for kind, n in counts.items())
         return tr("points: {kinds}", kinds=kinds)
-
-    def _show_plot(self) -> None:
-        measurement = self._document.judge.measurement
-        if measurement is None:
-            return
-        from procc_annotator.gui.panels.judged.jac_plot import JacPlot  # imports pyqtgraph
-
-        if not isinstance(self._plot, JacPlot):
-            self._plot = JacPlot()
-            self._plot.tauChosen.connect(self._document.terms.set_tau)
-            layout = self._plot_page.layout()
-            assert layout is not None
-            layout.addWidget(self._plot)
-        self._plot.show_curve(measurement, self._document.state.tau)
 
     def _show_selection(self) -> None:
         row = self.table.show_chosen(self._document.state.selected_class)

@@ -1,5 +1,4 @@
-"""When a strip is there, and which: that of the shot for frames that follow one another, small
-pictures for others; neither comes while the user works.
+"""Visibility of the shot strip: of frames that follow one another, never while the user works.
 
 It takes room from the picture, which must not move under a click: found out late, it waits for the
 next frame unless nothing was begun in this one.
@@ -10,23 +9,18 @@ from __future__ import annotations
 from PySide6.QtCore import QObject
 
 from procc_annotator.gui.canvas.editor import Editor
-from procc_annotator.gui.panels.timeline.filmstrip import Filmstrip
 from procc_annotator.gui.panels.timeline.shot_strip import ShotStrip
 from procc_annotator.gui.state.document import Document
 
 
 class StripPlace(QObject):
-    """Shows and hides both strips."""
+    """Shows and hides the strip."""
 
-    def __init__(
-        self, document: Document, editor: Editor, strip: ShotStrip, filmstrip: Filmstrip
-    ) -> None:
+    def __init__(self, document: Document, editor: Editor, strip: ShotStrip) -> None:
         super().__init__(strip)
         self._document, self._editor, self._strip = document, editor, strip
-        self._filmstrip = filmstrip
         self._wanted, self._begun = True, False
         strip.setVisible(False)
-        filmstrip.setVisible(False)
         document.datasetChanged.connect(self._begin)
         document.frameChanged.connect(self._begin)
         document.sequence.changed.connect(self._look)
@@ -61,9 +55,4 @@ class StripPlace(QObject):
             self._show()
 
     def _show(self) -> None:
-        sequence, workspace = self._document.sequence, self._document.state.workspace
-        follow = sequence.value is not None
-        several = workspace is not None and len(workspace.frames) > 1
-        self._strip.setVisible(self._wanted and follow)
-        known = follow or not sequence.working
-        self._filmstrip.setVisible(self._wanted and several and known and not follow)
+        self._strip.setVisible(self._wanted and self._document.sequence.value is not None)
