@@ -16,7 +16,9 @@ from procc_annotator.gui.canvas.overlay_item import OverlayItem
 from procc_annotator.gui.canvas.overlay_layer import BY_ORIGIN, OverlayLayer
 from procc_annotator.gui.canvas.view import PictureView
 from procc_annotator.gui.soon import soon
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.store import When
 from procc_annotator.interaction.gestures import Position
 from procc_annotator.interaction.overlay import ColourBy
 from procc_annotator.interaction.overlay_primitives import EMPTY_OVERLAY
@@ -70,20 +72,16 @@ class OverlayDrawing(QObject):
     def _listen(self) -> None:
         document = self._document
         self._hand.changed.connect(self._refresh_ghosts)
-        document.previewChanged.connect(self._carry)
-        for signal in (
-            document.scoreChanged,  # also after every annotationChanged
-            document.selectionChanged,
-            document.hoverChanged,
-            document.modeChanged,
-        ):
-            signal.connect(self.refresh)
-        document.store.rested.connect(self._follow_state)
+        document.store.watch(lambda s: s.preview, self._carry, When.GESTURE)
+        document.store.watch(
+            lambda s: (select.score(s), s.selection, s.hovered_class, select.mode(s)),
+            self._follow_state,
+        )
         document.review.originsChanged.connect(self._refresh_origins)
         document.second.changed.connect(self.refresh)
         # Comes next to signals that draw at once: one drawing is enough for both.
         document.label_check.changed.connect(self._soon.start)
-        document.camerasChanged.connect(self._refresh_others)
+        document.store.watch(select.cameras, self._refresh_others)
         document.source_frames.changed.connect(self._refresh_others)
         document.ghosts.changed.connect(self._refresh_ghosts)
         document.painted_width.changed.connect(self.refresh)
@@ -128,7 +126,7 @@ class OverlayDrawing(QObject):
     def refresh(self) -> None:
         """Draw the overlay anew where it changed, and say what the next click does."""
         self._due = True
-        self._refresh_if_due()
+        self._document.store.when_notified(self._refresh_if_due)
 
     def refresh_everywhere(self) -> None:
         """The same, also where the overlay looks as it did."""
@@ -136,16 +134,15 @@ class OverlayDrawing(QObject):
         self.refresh()
 
     def _refresh_if_due(self) -> None:
-        if self._due and not self._document.store.busy:
+        if self._due:
             self._refresh()
 
     def _follow_state(self) -> None:
-        """The hand did not move: where its next click would be put is looked for after the paint,
-        which would have to wait for it."""
-        if self._due and not self._document.store.busy:
-            self._refresh(looking=False)
-            if self._document.state.mode == "draw" and self._editor.follows_cursor:
-                self._soon.start()
+        """Draw another state. The cursor did not move: the position of the next click is searched
+        after the paint, which would have to wait for it."""
+        self._refresh(looking=False)
+        if self._document.state.mode == "draw" and self._editor.follows_cursor:
+            self._soon.start()
 
     def _refresh_others(self) -> None:
         """Other sources are drawn, or otherwise; whatever changes the one in front says so too."""
@@ -184,6 +181,9 @@ class OverlayDrawing(QObject):
     def _carry(self) -> None:
         """Draw what the user drags; nothing else that is drawn follows from that."""
         comparison = self._comparison
+        if self._document.state.preview is None:  # dropped; drawn already if it became an edit
+            self.refresh()
+            return
         if self.hidden or comparison.split.shown or comparison.looking:
             self.refresh()  # the names of sources, with their scores
             return

@@ -10,7 +10,9 @@ from PySide6.QtCore import QObject
 
 from procc_annotator.gui.canvas.editor import Editor
 from procc_annotator.gui.panels.timeline.shot_strip import ShotStrip
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.store import When
 
 
 class StripPlace(QObject):
@@ -21,16 +23,10 @@ class StripPlace(QObject):
         self._document, self._editor, self._strip = document, editor, strip
         self._wanted, self._begun = True, False
         strip.setVisible(False)
-        document.datasetChanged.connect(self._begin)
-        document.frameChanged.connect(self._begin)
         document.sequence.changed.connect(self._look)
-        for begun in (
-            document.annotationChanged,
-            document.previewChanged,
-            document.selectionChanged,
-            editor.changed,
-        ):
-            begun.connect(self._note)
+        editor.changed.connect(self._note)
+        document.store.watch(lambda s: (s.shown_annotation, s.selection), self._note, When.GESTURE)
+        document.store.watch(select.frame, self._begin)
 
     @property
     def wanted(self) -> bool:
