@@ -57,7 +57,6 @@ from procc_annotator.gui.panels.timeline.shot_strip import ShotStrip
 from procc_annotator.gui.settings import RECENT, SECOND, Settings
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.window.coach import Coach
 from procc_annotator.gui.window.command_palette import CommandPalette
 from procc_annotator.gui.window.commands import Commands
 from procc_annotator.gui.window.context_menu import canvas_menu
@@ -150,8 +149,6 @@ class MainWindow(QMainWindow):
         """What watches the window and helps: tips, keys, what is reported."""
         self.keys_back = KeysBack(self.canvas)
         self.finding_tips = FindingTips(self.document, self.canvas)
-        self.coach = Coach(self.document, self.canvas, self.actions_, self.settings)
-        self.bars.heightChanged.connect(self.coach.set_covered)
         self.focus_ring = FocusRing(self)
         self.element_shortcuts = ElementShortcuts(self, self.document)
         self.digit_row = DigitRow(self)

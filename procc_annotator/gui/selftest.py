@@ -1,4 +1,4 @@
-"""The program tries itself: the window opens, one element is annotated, saved and read back; it closes.
+"""The program tries itself: its window opens, one element is annotated, saved and read back.
 
 It works on a copy of one picture in a folder of its own, with settings of its own: nothing that
 the user has is read but that picture, and nothing is changed.
