@@ -193,7 +193,7 @@ def pytest_terminal_summary(
 
 
 @pytest.fixture
-def lap(request: pytest.FixtureRequest) -> int:
+def lap(request) -> int:
     """Which repetition this is, 0 in `make test`; what is random is chosen by it."""
     number: int = request.param
     if hasattr(request.function, "hypothesis"):
@@ -208,7 +208,7 @@ def pytest_collection_finish() -> None:
 
 
 @pytest.fixture(scope="module", autouse=True)
-def garbage_goes_between_modules(request: pytest.FixtureRequest) -> Iterator[None]:
+def garbage_goes_between_modules(request) -> Iterator[None]:
     """What a module leaves goes, back to the system too; what stays, such as libraries, is not
     looked through again: that is 100 ms after each of hundreds of modules.
 
@@ -251,7 +251,7 @@ def sample_data() -> Path:
 
 
 @pytest.fixture
-def sample_copy(sample_data: Path, tmp_path: Path) -> Path:
+def sample_copy(sample_data, tmp_path) -> Path:
     """The sample's frames of soccer and their cameras, to be changed at will."""
     folder = tmp_path / "sample"
     shutil.copytree(sample_data / "cameras", folder / "cameras")

@@ -479,7 +479,6 @@ def write_video(path: Path, frames: Iterable[PixelArray], code: str = "mp4v") ->
             writer = cv2.VideoWriter(str(path), cv2.CAP_FFMPEG, kind, FPS, size)
             assert writer.isOpened(), f"this OpenCV has no encoder for {code}"
         writer.write(np.ascontiguousarray(picture[..., :3]))
-    assert writer is not None
     writer.release()
     return path
 

@@ -24,7 +24,7 @@ EXAMPLE = ROOT / "docs" / "examples" / "camera_plugin"
 
 
 @pytest.fixture(scope="module")
-def installed(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def installed(tmp_path_factory) -> Path:
     """A folder with the plug-in as its wheel installs it, metadata included."""
     folder = tmp_path_factory.mktemp("plugin")
     shutil.copytree(EXAMPLE, folder / "source")
@@ -93,9 +93,7 @@ def divided(camera: PinholeCamera) -> str:
     return "# a comment\n" + "\n".join(lines) + "\n"
 
 
-def test_the_example_scores_as_the_same_camera_does(
-    installed: Path, sample_data: Path, tmp_path: Path
-) -> None:
+def test_the_example_scores_as_the_same_camera_does(installed, sample_data, tmp_path) -> None:
     pinhole = sample_data / "cameras" / "pinhole"
     theirs = tmp_path / "division"
     theirs.mkdir()
@@ -121,9 +119,7 @@ def test_the_example_scores_as_the_same_camera_does(
     assert found["named"] == found["auto"] == found["own"]
 
 
-def test_a_damaged_file_of_the_plugin_is_one_line(
-    installed: Path, sample_data: Path, tmp_path: Path
-) -> None:
+def test_a_damaged_file_of_the_plugin_is_one_line(installed, sample_data, tmp_path) -> None:
     frame = sorted(sample_data.glob("*.json"))[0].stem
     (tmp_path / f"{frame}.division").write_text("focal = wide\n")
     done = run(
@@ -134,9 +130,7 @@ def test_a_damaged_file_of_the_plugin_is_one_line(
     assert "Traceback" not in done.stderr
 
 
-def test_a_plugin_gone_wrong_leaves_a_program_of_its_own_running(
-    tmp_path: Path, sample_data: Path
-) -> None:
+def test_a_plugin_gone_wrong_leaves_a_program_of_its_own_running(tmp_path, sample_data) -> None:
     site = broken_plugin(tmp_path / "site", "broken_lens:FORMAT", "import absent_module")
     done = run(site, "evaluate", str(sample_data), str(sample_data / "cameras" / "true"))
     assert done.returncode == 0, done.stderr
@@ -169,7 +163,7 @@ def test_a_plugin_gone_wrong_leaves_a_program_of_its_own_running(
     ],
 )
 def test_a_plugin_gone_wrong_is_one_line_and_the_program_goes_on(
-    tmp_path: Path, sample_data: Path, value: str, code: str, said: str
+    tmp_path, sample_data, value, code, said
 ) -> None:
     site = broken_plugin(tmp_path / "site", value, code)
     done = run_here(site, "evaluate", str(sample_data), str(sample_data / "cameras" / "true"))
@@ -191,7 +185,7 @@ def test_a_plugin_gone_wrong_is_one_line_and_the_program_goes_on(
     ],
 )
 def test_a_plugins_reader_gone_wrong_is_an_unreadable_camera(
-    tmp_path: Path, sample_data: Path, body: str, said: str
+    tmp_path, sample_data, body, said
 ) -> None:
     code = (
         "from procc_annotator.formats.cameras.registry import CameraFormat\n"

@@ -20,7 +20,7 @@ def _lighter_by(stage: Stage, picture: np.ndarray, camera: object) -> float:
     """How much lighter the ground is under lines on it than 8 px beside them, median."""
     on_ground = tuple(e for e in stage.field.elements if e.on_ground and e.line_width > 0)
     points = sample_evenly(replace(stage.field, elements=on_ground), 0.5).points_world
-    px, seen = camera.project(points)  # type: ignore[attr-defined]
+    px, seen = camera.project(points)
     seen &= ((px > 12) & (px < np.array(SIZE) - 13)).all(axis=1)
     grey = cv2.cvtColor(picture, cv2.COLOR_BGRA2GRAY).astype(float)
     x, y = np.round(px[seen]).astype(int).T
@@ -29,7 +29,7 @@ def _lighter_by(stage: Stage, picture: np.ndarray, camera: object) -> float:
 
 
 @pytest.mark.parametrize("name", ["soccer", "tennis"])
-def test_paint_lies_under_the_true_projection(name: str) -> None:
+def test_paint_lies_under_the_true_projection(name) -> None:
     stage, rng = stage_of(name), np.random.default_rng(1)
     for seed in (1, 2, 3):
         camera = random_camera(stage.field, rng, SIZE)

@@ -8,7 +8,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-import pytest
 from typer.testing import CliRunner
 
 from procc_annotator.cli.main import app
@@ -48,9 +47,7 @@ def run(line: str) -> str:
     return done.stdout
 
 
-def test_padel_from_an_empty_file_to_a_score(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_padel_from_an_empty_file_to_a_score(tmp_path, monkeypatch) -> None:
     monkeypatch.chdir(tmp_path)
     monkeypatch.delenv("COLUMNS", raising=False)
     printed, seen = "", []
@@ -75,19 +72,18 @@ def test_padel_from_an_empty_file_to_a_score(
     assert "padel" not in field_names()
 
 
-def test_the_mistake_of_the_guide_is_told_as_the_guide_says(tmp_path: Path) -> None:
+def test_the_mistake_of_the_guide_is_told_as_the_guide_says(tmp_path) -> None:
     path = tmp_path / "padel.toml"
     text = "\n".join(block.text for block in blocks(WALK) if block.kind == "toml")
     path.write_text(text.replace('end = ["-service_line"', 'end = ["-sevice_line"', 1))
     done = CliRunner().invoke(app, ["field", "check", str(path)])
     assert done.exit_code == 2
     told = re.search(r"`padel\.toml: (line \d+: element .*?: bad formula) …; (did.*?)`", WALK, re.S)
-    assert told is not None
     for words in told.groups():
         assert words.replace("\n", " ") in done.stderr
 
 
-def test_every_example_of_the_reference_can_be_read(tmp_path: Path) -> None:
+def test_every_example_of_the_reference_can_be_read(tmp_path) -> None:
     found = "\n".join(block.text for block in blocks(WALK) if block.kind == "toml")
     found = found.replace("symmetries = [180]", "symmetries = []")
     examples = [block for block in blocks(REFERENCE) if block.kind == "toml"]

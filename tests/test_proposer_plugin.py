@@ -25,7 +25,7 @@ HEAD = (
 
 
 @pytest.fixture(scope="module")
-def installed(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def installed(tmp_path_factory) -> Path:
     """A folder with the example as its wheel installs it, metadata included."""
     folder = tmp_path_factory.mktemp("plugin")
     shutil.copytree(EXAMPLE, folder / "source")
@@ -42,7 +42,7 @@ def installed(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture
-def match(sample_data: Path, tmp_path: Path) -> Path:
+def match(sample_data, tmp_path) -> Path:
     """One picture of the sample."""
     folder = tmp_path / "match"
     folder.mkdir()
@@ -51,7 +51,7 @@ def match(sample_data: Path, tmp_path: Path) -> Path:
 
 
 @pytest.fixture(scope="module")
-def alone(sample_data: Path, tmp_path_factory: pytest.TempPathFactory) -> bytes:
+def alone(sample_data, tmp_path_factory) -> bytes:
     """The camera that is found in this picture without a detector."""
     folder, out = tmp_path_factory.mktemp("alone"), tmp_path_factory.mktemp("out")
     shutil.copy(sample_data / "00004.jpg", folder)
@@ -91,7 +91,7 @@ def run_here(site: Path, *arguments: object) -> Result:
 
 
 def test_the_example_is_used_in_worker_processes_too(
-    installed: Path, match: Path, sample_data: Path, tmp_path: Path
+    installed, match, sample_data, tmp_path
 ) -> None:
     known = sample_data / "cameras" / "true" / "camera_00004.json"  # which is found sooner
     (match / "00005.jpg").write_bytes((match / "00004.jpg").read_bytes())
@@ -111,9 +111,7 @@ def test_the_example_is_used_in_worker_processes_too(
     assert camera_in(out, "00004") == camera_in(out, "00005")
 
 
-def test_what_a_detector_says_is_made_right_on_the_paint(
-    match: Path, alone: bytes, tmp_path: Path
-) -> None:
+def test_what_a_detector_says_is_made_right_on_the_paint(match, alone, tmp_path) -> None:
     """A camera 2 m beside the true one, which looks elsewhere."""
     code = (
         "from tests.drawn_shots import looking_at\n"
@@ -128,7 +126,7 @@ def test_what_a_detector_says_is_made_right_on_the_paint(
     assert helped["position_meters"] == pytest.approx(found["position_meters"], abs=0.5)
 
 
-def test_labelled_points_become_a_camera(sample_data: Path, match: Path, tmp_path: Path) -> None:
+def test_labelled_points_become_a_camera(sample_data, match, tmp_path) -> None:
     code = (
         "from procc_annotator import load_annotation\n"
         f"FOUND = load_annotation({str(sample_data / '00004.json')!r})\n"
@@ -157,9 +155,7 @@ def test_labelled_points_become_a_camera(sample_data: Path, match: Path, tmp_pat
         ("PROPOSER = PictureProposer('mine', 'x', lambda p, f: None)", "TypeError"),
     ],
 )
-def test_a_detector_gone_wrong_is_one_line(
-    match: Path, tmp_path: Path, code: str, said: str
-) -> None:
+def test_a_detector_gone_wrong_is_one_line(match, tmp_path, code, said) -> None:
     site = with_plugin(tmp_path / "site", code)
     done = run_here(site, "propose", match, tmp_path / "out", "--detector", "mine")
     assert done.exit_code == 2
@@ -167,15 +163,13 @@ def test_a_detector_gone_wrong_is_one_line(
     assert len(done.stderr.splitlines()) == 1
 
 
-def test_no_detector_of_that_name(match: Path, tmp_path: Path) -> None:
+def test_no_detector_of_that_name(match, tmp_path) -> None:
     done = run_here(tmp_path, "propose", match, tmp_path / "out", "--detector", "mine")
     assert done.exit_code == 2
     assert "--detector mine: no such proposer (none is installed)" in done.stderr
 
 
-def test_a_detector_that_sees_nothing_leaves_the_search_as_it_is(
-    match: Path, alone: bytes, tmp_path: Path
-) -> None:
+def test_a_detector_that_sees_nothing_leaves_the_search_as_it_is(match, alone, tmp_path) -> None:
     code = "PROPOSER = PictureProposer('mine', 'x', lambda p, f: [FrameAnnotation(())])"
     site = with_plugin(tmp_path / "site", code)
     done = run_here(site, "propose", match, tmp_path / "out", "--detector", "mine")

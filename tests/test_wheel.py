@@ -16,7 +16,7 @@ ROOT = Path(__file__).resolve().parent.parent
 
 
 @pytest.fixture(scope="module")
-def installed(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def installed(tmp_path_factory) -> Path:
     """A folder with the package as the wheel installs it, far from the checkout."""
     folder = tmp_path_factory.mktemp("wheel")
     subprocess.run(
@@ -44,12 +44,12 @@ def run(installed: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
     )
 
 
-def test_the_wheel_is_what_runs(installed: Path) -> None:
+def test_the_wheel_is_what_runs(installed) -> None:
     where = run(installed, "-c", "import procc_annotator; print(procc_annotator.__file__)")
     assert Path(where.stdout.strip()).is_relative_to(installed)
 
 
-def test_the_wheel_brings_the_guide_and_its_icons(installed: Path) -> None:
+def test_the_wheel_brings_the_guide_and_its_icons(installed) -> None:
     code = (
         "from procc_annotator.gui.window.guide import guide_folder;"
         "from procc_annotator.resources import resources_dir;"
@@ -62,7 +62,7 @@ def test_the_wheel_brings_the_guide_and_its_icons(installed: Path) -> None:
     assert icon.is_file()
 
 
-def test_the_wheel_finds_its_field(installed: Path) -> None:
+def test_the_wheel_finds_its_field(installed) -> None:
     code = (
         "from procc_annotator.field.load import load_field;"
         "print(len(load_field('soccer').elements))"
@@ -71,7 +71,7 @@ def test_the_wheel_finds_its_field(installed: Path) -> None:
     assert found.stdout.strip() == str(len(load_field("soccer").elements)), found.stderr
 
 
-def test_the_wheel_evaluates_the_sample(installed: Path, sample_data: Path) -> None:
+def test_the_wheel_evaluates_the_sample(installed, sample_data) -> None:
     done = run(
         installed,
         "-m",
@@ -85,7 +85,7 @@ def test_the_wheel_evaluates_the_sample(installed: Path, sample_data: Path) -> N
     assert "960x540" in done.stdout
 
 
-def test_the_wheel_writes_a_report(installed: Path, sample_data: Path) -> None:
+def test_the_wheel_writes_a_report(installed, sample_data) -> None:
     out = installed.parent / "report.html"
     done = run(
         installed, "-m", "procc_annotator", "report", str(sample_data), "-o", str(out),
@@ -95,7 +95,7 @@ def test_the_wheel_writes_a_report(installed: Path, sample_data: Path) -> None:
     assert "<h2>Definitions</h2>" in out.read_text(encoding="utf-8")
 
 
-def test_the_window_opens_from_the_wheel(installed: Path, sample_data: Path) -> None:
+def test_the_window_opens_from_the_wheel(installed, sample_data) -> None:
     code = (
         "import sys; from pathlib import Path; from PySide6.QtCore import QTimer;"
         "from PySide6.QtWidgets import QApplication; app = QApplication(sys.argv);"
@@ -109,9 +109,7 @@ def test_the_window_opens_from_the_wheel(installed: Path, sample_data: Path) -> 
     assert "Traceback" not in done.stderr
 
 
-def test_the_wheel_has_the_sample_and_nothing_that_draws_it(
-    installed: Path, sample_data: Path
-) -> None:
+def test_the_wheel_has_the_sample_and_nothing_that_draws_it(installed, sample_data) -> None:
     own = installed / "procc_annotator" / "_sample_data"
     there = {str(path.relative_to(own)) for path in own.rglob("*") if path.is_file()}
     suffixes = {".jpg", ".json", ".toml", ".homographyMatrix"}

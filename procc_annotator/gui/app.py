@@ -20,8 +20,8 @@ from procc_annotator.field.model import Field
 from procc_annotator.gui.languages import take_up
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.settings import APPLICATION, LANGUAGE, ORGANISATION, Settings
+from procc_annotator.gui.state.background import hold, release
 from procc_annotator.gui.theme import follow_system
-from procc_annotator.gui.worker import hold_back, let_go
 from procc_annotator.resources import resources_dir
 
 _M_ARENA_MAX, _M_MMAP_THRESHOLD = -8, -3  # of malloc.h
@@ -100,7 +100,7 @@ def main(
     start_lean()
     app = application()
     take_up(app, Settings().get(LANGUAGE))  # before anything is made that says something
-    hold_back()
+    hold()
     window = build_window(path, annotations=annotations, cameras=cameras, field=field)
     window.error_reports.install()
     window.installEventFilter(_FirstPaint(partial(go_to_work, app), window))
@@ -133,7 +133,7 @@ def start_lean() -> None:
 
 def go_to_work(app: QApplication) -> None:
     """The window was painted: begin what waited for that."""
-    let_go()
+    release()
     collect_between_gestures(app)
 
 

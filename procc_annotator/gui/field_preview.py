@@ -16,12 +16,12 @@ from procc_annotator.field.load import load_field, with_dimensions
 from procc_annotator.field.model import Field
 from procc_annotator.field.validation import FieldWarning, WarningSeverity, validate_field
 from procc_annotator.gui.languages import take_up
-from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.messages import Bar
 from procc_annotator.gui.panels.elements import ElementsPanel
 from procc_annotator.gui.panels.field_map.panel import FieldMapPanel
 from procc_annotator.gui.panels.parts import empty_state, note_label, show_note
 from procc_annotator.gui.settings import LANGUAGE, Settings
+from procc_annotator.gui.state.background import LatestOnlyTask
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.file_watch import FileWatch
 from procc_annotator.translation import tr, tr_count
@@ -80,7 +80,7 @@ class FieldPreview(QMainWindow):
         self.remarks = note_label("preview_remarks")
         self.remarks.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self._assemble()
-        self._reading = Latest(self, self.problem_bar.tell)
+        self._reading = LatestOnlyTask(self, self.problem_bar.tell)
         self._watch = FileWatch(self)
         self._watch.changed.connect(self.read)
         if Path(source).suffix.lower() == ".toml":

@@ -10,8 +10,8 @@ from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from procc_annotator.dataset.frames import Frame
+from procc_annotator.gui.state.background import JobControl, run_in_background
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.worker import JobControl, run_in_background
 from procc_annotator.translation import tr
 
 T = TypeVar("T")

@@ -7,8 +7,6 @@ deviations of where the fit to the others shows it.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -31,7 +29,7 @@ FRAME = ImageFrame((960, 540))
 
 
 @pytest.fixture(scope="module")
-def annotations(shared_data: Path) -> list[FrameAnnotation]:
+def annotations(shared_data) -> list[FrameAnnotation]:
     paths = sorted((shared_data / "wc14" / "annotations").glob("*.json"))
     return [read_annotation(p.read_bytes(), path=str(p), field=FIELD) for p in paths]
 
@@ -40,9 +38,7 @@ def annotations(shared_data: Path) -> list[FrameAnnotation]:
 @pytest.mark.parametrize(
     ("model", "least"), [("R", 0.9), ("R+", 0.9), ("auto", 0.9), ("H", 0.85), ("P", 0.8)]
 )
-def test_held_out_points_in_their_bands(
-    benchmark: Any, annotations: list[FrameAnnotation], model: str, least: float
-) -> None:
+def test_held_out_points_in_their_bands(benchmark, annotations, model, least) -> None:
     def run() -> dict[str, float]:
         shares: dict[str, list[FloatArray]] = {"clicks": [], "camera": [], "ghost": []}
         for annotation in annotations:

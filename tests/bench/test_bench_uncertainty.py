@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import time
-from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -18,7 +16,7 @@ LIMIT_S = 0.040
 
 
 @pytest.mark.parametrize("model", ["H", "R", "R+"])
-def test_map_with_its_shapes(benchmark: Any, sample_data: Path, model: str) -> None:
+def test_map_with_its_shapes(benchmark, sample_data, model) -> None:
     path = sample_data / "00002.json"
     annotation = read_annotation(path.read_bytes(), path=str(path), field=FIELD)
     fit = fit_camera(annotation, FIELD, model=model, size=(1280, 720))

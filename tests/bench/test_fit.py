@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import time
-from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -31,13 +29,13 @@ FLOORS = {
 
 
 @pytest.fixture(scope="module")
-def annotations(shared_data: Path) -> list[FrameAnnotation]:
+def annotations(shared_data) -> list[FrameAnnotation]:
     paths = sorted((shared_data / "wc14" / "annotations").glob("*.json"))
     return [read_annotation(p.read_bytes(), path=str(p), field=FIELD) for p in paths]
 
 
 @pytest.mark.parametrize("model", FLOORS)
-def test_fit_every_frame(benchmark: Any, annotations: list[FrameAnnotation], model: str) -> None:
+def test_fit_every_frame(benchmark, annotations, model) -> None:
     """JaC of fitted cameras at 2 and 5 px, and processor time of a cold and a warm fit."""
 
     def run() -> tuple[list[tuple[float, float]], list[float], list[float]]:
@@ -68,7 +66,7 @@ def test_fit_every_frame(benchmark: Any, annotations: list[FrameAnnotation], mod
 
 
 @pytest.mark.parametrize("model", ["P", "R", "R+", "auto"])
-def test_held_out_elements(benchmark: Any, annotations: list[FrameAnnotation], model: str) -> None:
+def test_held_out_elements(benchmark, annotations, model) -> None:
     """How far the points of elements are off that the fit has not seen, each left out in turn."""
     frame = ImageFrame((960, 540))
 

@@ -7,7 +7,6 @@ count, element by element.
 from __future__ import annotations
 
 import time
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -37,15 +36,13 @@ FLOORS = {
 
 
 @pytest.fixture(scope="module")
-def annotations(shared_data: Path) -> list[FrameAnnotation]:
+def annotations(shared_data) -> list[FrameAnnotation]:
     paths = sorted((shared_data / "wc14" / "annotations").glob("*.json"))
     return [read_annotation(p.read_bytes(), path=str(p), field=FIELD) for p in paths]
 
 
 @pytest.mark.parametrize("kind", FLOORS)
-def test_injected_mistakes(
-    benchmark: Any, annotations: list[FrameAnnotation], injected_mistakes: Any, kind: str
-) -> None:
+def test_injected_mistakes(benchmark, annotations, injected_mistakes, kind) -> None:
     """Recall, precision, right suggestions, and milliseconds of a check that finds something."""
 
     def run() -> list[Any]:
@@ -63,7 +60,7 @@ def test_injected_mistakes(
 
 
 @pytest.mark.parametrize("reflected", [False, True])
-def test_whole_frames(benchmark: Any, annotations: list[FrameAnnotation], reflected: bool) -> None:
+def test_whole_frames(benchmark, annotations, reflected) -> None:
     """Frames with a finding of each severity, as they are and with far and near exchanged."""
     names = mirrored_names(FIELD, MIRROR_Y) if reflected else {}
     assert names is not None

@@ -116,12 +116,12 @@ def write_dataset(root: Path) -> Dataset:
 
 
 @pytest.fixture
-def dataset(tmp_path: Path) -> Dataset:
+def dataset(tmp_path) -> Dataset:
     return write_dataset(tmp_path / "match")
 
 
 @pytest.fixture(scope="module")
-def new_dataset(tmp_path_factory: pytest.TempPathFactory) -> Callable[[], Dataset]:
+def new_dataset(tmp_path_factory) -> Callable[[], Dataset]:
     """Makes a dataset for several tests of a module, none of which changes it."""
     return lambda: write_dataset(tmp_path_factory.mktemp("shared") / "match")
 
@@ -150,6 +150,6 @@ def cli() -> Iterator[Cli]:
 
 
 @pytest.fixture
-def no_charts(monkeypatch: pytest.MonkeyPatch) -> None:
+def no_charts(monkeypatch) -> None:
     """Pages without charts, which take longer than all the rest: for tests of what else is told."""
     monkeypatch.setattr("procc_annotator.report.page.report.draw_charts", lambda *_: [])

@@ -14,7 +14,7 @@ from procc_annotator.field.load import load_field
 
 
 @pytest.fixture
-def other(dataset, tmp_path: Path) -> Path:
+def other(dataset, tmp_path) -> Path:
     """A second annotator: every click 3 px lower, one element forgotten in frame 3."""
     folder = tmp_path / "other"
     shutil.copytree(dataset.annotations, folder)
@@ -62,16 +62,6 @@ def test_tables_and_the_noise_floor(cli, dataset, other) -> None:
     assert [cell.strip() for cell in cells[-1]][3:7] == ["2", "0", "1", "0"]
 
 
-def test_an_annotator_and_himself(cli, dataset, tmp_path) -> None:
-    out = tmp_path / "out.json"
-    done = cli("agree", dataset.annotations, dataset.annotations, "-o", out)
-    assert done.exit_code == 0
-    summary = load(out)["summary"]
-    assert summary["mean_jac"] == {"5": 1}
-    assert summary["noise_floor"]["max"] == pytest.approx(0, abs=1e-9)
-    assert f"written: {out}" in done.stdout
-
-
 def test_json_holds_every_figure(cli, dataset, other, tmp_path) -> None:
     out = tmp_path / "out.json"
     assert (
@@ -104,15 +94,6 @@ def test_json_holds_every_figure(cli, dataset, other, tmp_path) -> None:
     assert content["summary"]["per_class"]["Middle line"]["only_a"] == 1
 
 
-def test_size_is_the_picture_distances_are_taken_in(cli, dataset, other, tmp_path) -> None:
-    floors = []
-    for size in ("960x540", "1919x1079"):
-        out = tmp_path / f"{size}.json"
-        assert cli("agree", dataset.annotations, other, "--size", size, "-o", out).exit_code == 0
-        floors.append(load(out)["summary"]["noise_floor"]["max"])
-    assert floors[1] == pytest.approx(2 * floors[0], rel=1e-3)
-
-
 def test_csv_has_a_row_a_frame_and_class(cli, dataset, other, tmp_path) -> None:
     (other / "1.json").unlink()
     (other / "2.json").write_text("{")
@@ -143,15 +124,6 @@ def test_frames_of_one_annotator_are_noted_and_not_counted(cli, dataset, other) 
     assert "note: only in A, not compared: 1 frame (1)" in done.stderr
     assert "note: only in B, not compared: 2 frames (2, 10)" in done.stderr
     assert "Agreement of 2 frames both annotated" in done.stdout
-
-
-def test_unreadable_files_are_listed_one_line_each(cli, dataset, other) -> None:
-    (other / "2.json").write_text("{")
-    done = cli("agree", dataset.annotations, other)
-    assert done.exit_code == 1
-    (line,) = done.stderr.splitlines()
-    assert line.startswith(f"unreadable: {other / '2.json'}: ")
-    assert "Agreement of 4 frames" in done.stdout
 
 
 def test_mirrored_labels_are_a_hint(cli, dataset, other) -> None:
@@ -215,17 +187,11 @@ def test_only_the_ten_worst_frames_are_shown_the_worst_first(cli, tmp_path) -> N
     assert [int(name) * 7 % 15 for name in shown] == list(range(14, 4, -1))
 
 
-def test_dataset_folders_stand_for_their_annotations(cli, dataset) -> None:
-    done = cli("agree", dataset.root, dataset.annotations)
-    assert done.exit_code == 0, done.output
-    assert "Agreement of 5 frames both annotated" in done.stdout
-
-
 # --------------------------------------------------------------------------- several annotators
 
 
 @pytest.fixture
-def third(dataset, tmp_path: Path) -> Path:
+def third(dataset, tmp_path) -> Path:
     """A third annotator: 1 px lower, without frame 11, and alone with frame 12."""
     folder = tmp_path / "third"
     shutil.copytree(dataset.annotations, folder)
@@ -277,16 +243,6 @@ def test_three_annotators_in_pairs_and_against_the_others(
     assert floor["max"] < 0.6  # at ends, where only two run
 
 
-def test_one_process_or_two_give_the_same_file(cli, dataset, other, third, tmp_path) -> None:
-    files = []
-    for workers in (1, 2):
-        files.append(tmp_path / f"{workers}.json")
-        chosen = (dataset.annotations, other, third)
-        done = cli("agree", *chosen, "--workers", workers, "-o", files[-1])
-        assert done.exit_code == 0, done.output
-    assert files[0].read_bytes() == files[1].read_bytes()
-
-
 def test_of_three_every_frame_annotator_and_class_is_a_row(
     cli, dataset, other, third, tmp_path
 ) -> None:
@@ -334,20 +290,8 @@ def test_a_consensus_replaces_nothing(cli, dataset, other, third) -> None:
     assert cli("agree", *three, "--consensus", agreed, "--overwrite").exit_code == 0
 
 
-@pytest.mark.parametrize("count", [2, 3])
-def test_several_outputs_are_all_written(cli, dataset, other, third, tmp_path, count) -> None:
-    chosen = (dataset.annotations, other, third)[:count]
-    alone = tmp_path / "alone.json", tmp_path / "alone.csv"
-    both = tmp_path / "new/both.json", tmp_path / "new/both.csv"
-    for file in alone:
-        assert cli("agree", *chosen, "-o", file).exit_code == 0
-    done = cli("agree", *chosen, "-o", both[0], "-o", both[1])
-    assert done.exit_code == 0, done.output
-    assert [file.read_bytes() for file in both] == [file.read_bytes() for file in alone]
-
-
 def test_folders_that_may_be_matches_are_told_and_known_ones_kept_apart(
-    cli, dataset, tmp_path: Path
+    cli, dataset, tmp_path
 ) -> None:
     """Whether only folders are of annotators or of matches their names do not say."""
     for who, folder in (("anna", "g1"), ("ben", "g2"), ("ute", "ute"), ("cleo", "g1")):

@@ -68,7 +68,7 @@ def shot() -> DrawnShot:
 
 
 @pytest.fixture(scope="module")
-def pictures(shot: DrawnShot, tmp_path_factory: pytest.TempPathFactory) -> dict[str, bytes]:
+def pictures(shot, tmp_path_factory) -> dict[str, bytes]:
     folder = shot.write_pictures(tmp_path_factory.mktemp("drawn"))
     return {path.name: path.read_bytes() for path in folder.iterdir()}
 
@@ -92,7 +92,7 @@ def looked_at_once() -> Iterator[None]:
 
 
 @pytest.fixture
-def match(shot: DrawnShot, pictures: dict[str, bytes], tmp_path: Path) -> Match:
+def match(shot, pictures, tmp_path) -> Match:
     made = Match(shot, tmp_path)
     made.pictures.mkdir()
     for name, data in pictures.items():

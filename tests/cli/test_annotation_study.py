@@ -17,7 +17,7 @@ GOLD = ("2", "3", "10", "11")
 
 
 @pytest.fixture
-def study(cli, dataset, tmp_path: Path) -> Path:
+def study(cli, dataset, tmp_path) -> Path:
     """The dataset with gold frames, and a copy of its pictures for each of two annotators."""
     (dataset.root / "gold.csv").write_text("frame\n" + "\n".join(GOLD) + "\n")
     out = tmp_path / "study"

@@ -11,9 +11,7 @@ FORMATS = ("labelme", "cvat", "coco", "soccernet-v3", "soccernet-gsr")
 
 
 @pytest.mark.parametrize("fmt", FORMATS)
-def test_figures_are_those_of_the_annotations_themselves(
-    cli, dataset, tmp_path: Path, fmt: str
-) -> None:
+def test_figures_are_those_of_the_annotations_themselves(cli, dataset, tmp_path, fmt) -> None:
     cameras = dataset.cameras
     assert cli("convert", dataset.root, tmp_path / fmt, "--to", fmt).exit_code == 0
     scores = {}
@@ -26,36 +24,9 @@ def test_figures_are_those_of_the_annotations_themselves(
     assert ": read as" in done.stderr
 
 
-@pytest.mark.parametrize("fmt", FORMATS)
-def test_annotators_agree_across_formats(cli, dataset, tmp_path: Path, fmt: str) -> None:
-    assert cli("convert", dataset.root, tmp_path / fmt, "--to", fmt).exit_code == 0
-    done = cli("agree", dataset.annotations, tmp_path / fmt)
-    assert done.exit_code == 0, done.stderr
-    assert "100.00" in done.stdout
-
-
-def test_a_tree_of_folders_is_one_set(cli, dataset, sample_data: Path, tmp_path: Path) -> None:
-    """Frames of one name in two matches are two frames, and so are their cameras."""
-    one = next(iter(sorted((sample_data).glob("0*.json"))))
-    camera = sample_data / "cameras" / "pinhole" / f"camera_{one.name}"
-    for match in ("a/img1", "b/img1"):
-        (tmp_path / "set" / match).mkdir(parents=True)
-        (tmp_path / "cameras" / match).mkdir(parents=True)
-        (tmp_path / "set" / match / one.name).write_bytes(one.read_bytes())
-        (tmp_path / "cameras" / match / camera.name).write_bytes(camera.read_bytes())
-    loop = tmp_path / "set" / "a" / "again"
-    loop.symlink_to(tmp_path / "set", target_is_directory=True)
-    done = cli("evaluate", tmp_path / "set", tmp_path / "cameras", "-o", tmp_path / "s.csv")
-    assert done.exit_code == 0, done.stderr
-    text = (tmp_path / "s.csv").read_text()
-    assert f"a/img1/{one.stem}" in text
-    assert f"b/img1/{one.stem}" in text
-    assert "again" not in text
-
-
 @pytest.mark.parametrize("inner", ["img1", "v3_frames"])
 def test_cameras_are_found_with_the_folder_of_the_pictures_and_without(
-    cli, sample_data: Path, tmp_path: Path, inner: str
+    cli, sample_data, tmp_path, inner
 ) -> None:
     """Methods name a frame as the file of labels does, or as the picture lies."""
     one = next(iter(sorted(sample_data.glob("0*.json"))))
@@ -72,7 +43,7 @@ def test_cameras_are_found_with_the_folder_of_the_pictures_and_without(
         assert "not counted" not in done.stderr + done.stdout
 
 
-def test_a_table_at_the_top_of_a_tree_is_no_frame(cli, sample_data: Path, tmp_path: Path) -> None:
+def test_a_table_at_the_top_of_a_tree_is_no_frame(cli, sample_data, tmp_path) -> None:
     one = next(iter(sorted((sample_data).glob("0*.json"))))
     (tmp_path / "set" / "game").mkdir(parents=True)
     (tmp_path / "set" / "other").mkdir()
@@ -85,7 +56,7 @@ def test_a_table_at_the_top_of_a_tree_is_no_frame(cli, sample_data: Path, tmp_pa
 
 
 @pytest.fixture
-def in_coco(cli, dataset, tmp_path: Path) -> Path:
+def in_coco(cli, dataset, tmp_path) -> Path:
     """The dataset's pictures, and its annotations as COCO beside them."""
     place = tmp_path / "in_coco"
     place.mkdir()
@@ -95,7 +66,7 @@ def in_coco(cli, dataset, tmp_path: Path) -> Path:
     return place
 
 
-def test_export_and_render_of_another_format(cli, dataset, in_coco: Path, tmp_path: Path) -> None:
+def test_export_and_render_of_another_format(cli, dataset, in_coco, tmp_path) -> None:
     for name, place in (("own", dataset.root), ("coco", in_coco)):
         done = cli("export", place, tmp_path / f"{name}_out", "--cameras", dataset.cameras)
         assert done.exit_code in (0, 1), done.stderr
@@ -109,7 +80,7 @@ def test_export_and_render_of_another_format(cli, dataset, in_coco: Path, tmp_pa
 
 
 def test_frames_annotated_in_another_format_are_passed_over(
-    cli, dataset, in_coco: Path, tmp_path: Path
+    cli, dataset, in_coco, tmp_path
 ) -> None:
     done = cli("propose", in_coco, tmp_path / "proposed")
     assert done.exit_code == 2
@@ -119,9 +90,7 @@ def test_frames_annotated_in_another_format_are_passed_over(
     assert not list(in_coco.glob("[0-9]*.json"))
 
 
-def test_a_release_of_another_format_holds_the_annotations(
-    cli, dataset, in_coco: Path, tmp_path: Path
-) -> None:
+def test_a_release_of_another_format_holds_the_annotations(cli, dataset, in_coco, tmp_path) -> None:
     done = cli("release", in_coco, tmp_path / "out", "--no-check")
     assert done.exit_code in (0, 1), done.stderr
     assert len(list((tmp_path / "out").rglob("annotations/*.json"))) == len(
@@ -129,7 +98,7 @@ def test_a_release_of_another_format_holds_the_annotations(
     )
 
 
-def test_a_frame_of_another_format_among_ours_is_told_so(cli, dataset, tmp_path: Path) -> None:
+def test_a_frame_of_another_format_among_ours_is_told_so(cli, dataset, tmp_path) -> None:
     assert cli("convert", dataset.root, tmp_path / "lm", "--to", "labelme").exit_code == 0
     (dataset.annotations / "3.json").write_bytes((tmp_path / "lm" / "3.json").read_bytes())
     for command in (
@@ -142,7 +111,7 @@ def test_a_frame_of_another_format_among_ours_is_told_so(cli, dataset, tmp_path:
         assert "convert" in done.stderr
 
 
-def test_what_lies_there_instead_is_told_with_the_command(cli, dataset, tmp_path: Path) -> None:
+def test_what_lies_there_instead_is_told_with_the_command(cli, dataset, tmp_path) -> None:
     bare = tmp_path / "bare"
     bare.mkdir()
     for picture in dataset.root.glob("*.jpg"):
@@ -159,9 +128,7 @@ def test_what_lies_there_instead_is_told_with_the_command(cli, dataset, tmp_path
     assert "only annotations (labelme JSON)" in done.stderr
 
 
-def test_cameras_instead_of_annotations_are_told_by_their_format(
-    cli, dataset, tmp_path: Path
-) -> None:
+def test_cameras_instead_of_annotations_are_told_by_their_format(cli, dataset, tmp_path) -> None:
     cli("convert", dataset.cameras, tmp_path / "krt", "--to", "krt")
     labels = tmp_path / "labels.toml"
     for command in (
@@ -182,13 +149,13 @@ def test_cameras_instead_of_annotations_are_told_by_their_format(
     assert "it is a file of cameras by its name (.npy)" in done.stderr
 
 
-def test_an_empty_annotation_is_not_taken_for_a_camera(cli, tmp_path: Path) -> None:
+def test_an_empty_annotation_is_not_taken_for_a_camera(cli, tmp_path) -> None:
     (tmp_path / "1.json").write_text('{"Middle line": []}')
     (tmp_path / "2.json").write_text("{}")
     assert cli("check", tmp_path, "--no-line-evidence").exit_code == 0
 
 
-def test_yolo_pose_is_told_where_annotations_are_asked_for(cli, dataset, tmp_path: Path) -> None:
+def test_yolo_pose_is_told_where_annotations_are_asked_for(cli, dataset, tmp_path) -> None:
     out = tmp_path / "yolo"
     cli("convert", dataset.root, out, "--to", "yolo-pose", "--pictures")
     for place in (out, out / "labels"):
@@ -204,7 +171,7 @@ def test_yolo_pose_is_told_where_annotations_are_asked_for(cli, dataset, tmp_pat
 
 
 def test_annotations_instead_of_cameras_are_told_by_their_format(
-    cli, dataset, in_coco: Path, tmp_path: Path
+    cli, dataset, in_coco, tmp_path
 ) -> None:
     cli("convert", dataset.root, tmp_path / "cvat.xml", "--to", "cvat")
     for place, title in ((in_coco, "COCO"), (tmp_path / "cvat.xml", "CVAT for images 1.1")):
@@ -225,9 +192,7 @@ def test_annotations_instead_of_cameras_are_told_by_their_format(
 
 
 @pytest.mark.parametrize("fmt", ["cvat", "coco", "soccernet-v3", "soccernet-gsr"])
-def test_what_was_taken_in_stands_for_the_file_it_came_from(
-    cli, dataset, tmp_path: Path, fmt: str
-) -> None:
+def test_what_was_taken_in_stands_for_the_file_it_came_from(cli, dataset, tmp_path, fmt) -> None:
     """After an import the frames' own files lie beside the file of the other program."""
     both = tmp_path / "both"
     assert cli("convert", dataset.root, both, "--to", fmt).exit_code == 0

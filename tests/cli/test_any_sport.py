@@ -59,7 +59,7 @@ def length_of(piece: np.ndarray) -> float:
 @pytest.fixture(
     params=[*SPORTS[:2], *(pytest.param(name, marks=pytest.mark.soak) for name in SPORTS[2:])]
 )
-def sport(request, tmp_path: Path) -> tuple[Dataset, Field]:
+def sport(request, tmp_path) -> tuple[Dataset, Field]:
     field = load_field(request.param)
     made = Dataset(tmp_path / "match")
     made.annotations.mkdir(parents=True)

@@ -172,28 +172,6 @@ def test_a_wrong_label_is_left_out_and_told(cli, dataset, tmp_path) -> None:
     assert "were left out: 1" in done.stderr
 
 
-def test_workers_give_the_same_files(cli, dataset, tmp_path) -> None:
-    for number in range(20):  # more than one chunk
-        copy = dataset.annotations / f"again{number}.json"
-        copy.write_text((dataset.annotations / "1.json").read_text())
-    one, two = tmp_path / "one", tmp_path / "two"
-    for out, workers in ((one, 1), (two, 2)):
-        done = cli("calibrate", dataset.root, out, "--workers", workers)
-        assert done.exit_code == 0, done.stderr
-    names = sorted(p.name for p in one.iterdir())
-    assert len(names) == 26
-    assert names == sorted(p.name for p in two.iterdir())
-    for name in names:
-        assert (one / name).read_bytes() == (two / name).read_bytes()
-
-
-def test_an_archive_can_be_written(cli, dataset, tmp_path) -> None:
-    out = tmp_path / "cameras.zip"
-    done = cli("calibrate", dataset.root, out)
-    assert done.exit_code == 0, done.stderr
-    assert "camera_10.json" in zipfile.ZipFile(out).namelist()
-
-
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
@@ -439,13 +417,6 @@ def test_cameras_that_are_hardly_determined_are_named(cli, dataset, tmp_path) ->
     assert "hardly determined (pan, tilt or roll ± more than 1°" in done.stderr
     told = next(line for line in done.stderr.splitlines() if "hardly determined" in line)
     assert set(told.rpartition("): ")[2].split(", ")) == named
-
-
-def test_one_is_one(cli, dataset, tmp_path) -> None:
-    done = cli("calibrate", dataset.annotations / "1.json", tmp_path / "out")
-    assert "Calibrated 1 frame, 1 has a camera" in done.stdout
-    assert "Standard deviations of 1 camera\n" in done.stdout
-    assert "written: 1 camera and calibration.csv" in done.stdout
 
 
 def test_left_out_classes_are_written_as_in_the_files(cli, dataset, tmp_path) -> None:

@@ -101,20 +101,6 @@ def test_the_exit_code_can_depend_on_what_was_found(cli, dataset) -> None:
     assert cli("check", dataset.root, "--fail-on", "error").exit_code == 1
 
 
-def test_workers_find_the_same(cli, dataset, tmp_path) -> None:
-    swap(dataset.annotations, "1", FRONT, SMALL)
-    for number in range(20):  # more than one chunk
-        copy = dataset.annotations / f"again{number}.json"
-        copy.write_text((dataset.annotations / "2.json").read_text())
-    found = []
-    for workers in (1, 2):
-        out = tmp_path / f"{workers}.csv"
-        assert cli("check", dataset.root, "-o", out, "--workers", workers).exit_code == 0
-        found.append(out.read_bytes())
-    assert found[0] == found[1]
-    assert b"swapped" in found[0]
-
-
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import zipfile
-from pathlib import Path
 
 from typer.testing import CliRunner
 
@@ -15,7 +14,7 @@ from procc_annotator.formats.cameras.soccernet import write_camera
 CAMERA = PinholeCamera(0.1, 1.3, 0.01, (2.0, 60.0, -15.0), (1400.0, 1410.0), (479.5, 269.5))
 
 
-def test_a_good_and_an_incomplete_submission(tmp_path: Path) -> None:
+def test_a_good_and_an_incomplete_submission(tmp_path) -> None:
     path = tmp_path / "submission.zip"
     with zipfile.ZipFile(path, "w") as archive:
         archive.writestr("valid/camera_1.json", write_camera(CAMERA))

@@ -88,15 +88,6 @@ def test_csv_has_a_row_a_frame(cli, dataset, other, tmp_path) -> None:
     assert rows["1"]["error"] == ""
 
 
-def test_one_process_or_two_give_the_same_file(cli, dataset, other, tmp_path) -> None:
-    files = []
-    for workers in (1, 2):
-        files.append(tmp_path / f"{workers}.json")
-        done = cli("compare", dataset.cameras, other, "--workers", workers, "-o", files[-1])
-        assert done.exit_code == 0, done.output
-    assert files[0].read_bytes() == files[1].read_bytes()
-
-
 def test_frames_of_one_source_only_are_named(cli, dataset, other) -> None:
     (other / "camera_2.json").unlink()
     (dataset.cameras / "camera_10.json").unlink()
@@ -247,26 +238,7 @@ def test_pictures_are_not_drawn_among_what_is_read(cli, dataset, other, where) -
 # ------------------------------------------------------------------------------------- real data
 
 
-@pytest.mark.soak
-def test_the_world_cup(cli, shared_data: Path, tmp_path) -> None:
-    """A published method against the refined homographies."""
-    wc14 = shared_data / "wc14"
-    out = tmp_path / "out.json"
-    done = cli(
-        "compare", f"carwc={wc14 / 'homographies_carwc'}", f"nbjw={wc14 / 'cameras_nbjw'}",
-        wc14 / "annotations", "-o", out,
-    )  # fmt: skip
-    assert done.exit_code == 0, done.stderr
-    assert "only in carwc, not compared: 2 frames" in done.stderr
-    assert "scaled from 1280x720 to 960x540 (184 cameras)" in done.stderr
-    summary = json.loads(out.read_text())["summary"]
-    assert summary["frames"] == 184
-    assert 0.2 < summary["metres"]["median"] < 0.6
-    assert 0.5 < summary["within_offside_accuracy"] < 0.9
-    assert summary["legacy"]["iou_part"]["mean"] == pytest.approx(0.975, abs=2e-3)
-
-
-def test_some_of_the_world_cup(cli, shared_data: Path, tmp_path) -> None:
+def test_some_of_the_world_cup(cli, shared_data, tmp_path) -> None:
     for source, name in (("homographies_carwc", "{}.npy"), ("cameras_nbjw", "camera_{}.json")):
         (tmp_path / source).mkdir()
         for path in (shared_data / "wc14" / source / name.format(i) for i in range(130, 150)):
@@ -285,14 +257,6 @@ def test_some_of_the_world_cup(cli, shared_data: Path, tmp_path) -> None:
     assert 0.2 < summary["metres"]["median"] < 0.6
     assert 0.5 < summary["within_offside_accuracy"] < 0.9
     assert 0.95 < summary["legacy"]["iou_part"]["mean"] < 1
-
-
-def test_the_sample(cli, sample_data: Path, tmp_path) -> None:
-    dataset = tmp_path / "sample"
-    shutil.copytree(sample_data, dataset)
-    done = cli("compare", dataset / "cameras" / "true", dataset / "cameras" / "homography", dataset)
-    assert done.exit_code == 0, done.stderr
-    assert "in 14 frames" in done.stdout
 
 
 def test_requests_that_make_no_sense_are_refused_before_the_work(

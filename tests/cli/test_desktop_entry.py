@@ -20,7 +20,7 @@ ID = "org.procc.Annotator"
 
 
 @pytest.fixture
-def home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def home(tmp_path, monkeypatch) -> Path:
     """A user's data folder, with something of another program in it."""
     folder = tmp_path / "own data"
     (folder / "applications").mkdir(parents=True)
@@ -37,7 +37,7 @@ def files(folder: Path) -> set[str]:
     return {n for n in own if not re.match(r"mime/(?!packages/)", n)}
 
 
-def test_everything_is_installed_and_removed_and_nothing_else_is_touched(cli, home: Path) -> None:
+def test_everything_is_installed_and_removed_and_nothing_else_is_touched(cli, home) -> None:
     done = cli("desktop-entry", "--install")
     assert done.exit_code == 0, done.output
     icons = {f"icons/hicolor/{s}x{s}/apps/{ID}.png" for s in (16, 24, 32, 48, 64, 128, 256, 512)}
@@ -57,7 +57,7 @@ def test_everything_is_installed_and_removed_and_nothing_else_is_touched(cli, ho
 
 
 def test_the_entry_starts_this_installation_whatever_its_path_is_like(
-    cli, home: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    cli, home, tmp_path, monkeypatch
 ) -> None:
     place = tmp_path / 'a "b" $c 100% \\ d'
     place.mkdir()
@@ -65,7 +65,7 @@ def test_the_entry_starts_this_installation_whatever_its_path_is_like(
     monkeypatch.setattr(desktop_entry.sys, "executable", str(place / "python"))
     assert cli("desktop-entry", "--install").exit_code == 0
     entry = configparser.RawConfigParser()
-    entry.optionxform = str  # type: ignore[assignment, method-assign]
+    entry.optionxform = str
     entry.read(home / "applications" / f"{ID}.desktop", encoding="utf-8")
     command = entry["Desktop Entry"]["Exec"].replace("\\\\", "\\")  # as of every string there
     quoted, placeholder = command.rsplit(" ", 1)
@@ -74,7 +74,7 @@ def test_the_entry_starts_this_installation_whatever_its_path_is_like(
     assert program == str(place / "procc-annotator-window")
 
 
-def test_the_tools_of_desktops_accept_the_files(cli, home: Path) -> None:
+def test_the_tools_of_desktops_accept_the_files(cli, home) -> None:
     assert cli("desktop-entry", "--install").exit_code == 0
     checks = {
         "desktop-file-validate": ("applications", ".desktop", []),
@@ -95,7 +95,7 @@ def test_the_tools_of_desktops_accept_the_files(cli, home: Path) -> None:
         pytest.skip("neither desktop-file-validate nor appstreamcli is installed")
 
 
-def test_a_folder_that_cannot_be_written_is_one_line(cli, tmp_path: Path, monkeypatch) -> None:
+def test_a_folder_that_cannot_be_written_is_one_line(cli, tmp_path, monkeypatch) -> None:
     (tmp_path / "file").touch()
     monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "file"))
     done = cli("desktop-entry", "--install")

@@ -12,7 +12,6 @@ import shutil
 import subprocess
 import sys
 import unicodedata
-import zipfile
 from pathlib import Path
 from typing import Any
 
@@ -101,19 +100,11 @@ def test_tables_name_protocol_and_size(cli, dataset) -> None:
 
 
 def test_worst_frame_comes_first(cli, dataset) -> None:
-    dataset.write_camera("3", camera_of(pan=1.0))
+    dataset.write_camera("3", camera_file(pan=1.0))
     done = cli("evaluate", *dataset.set_arguments)
     worst = done.stdout.split("Worst 5 frames")[1].split("Classes")[0]
     rows = [line.split()[1] for line in worst.splitlines() if line.startswith("│")]
     assert rows[0] == "3"
-
-
-def camera_of(pan: float, **changes: Any) -> dict[str, Any]:
-    return {
-        "pan_degrees": pan, "tilt_degrees": 78.0, "roll_degrees": 0.0,
-        "position_meters": [0.0, 60.0, -14.0], "x_focal_length": 1400.0, "y_focal_length": 1400.0,
-        "principal_point": [479.5, 269.5],
-    } | changes  # fmt: skip
 
 
 def test_missing_camera_lowers_completeness_only(cli, dataset, tmp_path) -> None:
@@ -140,22 +131,8 @@ def test_camera_without_annotation_is_reported_and_not_counted(cli, dataset, tmp
     assert "3" not in images(out)
 
 
-@pytest.mark.parametrize(
-    "content",
-    [
-        '{"pan_degrees": 1.0',
-        "",
-        "[]",
-        json.dumps(camera_of(0.0, x_focal_length=None)),
-        json.dumps(camera_of(0.0, position_meters=[0.0, 60.0])),
-        json.dumps(camera_of(0.0)).replace("78.0", "NaN"),
-        json.dumps(camera_of(0.0)).replace("78.0", "1e999"),
-        json.dumps(camera_of(0.0, radial_distortion=[0.1])),
-    ],
-    ids=["truncated", "empty", "list", "null", "short", "nan", "inf", "short-distortion"],
-)
-def test_unreadable_camera_counts_as_none_and_is_listed(cli, dataset, tmp_path, content) -> None:
-    path = dataset.write_camera("3", content)
+def test_unreadable_camera_counts_as_none_and_is_listed(cli, dataset, tmp_path) -> None:
+    path = dataset.write_camera("3", '{"pan_degrees": 1.0')
     out = tmp_path / "out.json"
     done = cli("evaluate", *dataset.set_arguments, "-o", out)
     assert done.exit_code == 1
@@ -199,21 +176,6 @@ def test_csv_has_one_row_an_image_and_threshold(cli, dataset, tmp_path) -> None:
     assert float(rows[0]["jac"]) == 1
     assert rows[-1]["jac"] == ""
     assert rows[-1]["error"] == "no camera"
-
-
-def test_archives_with_a_split_folder_score_like_folders(cli, dataset, tmp_path) -> None:
-    archive = tmp_path / "set.zip"
-    with zipfile.ZipFile(archive, "w") as made:
-        for path in sorted(dataset.annotations.iterdir()):
-            made.write(path, f"test/{path.name}")
-    cameras = tmp_path / "cameras.zip"
-    with zipfile.ZipFile(cameras, "w") as made:
-        for path in sorted(dataset.cameras.iterdir()):
-            made.write(path, path.name)
-    from_folder, from_archive = tmp_path / "a.json", tmp_path / "b.json"
-    cli("evaluate", *dataset.set_arguments, "-o", from_folder)
-    assert cli("evaluate", archive, cameras, "-o", from_archive).exit_code == 0
-    assert load(from_archive)["summary"] == load(from_folder)["summary"]
 
 
 def test_homographies_say_how_goals_count(cli, dataset, tmp_path) -> None:
@@ -266,7 +228,7 @@ def test_nothing_to_do_is_2(cli, dataset, tmp_path) -> None:
     empty.mkdir()
     elsewhere = tmp_path / "elsewhere"
     elsewhere.mkdir()
-    (elsewhere / "camera_00003.json").write_text(json.dumps(camera_of(0.0)))
+    (elsewhere / "camera_00003.json").write_text(json.dumps(camera_file(0.0)))
     for first, second, says in (
         (empty, dataset.cameras, "no annotation"),
         (dataset.annotations, empty, "no camera"),
@@ -288,24 +250,6 @@ def test_all_annotations_unreadable_leaves_the_old_scores(cli, dataset, tmp_path
     assert done.exit_code == 2
     assert out.read_text() == "old"
     assert [p.name for p in tmp_path.iterdir() if p.name.startswith(".")] == []
-
-
-def test_workers_write_the_same_file(cli, dataset, tmp_path) -> None:
-    """Enough frames for several chunks, in real processes."""
-    archive = tmp_path / "many.zip"
-    cameras = tmp_path / "cameras.zip"
-    names = ("1", "2", "3", "10", "11")
-    with zipfile.ZipFile(archive, "w") as a, zipfile.ZipFile(cameras, "w") as c:
-        for i in range(150):
-            name = names[i % 5]
-            a.write(dataset.annotations / f"{name}.json", f"{i:05}.json")
-            c.write(dataset.cameras / f"camera_{name}.json", f"camera_{i:05}.json")
-    written = []
-    for workers in ("1", "2"):
-        out = tmp_path / f"{workers}.json"
-        assert cli("evaluate", archive, cameras, "--workers", workers, "-o", out).exit_code == 0
-        written.append(out.read_bytes())
-    assert written[0] == written[1]
 
 
 def test_progress_shows_on_a_terminal_only(dataset) -> None:
@@ -343,7 +287,7 @@ def test_an_output_never_replaces_what_is_read(cli, dataset, tmp_path) -> None:
 
 @pytest.mark.parametrize("full_at", ["output", "both"])
 def test_a_full_disk_takes_neither_the_figures_nor_the_other_output(
-    cli, dataset, tmp_path, monkeypatch: pytest.MonkeyPatch, full_at: str
+    cli, dataset, tmp_path, monkeypatch, full_at
 ) -> None:
     output, table = tmp_path / "o.json", tmp_path / "t.csv"
     output.write_text("before")
@@ -393,14 +337,6 @@ def test_cameras_of_another_size_are_doubted_until_it_is_named(cli, dataset, tmp
     assert "principal point" not in named.stderr
     assert "scaled from 960x540 to 1920x1080" in named.stderr
     assert load(tmp_path / "o.json")["summary"]["5"]["mean_jac"] == 1.0
-
-
-def test_close_thresholds_keep_their_own_keys(cli, dataset, tmp_path) -> None:
-    out = tmp_path / "o.json"
-    cli("evaluate", *dataset.set_arguments, "-t", "5", "-t", "5.0000001", "-t", "2.50", "-o", out)
-    scores = load(out)
-    assert scores["thresholds"] == [5, 5.0000001, 2.5]
-    assert list(scores["summary"]) == ["5", "5.0000001", "2.5"]
 
 
 def test_allowed_mirrored_labels_are_written_down(cli, dataset, tmp_path) -> None:
@@ -515,6 +451,7 @@ def test_damaged_annotations_are_never_taken_for_other_files(cli, dataset, tmp_p
 
 def test_every_output_that_is_asked_for_is_written(cli, dataset, tmp_path) -> None:
     commands = {
+        "agree": [dataset.annotations, dataset.annotations],
         "evaluate": dataset.set_arguments,
         "compare": [f"a={dataset.cameras}", f"b={dataset.cameras}"],
         "check": [dataset.annotations],

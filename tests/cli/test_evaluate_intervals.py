@@ -15,7 +15,7 @@ SHEETS = ["intervals", "differences", "ranks"]
 
 
 @pytest.fixture
-def methods(dataset, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def methods(dataset, tmp_path, monkeypatch) -> Path:
     shutil.copytree(dataset.annotations, tmp_path / "annotations")
     for method in ("good", "poor"):
         shutil.copytree(dataset.cameras, tmp_path / method)
@@ -142,16 +142,6 @@ def test_a_tag_called_like_what_is_told_from_cameras_is_the_one_that_counts(
     assert done.exit_code == 0, done.output
     rows = chance(methods / "out.json")[f"by_{tag}"]["rows"]
     assert {(row["value"], row["frames"]) for row in rows} == {("x", 2), ("y", 3)}
-
-
-def test_a_tag_of_shots_clusters_where_names_tell_none(cli, methods) -> None:
-    (methods / "own.csv").write_text("frame,shot\n1,x\n2,x\n3,y\n10,y\n11,z\n")
-    done = cli(
-        "evaluate", *BOTH, "--intervals", "--tags", "own.csv", "--cluster", "shot", "-o", "out.json"
-    )
-    assert done.exit_code == 0, done.output
-    note, *_ = chance(methods / "out.json")["intervals"]["notes"]
-    assert "3 clusters by shot" in note
 
 
 def test_several_sets_are_told_apart(cli, methods) -> None:

@@ -30,7 +30,7 @@ def table(path: Path) -> list[dict[str, str]]:
 
 
 @pytest.fixture
-def sets(dataset, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def sets(dataset, tmp_path, monkeypatch) -> Path:
     """Two sets, two methods each: ``good`` sees everything, ``poor`` misses a frame a set."""
     for name in ("day", "night"):
         shutil.copytree(dataset.annotations, tmp_path / name / "annotations")
@@ -171,14 +171,6 @@ def test_tags_that_belong_to_no_frame_are_refused(cli, sets) -> None:
     assert done.exit_code == 2
     assert "'00001'" in done.stderr
     assert "'1'" in done.stderr
-
-
-def test_one_frame_is_singular(cli, sets) -> None:
-    for name in ("2", "3", "10", "11"):
-        (sets / f"day/annotations/{name}.json").unlink()
-    shown = cli("evaluate", "day/annotations", "day/good").stdout
-    assert "Summary of 1 frame, 1 with a camera" in shown
-    assert "Worst frame at 5 px" in shown
 
 
 def test_unreadable_annotations_are_listed_once_for_all_methods(cli, sets) -> None:

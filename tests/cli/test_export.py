@@ -5,7 +5,6 @@ from __future__ import annotations
 import csv
 import json
 import zipfile
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -19,7 +18,7 @@ from procc_annotator.metrics.setup import EvaluationSetup
 from procc_annotator.report.export import Scoring, export_scores
 
 
-def test_folder_of_soccernet_json_with_scores(cli, dataset, tmp_path: Path) -> None:
+def test_folder_of_soccernet_json_with_scores(cli, dataset, tmp_path) -> None:
     out = tmp_path / "out"
     done = cli("export", dataset.root, out, "--cameras", dataset.cameras, "-t", 5, "-t", 2)
     assert done.exit_code == 0, done.output
@@ -36,7 +35,7 @@ def test_folder_of_soccernet_json_with_scores(cli, dataset, tmp_path: Path) -> N
         assert len(list(csv.DictReader(stream))) == 10
 
 
-def test_exported_set_scores_as_exported(cli, dataset, tmp_path: Path) -> None:
+def test_exported_set_scores_as_exported(cli, dataset, tmp_path) -> None:
     out, again = tmp_path / "out.zip", tmp_path / "again.json"
     done = cli("export", dataset.root, out, "--cameras", dataset.cameras)
     assert done.exit_code == 0, done.output
@@ -46,13 +45,13 @@ def test_exported_set_scores_as_exported(cli, dataset, tmp_path: Path) -> None:
     assert json.loads(again.read_text())["summary"] == exported["summary"]
 
 
-def test_same_dataset_same_archive(cli, dataset, tmp_path: Path) -> None:
+def test_same_dataset_same_archive(cli, dataset, tmp_path) -> None:
     for name in ("a.zip", "b.zip"):
         assert cli("export", dataset.root, tmp_path / name).exit_code == 0
     assert (tmp_path / "a.zip").read_bytes() == (tmp_path / "b.zip").read_bytes()
 
 
-def test_without_cameras_the_score_files_say_so(cli, dataset, tmp_path: Path) -> None:
+def test_without_cameras_the_score_files_say_so(cli, dataset, tmp_path) -> None:
     out = tmp_path / "out"
     done = cli("export", dataset.root, out)
     assert done.exit_code == 0
@@ -65,7 +64,7 @@ def test_without_cameras_the_score_files_say_so(cli, dataset, tmp_path: Path) ->
     assert "no cameras were given" in (out / "jac.csv").read_text()
 
 
-def test_frames_never_annotated_get_no_file(cli, dataset, tmp_path: Path) -> None:
+def test_frames_never_annotated_get_no_file(cli, dataset, tmp_path) -> None:
     (dataset.annotations / "2.json").unlink()
     done = cli("export", dataset.root, tmp_path / "out")
     assert "4 annotations written" in done.stdout
@@ -73,7 +72,7 @@ def test_frames_never_annotated_get_no_file(cli, dataset, tmp_path: Path) -> Non
     assert not (tmp_path / "out" / "2.json").exists()
 
 
-def test_unreadable_files_are_listed_and_the_rest_goes_on(cli, dataset, tmp_path: Path) -> None:
+def test_unreadable_files_are_listed_and_the_rest_goes_on(cli, dataset, tmp_path) -> None:
     (dataset.annotations / "2.json").write_text("{")
     dataset.write_camera("3", "[]")
     done = cli("export", dataset.root, tmp_path / "out", "--cameras", dataset.cameras)
@@ -92,7 +91,7 @@ def test_the_dataset_itself_is_never_the_target(cli, dataset, where) -> None:
 
 
 @pytest.mark.parametrize("archived", [False, True])
-def test_the_cameras_are_never_the_target(cli, dataset, tmp_path: Path, archived: bool) -> None:
+def test_the_cameras_are_never_the_target(cli, dataset, tmp_path, archived) -> None:
     cameras = dataset.cameras
     if archived:
         cameras = tmp_path / "cameras.zip"
@@ -106,7 +105,7 @@ def test_the_cameras_are_never_the_target(cli, dataset, tmp_path: Path, archived
     assert {p: p.read_bytes() for p in tmp_path.rglob("*") if p.is_file()} == before
 
 
-def test_nothing_to_export_is_2(cli, dataset, tmp_path: Path) -> None:
+def test_nothing_to_export_is_2(cli, dataset, tmp_path) -> None:
     for source, cameras in (
         (tmp_path / "absent", None),
         (dataset.cameras, None),
@@ -118,7 +117,7 @@ def test_nothing_to_export_is_2(cli, dataset, tmp_path: Path) -> None:
         assert len(done.stderr.splitlines()) == 1
 
 
-def test_a_target_that_cannot_be_made_is_one_line(cli, dataset, tmp_path: Path) -> None:
+def test_a_target_that_cannot_be_made_is_one_line(cli, dataset, tmp_path) -> None:
     (tmp_path / "file").write_text("")
     for name in ("file", "file/out", "file/out.zip"):
         done = cli("export", dataset.root, tmp_path / name)
@@ -134,15 +133,6 @@ def test_an_export_never_hides_the_dataset_it_comes_from(cli, dataset) -> None:
     done = cli("export", dataset.root, dataset.root / "annotations")
     assert done.exit_code == 2
     assert "this is the dataset itself" in done.stderr
-
-
-def test_cameras_of_another_size_are_scaled_when_it_is_named(cli, dataset, tmp_path) -> None:
-    done = cli(
-        "export", dataset.root, tmp_path / "out", "--cameras", dataset.cameras,
-        "--size", "1280x720", "--camera-size", "960x540",
-    )  # fmt: skip
-    assert "note: scaled from 960x540 to 1280x720" in done.stderr
-    assert "JaC@5 100.00" in done.stdout
 
 
 @pytest.mark.parametrize("name", ["out", "out.zip"])
@@ -164,7 +154,7 @@ def test_what_is_there_is_replaced_only_on_request(cli, dataset, tmp_path, name)
     assert cli("export", dataset.root, out).exit_code == 2  # its own files are no exception
 
 
-def test_frames_are_told_as_evaluate_tells_them(cli, dataset, tmp_path: Path) -> None:
+def test_frames_are_told_as_evaluate_tells_them(cli, dataset, tmp_path) -> None:
     """What a camera is, whether it was fitted to these very clicks, and how much was clicked."""
     camera = json.loads((dataset.cameras / "camera_1.json").read_text())
     path = dataset.annotations / "1.json"
@@ -187,7 +177,7 @@ def test_frames_are_told_as_evaluate_tells_them(cli, dataset, tmp_path: Path) ->
             assert told[name][column] == row[column]
 
 
-def test_cameras_of_another_field_are_not_scored(tmp_path: Path, sample_data: Path) -> None:
+def test_cameras_of_another_field_are_not_scored(tmp_path, sample_data) -> None:
     field = load_field("basketball_nba")
     np.save(tmp_path / "00001.npy", np.eye(3))
     path = sample_data / "basketball" / "00001.json"
@@ -207,7 +197,7 @@ def test_cameras_of_another_field_are_not_scored(tmp_path: Path, sample_data: Pa
     assert "would be taken for a soccer field's" in done.problems[0]
 
 
-def test_annotations_that_stay_in_the_folder_are_told(cli, dataset, tmp_path: Path) -> None:
+def test_annotations_that_stay_in_the_folder_are_told(cli, dataset, tmp_path) -> None:
     out = tmp_path / "out"
     assert cli("export", dataset.root, out).exit_code == 0
     (dataset.annotations / "2.json").unlink()

@@ -37,7 +37,7 @@ def read_as_official(path: Path) -> dict[str, dict[str, list[dict[str, float]]]]
 
 
 def test_an_archive_holds_nothing_but_frames_and_scores_lie_beside_it(
-    cli, dataset, tmp_path: Path
+    cli, dataset, tmp_path
 ) -> None:
     out = tmp_path / "gt.zip"
     done = cli("export", dataset.root, out, "--split", "test", "--cameras", dataset.cameras)
@@ -49,7 +49,7 @@ def test_an_archive_holds_nothing_but_frames_and_scores_lie_beside_it(
     assert json.loads((tmp_path / "gt_jac.json").read_text())["summary"]["5"]["mean_jac"] == 1
 
 
-def test_a_folder_holds_the_split_and_scores_above_it(cli, dataset, tmp_path: Path) -> None:
+def test_a_folder_holds_the_split_and_scores_above_it(cli, dataset, tmp_path) -> None:
     out = tmp_path / "set"
     assert cli("export", dataset.root, out, "--split", "valid").exit_code == 0
     assert [p.name for p in out.iterdir()] == ["valid"]  # no cameras: no scores
@@ -62,7 +62,7 @@ def test_a_folder_holds_the_split_and_scores_above_it(cli, dataset, tmp_path: Pa
     assert names == ["1.json", "10.json", "11.json", "2.json", "3.json"]
 
 
-def test_a_folder_is_made_for_scores_too(cli, dataset, tmp_path: Path) -> None:
+def test_a_folder_is_made_for_scores_too(cli, dataset, tmp_path) -> None:
     out = tmp_path / "new" / "set"
     done = cli("export", dataset.root, out, "--split", "valid", "--cameras", dataset.cameras)
     assert done.exit_code == 0, done.output
@@ -70,7 +70,7 @@ def test_a_folder_is_made_for_scores_too(cli, dataset, tmp_path: Path) -> None:
 
 
 def test_what_the_evaluation_stops_at_is_left_out_told_and_not_scored(
-    cli, dataset, tmp_path: Path
+    cli, dataset, tmp_path
 ) -> None:
     path = dataset.annotations / "2.json"
     content = json.loads(path.read_text())
@@ -92,7 +92,7 @@ def test_what_the_evaluation_stops_at_is_left_out_told_and_not_scored(
 
 
 def test_what_makes_no_sense_is_refused_before_anything_is_written(
-    cli, dataset, sample_data: Path, tmp_path: Path
+    cli, dataset, sample_data, tmp_path
 ) -> None:
     out = tmp_path / "set"
     (out / "test").mkdir(parents=True)
@@ -112,7 +112,7 @@ def test_what_makes_no_sense_is_refused_before_anything_is_written(
     assert [p.name for p in (out / "test").iterdir()] == ["other.json"]
 
 
-def test_a_tree_is_exported_folder_by_folder(cli, dataset, tmp_path: Path) -> None:
+def test_a_tree_is_exported_folder_by_folder(cli, dataset, tmp_path) -> None:
     for game in ("a", "b"):
         (tmp_path / "tree" / game).mkdir(parents=True)
         for file in dataset.annotations.iterdir():
@@ -127,7 +127,7 @@ def test_a_tree_is_exported_folder_by_folder(cli, dataset, tmp_path: Path) -> No
 
 
 @pytest.mark.parametrize("kind", ["folder", "archive", "labelme"])
-def test_annotations_without_pictures_are_exported(cli, dataset, tmp_path: Path, kind: str) -> None:
+def test_annotations_without_pictures_are_exported(cli, dataset, tmp_path, kind) -> None:
     source = dataset.annotations
     if kind == "archive":
         source = tmp_path / "annotations.zip"
@@ -152,7 +152,7 @@ def test_annotations_without_pictures_are_exported(cli, dataset, tmp_path: Path,
 
 @pytest.mark.parametrize("method", ["nbjw", "pnlcalib"])
 def test_an_exported_split_scores_as_the_official_evaluation_did(
-    cli, shared_data: Path, tmp_path: Path, method: str
+    cli, shared_data, tmp_path, method
 ) -> None:
     wc14, out = shared_data / "wc14", tmp_path / "gt.zip"
     done = cli(

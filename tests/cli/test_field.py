@@ -28,7 +28,7 @@ def scored(cli, dataset: Dataset, out: Path, *more: str) -> str:
     return str(json.loads(out.read_text())["field"])
 
 
-def test_commands_take_the_datasets_own_field(cli, dataset: Dataset, tmp_path: Path) -> None:
+def test_commands_take_the_datasets_own_field(cli, dataset, tmp_path) -> None:
     keep_length(dataset.root, 101.3)
     out = tmp_path / "scores.json"
     assert scored(cli, dataset, out) == "soccer 101.3 x 68 m"
@@ -39,7 +39,7 @@ def test_commands_take_the_datasets_own_field(cli, dataset: Dataset, tmp_path: P
     assert scored(cli, dataset, out) == "ours"
 
 
-def test_every_set_has_a_field_of_its_own(cli, dataset: Dataset, tmp_path: Path) -> None:
+def test_every_set_has_a_field_of_its_own(cli, dataset, tmp_path) -> None:
     keep_length(dataset.root, 101.3)
     plain = tmp_path / "plain"
     plain.mkdir()
@@ -54,7 +54,7 @@ def test_every_set_has_a_field_of_its_own(cli, dataset: Dataset, tmp_path: Path)
     assert "soccer 101.3 x 68 m" in done.stdout  # the other one says nothing
 
 
-def test_a_field_that_cannot_be_used_is_no_other_one(cli, dataset: Dataset) -> None:
+def test_a_field_that_cannot_be_used_is_no_other_one(cli, dataset) -> None:
     (dataset.root / FIELD_FILE).write_text('name = "ours"')
     done = cli("evaluate", *dataset.set_arguments)
     assert done.exit_code == 2
@@ -62,9 +62,7 @@ def test_a_field_that_cannot_be_used_is_no_other_one(cli, dataset: Dataset) -> N
 
 
 @pytest.mark.parametrize("command", ["evaluate", "check", "calibrate", "agree"])
-def test_classes_of_another_field_are_told(
-    cli, dataset: Dataset, tmp_path: Path, command: str
-) -> None:
+def test_classes_of_another_field_are_told(cli, dataset, tmp_path, command) -> None:
     own = tmp_path / "yard.toml"
     own.write_text(
         'name = "yard"\ntitle = "Yard"\n[[elements]]\nname = "fence"\ntitle = "Fence"\n'

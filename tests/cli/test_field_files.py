@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
-from typing import Any
 
 import cv2
 import numpy as np
@@ -17,13 +16,13 @@ SOCCER = (resources_dir() / "field" / "soccer.toml").read_text(encoding="utf-8")
 
 
 @pytest.fixture
-def mine(tmp_path: Path) -> Path:
+def mine(tmp_path) -> Path:
     path = tmp_path / "mine.toml"
     path.write_text(SOCCER.replace('name = "soccer"', 'name = "mine"', 1), encoding="utf-8")
     return path
 
 
-def test_list_names_every_field_with_its_size_and_rules(cli: Any) -> None:
+def test_list_names_every_field_with_its_size_and_rules(cli) -> None:
     done = cli("field", "list")
     assert done.exit_code == 0
     for name in field_names():
@@ -32,14 +31,14 @@ def test_list_names_every_field_with_its_size_and_rules(cli: Any) -> None:
     assert "IIHF" in done.stdout
 
 
-def test_check_passes_what_comes_with_the_program(cli: Any, mine: Path) -> None:
+def test_check_passes_what_comes_with_the_program(cli, mine) -> None:
     done = cli("field", "check", "ice_hockey_nhl")
     assert (done.exit_code, done.stderr) == (0, "")
     assert "Ice hockey (NHL): 49 elements, 19 dimensions: nothing to mend" in done.stdout
     assert cli("field", "check", str(mine)).exit_code == 0
 
 
-def test_check_names_what_to_mend(cli: Any, mine: Path) -> None:
+def test_check_names_what_to_mend(cli, mine) -> None:
     text = mine.read_text(encoding="utf-8")
     mine.write_text(text.replace("-goal_height", "goal_height"), encoding="utf-8")
     done = cli("field", "check", str(mine))
@@ -53,7 +52,7 @@ def test_check_names_what_to_mend(cli: Any, mine: Path) -> None:
     assert "6 to look at" in done.stdout
 
 
-def test_check_knows_the_keys_of_the_window(cli: Any, mine: Path) -> None:
+def test_check_knows_the_keys_of_the_window(cli, mine) -> None:
     text = mine.read_text(encoding="utf-8")
     mine.write_text(text.replace('shortcut = "3"', 'shortcut = "x"', 1), encoding="utf-8")
     done = cli("field", "check", str(mine))
@@ -61,7 +60,7 @@ def test_check_knows_the_keys_of_the_window(cli: Any, mine: Path) -> None:
     assert "the key x is taken by the window: hide all overlays" in done.stdout
 
 
-def test_check_says_where_a_field_cannot_be_read(cli: Any, mine: Path) -> None:
+def test_check_says_where_a_field_cannot_be_read(cli, mine) -> None:
     text = mine.read_text(encoding="utf-8")
     mine.write_text(text.replace('"circle_radius"', '"circle_radios"', 1), encoding="utf-8")
     line = text[: text.index('"circle_radius"')].count("\n") + 1
@@ -71,9 +70,7 @@ def test_check_says_where_a_field_cannot_be_read(cli: Any, mine: Path) -> None:
     assert "did you mean 'circle_radius'?" in done.stderr
 
 
-def test_show_tells_elements_dimensions_and_symmetries(
-    cli: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_show_tells_elements_dimensions_and_symmetries(cli, tmp_path, monkeypatch) -> None:
     for name in ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"):
         monkeypatch.delenv(name, raising=False)
     done = cli("field", "show", "ice_hockey_iihf:width=26")
@@ -89,7 +86,7 @@ def test_show_tells_elements_dimensions_and_symmetries(
     assert "rules: IIHF" in done.stdout
 
 
-def test_show_draws_every_element_in_its_colour(cli: Any, tmp_path: Path) -> None:
+def test_show_draws_every_element_in_its_colour(cli, tmp_path) -> None:
     out = tmp_path / "map.png"
     done = cli("field", "show", "soccer", "--output", str(out))
     assert (done.exit_code, done.stderr) == (0, "")
@@ -99,9 +96,7 @@ def test_show_draws_every_element_in_its_colour(cli: Any, tmp_path: Path) -> Non
         assert int(element.colour[1:], 16) in colours, element.title
 
 
-def test_show_writes_an_svg_that_can_be_searched_and_does_not_change(
-    cli: Any, tmp_path: Path
-) -> None:
+def test_show_writes_an_svg_that_can_be_searched_and_does_not_change(cli, tmp_path) -> None:
     outs = [tmp_path / "a.svg", tmp_path / "b.SVG"]
     for out in outs:
         assert cli("field", "show", "ice_hockey_iihf", "-o", str(out)).exit_code == 0
@@ -120,14 +115,14 @@ def test_show_writes_an_svg_that_can_be_searched_and_does_not_change(
         ("file/below/map.png", "is a file, expected a folder; choose another place"),
     ],
 )
-def test_show_refuses_what_it_cannot_write(cli: Any, tmp_path: Path, name: str, told: str) -> None:
+def test_show_refuses_what_it_cannot_write(cli, tmp_path, name, told) -> None:
     (tmp_path / "file").write_text("", encoding="utf-8")
     done = cli("field", "show", "soccer", "--output", str(tmp_path / name))
     assert done.exit_code == 2
     assert told in done.stderr
 
 
-def test_show_never_writes_over_the_field(cli: Any, mine: Path) -> None:
+def test_show_never_writes_over_the_field(cli, mine) -> None:
     link = mine.with_suffix(".svg")
     link.symlink_to(mine)
     before = mine.read_bytes()
@@ -136,7 +131,7 @@ def test_show_never_writes_over_the_field(cli: Any, mine: Path) -> None:
 
 
 @pytest.mark.parametrize("command", ["list", "check", "show"])
-def test_the_commands_have_help_with_an_example(cli: Any, command: str) -> None:
+def test_the_commands_have_help_with_an_example(cli, command) -> None:
     done = cli("field", command, "--help")
     assert done.exit_code == 0
     assert f"procc-annotator field {command}" in done.stdout
@@ -158,16 +153,14 @@ def test_the_commands_have_help_with_an_example(cli: Any, command: str) -> None:
         ),
     ],
 )
-def test_dimensions_that_cannot_be_are_told_without_the_installed_file(
-    cli: Any, text: str, says: str
-) -> None:
+def test_dimensions_that_cannot_be_are_told_without_the_installed_file(cli, text, says) -> None:
     done = cli("field", "show", text)
     assert done.exit_code == 2
     assert says in done.stderr
     assert ".toml" not in done.stderr
 
 
-def test_show_tells_kinds_and_the_side_of_the_paint(cli: Any) -> None:
+def test_show_tells_kinds_and_the_side_of_the_paint(cli) -> None:
     shown = cli("field", "show", "basketball_fiba").stdout
     sideline = next(line for line in shown.splitlines() if "Near sideline" in line)
     assert "0.05, outside" in sideline  # the court is measured to the inner edge

@@ -33,7 +33,7 @@ class Tree:
 
 
 @pytest.fixture
-def tree(sample_data: Path, tmp_path: Path) -> Tree:
+def tree(sample_data, tmp_path) -> Tree:
     """Two matches whose pictures have the same names, annotated beside them."""
     made = Tree(tmp_path / "season", tmp_path / "cameras")
     for match in MATCHES:
@@ -47,7 +47,7 @@ def tree(sample_data: Path, tmp_path: Path) -> Tree:
     return made
 
 
-def test_every_picture_is_a_frame_of_its_own(tree: Tree) -> None:
+def test_every_picture_is_a_frame_of_its_own(tree) -> None:
     root, frames, notices = list_frames(tree.root)
     assert root == tree.root
     assert [frame.name for frame in frames] == NAMES
@@ -55,7 +55,7 @@ def test_every_picture_is_a_frame_of_its_own(tree: Tree) -> None:
     assert [f.annotation_path for f in frames] == [tree.root / f"{name}.json" for name in NAMES]
 
 
-def test_commands_agree_on_the_names_of_frames(cli, tree: Tree, tmp_path: Path) -> None:
+def test_commands_agree_on_the_names_of_frames(cli, tree, tmp_path) -> None:
     out = tmp_path / "s.csv"
     assert cli("evaluate", tree.root, tree.cameras, "-o", out).exit_code == 0
     with out.open(encoding="utf-8") as file:
@@ -71,9 +71,7 @@ def test_commands_agree_on_the_names_of_frames(cli, tree: Tree, tmp_path: Path) 
     assert scores["summary"]
 
 
-def test_pictures_and_cameras_are_written_into_folders_as_they_lie(
-    cli, tree: Tree, tmp_path: Path
-) -> None:
+def test_pictures_and_cameras_are_written_into_folders_as_they_lie(cli, tree, tmp_path) -> None:
     assert cli("render", tree.root, tmp_path / "r", "--cameras", tree.cameras).exit_code == 0
     assert cli("calibrate", tree.root, tmp_path / "c").exit_code == 0
     assert cli("convert", tree.cameras, tmp_path / "k", "--to", "opencv").exit_code == 0
@@ -88,9 +86,7 @@ def test_pictures_and_cameras_are_written_into_folders_as_they_lie(
 
 
 @pytest.mark.parametrize("fmt", ["soccernet", "labelme", "cvat", "coco", "soccernet-gsr"])
-def test_other_formats_hold_a_tree_with_its_pictures(
-    cli, tree: Tree, tmp_path: Path, fmt: str
-) -> None:
+def test_other_formats_hold_a_tree_with_its_pictures(cli, tree, tmp_path, fmt) -> None:
     place = tmp_path / "there"
     assert cli("convert", tree.root, place, "--to", fmt, "--pictures").exit_code == 0
     assert len(list(place.rglob("*.jpg"))) == len(NAMES)
@@ -100,7 +96,7 @@ def test_other_formats_hold_a_tree_with_its_pictures(
     assert all(name in text for name in NAMES)
 
 
-def test_what_one_match_has_goes_with_the_whole_tree(cli, tree: Tree, tmp_path: Path) -> None:
+def test_what_one_match_has_goes_with_the_whole_tree(cli, tree, tmp_path) -> None:
     """Cameras of one match alone lie in the only folder of their place."""
     for place in (tree.root, tree.cameras):
         for match in ("a", "b"):
@@ -116,7 +112,7 @@ def test_what_one_match_has_goes_with_the_whole_tree(cli, tree: Tree, tmp_path: 
     assert [bool(scored[name]) for name in sorted(scored)] == [True, True, False, False]
 
 
-def test_clicks_of_one_match_are_not_judged_by_cameras_of_another(cli, tree: Tree) -> None:
+def test_clicks_of_one_match_are_not_judged_by_cameras_of_another(cli, tree) -> None:
     """Each lies in the only folder of its place, which is otherwise no part of a frame's name."""
     for match in ("a", "b"):
         for place in (tree.root / match, tree.cameras / match):
@@ -144,9 +140,7 @@ def test_clicks_of_one_match_are_not_judged_by_cameras_of_another(cli, tree: Tre
     assert "2 frames" in cli("evaluate", inside, tree.cameras).stdout
 
 
-def test_annotations_may_lie_apart_in_folders_of_the_same_names(
-    cli, tree: Tree, tmp_path: Path
-) -> None:
+def test_annotations_may_lie_apart_in_folders_of_the_same_names(cli, tree, tmp_path) -> None:
     for match in MATCHES:
         for frame in FRAMES:
             (tree.root / match / f"{frame}.json").unlink()
@@ -159,7 +153,7 @@ def test_annotations_may_lie_apart_in_folders_of_the_same_names(
     assert "4 frames" in cli("evaluate", tree.root, tree.cameras).stdout
 
 
-def test_game_state_folders_go_by_their_pictures(cli, tree: Tree, tmp_path: Path) -> None:
+def test_game_state_folders_go_by_their_pictures(cli, tree, tmp_path) -> None:
     """Its file lies above img1 and leaves that folder out."""
     for match in MATCHES:
         folder = tree.root / match
@@ -178,7 +172,7 @@ def test_game_state_folders_go_by_their_pictures(cli, tree: Tree, tmp_path: Path
     assert list(imported.frames) == NAMES
 
 
-def test_pictures_of_one_folder_keep_plain_names(sample_data: Path, tmp_path: Path) -> None:
+def test_pictures_of_one_folder_keep_plain_names(sample_data, tmp_path) -> None:
     (tmp_path / "game/img1").mkdir(parents=True)
     shutil.copy(sample_data / "00001.jpg", tmp_path / "game/img1")
     _, (frame,), _ = list_frames(tmp_path / "game")
@@ -189,7 +183,7 @@ def test_pictures_of_one_folder_keep_plain_names(sample_data: Path, tmp_path: Pa
     assert frame.annotation_path == tmp_path / "game/img1/00001.json"
 
 
-def test_a_damaged_tree_loses_only_what_is_damaged(cli, tree: Tree, tmp_path: Path) -> None:
+def test_a_damaged_tree_loses_only_what_is_damaged(cli, tree, tmp_path) -> None:
     (tree.root / "a" / "again").symlink_to(tree.root, target_is_directory=True)
     (tree.root / "b" / "nowhere.jpg").symlink_to(tree.root / "gone.jpg")
     (tree.root / "b/img1/00001.json").write_text("{")
@@ -200,9 +194,7 @@ def test_a_damaged_tree_loses_only_what_is_damaged(cli, tree: Tree, tmp_path: Pa
     assert written == {f"{name}.json" for name in NAMES if name != "b/img1/00001"}
 
 
-def test_an_unreadable_folder_is_told_and_the_others_are_there(
-    tree: Tree, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_an_unreadable_folder_is_told_and_the_others_are_there(tree, monkeypatch) -> None:
     """As a disk with a fault does: permissions do not stop everybody."""
     listed = os.scandir
 
@@ -218,7 +210,7 @@ def test_an_unreadable_folder_is_told_and_the_others_are_there(
     assert "a/: cannot be listed: Input/output error" in notices[0].replace("season/a:", "a/:")
 
 
-def test_what_is_annotated_in_a_tree_is_saved_beside_its_picture(tree: Tree) -> None:
+def test_what_is_annotated_in_a_tree_is_saved_beside_its_picture(tree) -> None:
     (tree.root / "b/img1/00002.json").unlink()
     workspace = Workspace.open(tree.root, load_field())
     index = workspace.index["b/img1/00002"]
@@ -229,7 +221,7 @@ def test_what_is_annotated_in_a_tree_is_saved_beside_its_picture(tree: Tree) -> 
     assert {p.name for p in tree.root.rglob("*.json")} == {f"{frame}.json" for frame in FRAMES}
 
 
-def test_nothing_is_written_over_a_tree_that_is_read(cli, tree: Tree) -> None:
+def test_nothing_is_written_over_a_tree_that_is_read(cli, tree) -> None:
     before = {p: p.read_bytes() for p in tree.root.rglob("*.*") if p.is_file()}
     for command in (
         ("export", tree.root, tree.root, "--overwrite"),
@@ -244,7 +236,7 @@ def test_nothing_is_written_over_a_tree_that_is_read(cli, tree: Tree) -> None:
 
 
 @pytest.mark.usefixtures("no_charts")
-def test_a_report_and_a_comparison_of_a_tree(cli, tree: Tree, tmp_path: Path) -> None:
+def test_a_report_and_a_comparison_of_a_tree(cli, tree, tmp_path) -> None:
     page = tmp_path / "report.html"
     done = cli("report", tree.root, "--cameras", f"ours={tree.cameras}", "--output", page)
     assert done.exit_code == 0, done.stderr
@@ -255,7 +247,7 @@ def test_a_report_and_a_comparison_of_a_tree(cli, tree: Tree, tmp_path: Path) ->
     assert "4 frames" in done.stdout + done.stderr
 
 
-def test_a_tree_of_shots_has_a_strip_that_breaks_between_folders(tmp_path: Path) -> None:
+def test_a_tree_of_shots_has_a_strip_that_breaks_between_folders(tmp_path) -> None:
     picture = np.random.default_rng(5).integers(0, 255, (36, 64, 3), dtype=np.uint8)
     picture = cv2.resize(picture, (640, 360), interpolation=cv2.INTER_CUBIC)
     for shot in ("a/img1", "b/img1"):
@@ -264,7 +256,6 @@ def test_a_tree_of_shots_has_a_strip_that_breaks_between_folders(tmp_path: Path)
             cv2.imwrite(str(tmp_path / shot / f"{number:06d}.jpg"), picture)
     _, frames, _ = list_frames(tmp_path)
     sequence = sequence_of(frames)
-    assert sequence is not None
     assert len(sequence.numbers) == 2 * FEWEST
     first, second = (int(sequence.numbers[at]) for at in (0, FEWEST))
     assert list(sequence.unbroken(first)) == list(range(first, first + FEWEST))
@@ -273,7 +264,7 @@ def test_a_tree_of_shots_has_a_strip_that_breaks_between_folders(tmp_path: Path)
 
 
 def test_a_folder_of_overlays_below_annotations_is_none_of_pictures(
-    cli, sample_data: Path, tmp_path: Path
+    cli, sample_data, tmp_path
 ) -> None:
     """All annotations count, not only those of frames that were drawn."""
     annotations = tmp_path / "annotations_alone"
@@ -291,7 +282,7 @@ def test_a_folder_of_overlays_below_annotations_is_none_of_pictures(
     assert "960x540" in done.stdout
 
 
-def test_what_cvat_exports_is_a_tree_with_its_pictures(cli, tree: Tree, tmp_path: Path) -> None:
+def test_what_cvat_exports_is_a_tree_with_its_pictures(cli, tree, tmp_path) -> None:
     """It puts pictures in images/, leaves that folder out of their names, and adds a list of
     labels."""
     place = tmp_path / "project"
@@ -309,9 +300,7 @@ def test_what_cvat_exports_is_a_tree_with_its_pictures(cli, tree: Tree, tmp_path
     ("fmt", "name"),
     [("soccernet-gsr", "Labels-GameState.json"), ("soccernet-v3", "Labels-v3.json")],
 )
-def test_a_format_of_one_file_a_game_has_one_in_each_folder(
-    cli, tree: Tree, tmp_path: Path, fmt: str, name: str
-) -> None:
+def test_a_format_of_one_file_a_game_has_one_in_each_folder(cli, tree, tmp_path, fmt, name) -> None:
     """Each names the pictures of its own game, as its loader joins them to its folder."""
     out = tmp_path / "games"
     done = cli("convert", tree.root, out, "--to", fmt)
@@ -340,7 +329,7 @@ def test_a_format_of_one_file_a_game_has_one_in_each_folder(
     assert "a/img1/00001.jpg" in one.read_text()
 
 
-def test_pictures_of_soccernet_v3_that_are_still_packed_are_told(cli, tmp_path: Path) -> None:
+def test_pictures_of_soccernet_v3_that_are_still_packed_are_told(cli, tmp_path) -> None:
     game = tmp_path / "league" / "season" / "game"
     game.mkdir(parents=True)
     lines = [{"class": "Middle line", "points": [1, 2, 3, 4]}]
@@ -356,7 +345,7 @@ def test_pictures_of_soccernet_v3_that_are_still_packed_are_told(cli, tmp_path: 
 
 @pytest.mark.parametrize("place", ["annotations/{}", "{}/annotations", "{}"])
 def test_annotations_without_the_folder_of_pictures_are_those_of_the_pictures(
-    cli, tree: Tree, tmp_path: Path, place: str
+    cli, tree, tmp_path, place
 ) -> None:
     """By every command, and by the window; the names composed otherwise, as a Mac copies them."""
     here, there = "é", "e\u0301"
@@ -379,9 +368,7 @@ def test_annotations_without_the_folder_of_pictures_are_those_of_the_pictures(
     assert done.stderr == ""
 
 
-def test_annotations_of_one_match_go_with_cameras_of_the_whole_tree(
-    cli, tree: Tree, tmp_path: Path
-) -> None:
+def test_annotations_of_one_match_go_with_cameras_of_the_whole_tree(cli, tree, tmp_path) -> None:
     """Without pictures nothing but the cameras tells that their only folder is one of several."""
     kept = tmp_path / "kept/a"
     kept.mkdir(parents=True)
@@ -395,9 +382,7 @@ def test_annotations_of_one_match_go_with_cameras_of_the_whole_tree(
 
 
 @pytest.mark.parametrize("fmt", ["cvat", "coco", "soccernet-v3"])
-def test_a_file_of_one_match_comes_back_into_the_tree(
-    cli, tree: Tree, tmp_path: Path, fmt: str
-) -> None:
+def test_a_file_of_one_match_comes_back_into_the_tree(cli, tree, tmp_path, fmt) -> None:
     shutil.move(tree.root / "b", tmp_path / "b")
     (tree.root / "b/img1").mkdir(parents=True)
     shutil.copy(tmp_path / "b/img1/00001.jpg", tree.root / "b/img1")
@@ -408,9 +393,7 @@ def test_a_file_of_one_match_comes_back_into_the_tree(
     assert set(read_annotations(file, workspace).frames) == {f"a/img1/{f}" for f in FRAMES}
 
 
-def test_releases_and_reports_find_frames_however_they_are_called(
-    cli, tree: Tree, tmp_path: Path
-) -> None:
+def test_releases_and_reports_find_frames_however_they_are_called(cli, tree, tmp_path) -> None:
     """Without the folder of pictures in a table, and composed otherwise by the annotations."""
     here, there = "é1", "e\u03011"
     for match in MATCHES:

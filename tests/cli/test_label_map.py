@@ -15,7 +15,7 @@ from procc_annotator.field.load import load_field
 
 
 @pytest.fixture
-def renamed(cli, dataset, tmp_path: Path) -> tuple[Path, Path]:
+def renamed(cli, dataset, tmp_path) -> tuple[Path, Path]:
     """The dataset as labelme files whose labels are numbers, and the map back."""
     folder = tmp_path / "renamed"
     assert cli("convert", dataset.root, folder, "--to", "labelme").exit_code == 0
@@ -31,7 +31,7 @@ def renamed(cli, dataset, tmp_path: Path) -> tuple[Path, Path]:
     return folder, labels
 
 
-def test_figures_are_those_of_the_official_names(cli, dataset, renamed, tmp_path: Path) -> None:
+def test_figures_are_those_of_the_official_names(cli, dataset, renamed, tmp_path) -> None:
     folder, labels = renamed
     cameras = dataset.cameras
     cli("evaluate", dataset.annotations, cameras, "-o", tmp_path / "own.json")
@@ -56,7 +56,7 @@ def test_figures_are_those_of_the_official_names(cli, dataset, renamed, tmp_path
     assert "100.00" in agreed.stdout
 
 
-def test_the_map_of_a_dataset_is_used_by_itself(cli, renamed, tmp_path: Path) -> None:
+def test_the_map_of_a_dataset_is_used_by_itself(cli, renamed, tmp_path) -> None:
     folder, labels = renamed
     (folder / "labels.toml").write_bytes(labels.read_bytes())
     done = cli("check", folder, "--no-line-evidence")
@@ -69,7 +69,7 @@ def test_the_map_of_a_dataset_is_used_by_itself(cli, renamed, tmp_path: Path) ->
     assert classes <= {e.name for e in load_field(None).elements}
 
 
-def test_an_export_has_the_official_names(cli, dataset, renamed, tmp_path: Path) -> None:
+def test_an_export_has_the_official_names(cli, dataset, renamed, tmp_path) -> None:
     """Of annotations alone, and of a dataset with pictures."""
     folder, labels = renamed
     for place in (folder, dataset.root):
@@ -108,7 +108,7 @@ def test_a_map_that_is_wrong_is_one_line(cli, renamed) -> None:
     assert "did you mean 'Side line bottom'?" in done.stderr
 
 
-def test_pictures_are_drawn_by_the_map(cli, dataset, renamed, tmp_path: Path) -> None:
+def test_pictures_are_drawn_by_the_map(cli, dataset, renamed, tmp_path) -> None:
     folder, labels = renamed
     runs = {
         "own": ("--annotations", dataset.annotations),
@@ -132,7 +132,7 @@ def test_pictures_are_drawn_by_the_map(cli, dataset, renamed, tmp_path: Path) ->
 
 
 def test_anchors_of_a_track_are_fitted_by_the_map(
-    cli, dataset, renamed, monkeypatch, tmp_path: Path
+    cli, dataset, renamed, monkeypatch, tmp_path
 ) -> None:
     """Nothing is found in pictures alone, which would take long where no anchor is known."""
     folder, labels = renamed
@@ -152,7 +152,7 @@ def test_anchors_of_a_track_are_fitted_by_the_map(
     assert said == [True, False]
 
 
-def test_annotated_frames_are_told_by_the_map(cli, dataset, renamed, tmp_path: Path) -> None:
+def test_annotated_frames_are_told_by_the_map(cli, dataset, renamed, tmp_path) -> None:
     folder, labels = renamed
     done = cli("propose", dataset.root, tmp_path / "p", "--annotations", folder, "--map", labels)
     assert "names by" in done.stderr

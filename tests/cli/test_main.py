@@ -46,7 +46,7 @@ def test_every_command_has_help_with_an_example(cli, name) -> None:
     assert done.exit_code == 0
     example = done.stdout.split("Example:")[1]
     assert f"procc-annotator {name} " in example
-    options = typer.main.get_command(app).commands[name].load().params  # type: ignore[attr-defined]
+    options = typer.main.get_command(app).commands[name].load().params
     assert [option.name for option in options if not option.help] == []
 
 
@@ -67,9 +67,7 @@ def test_without_a_display_the_window_says_so(arguments) -> None:
 
 
 @pytest.mark.parametrize("command", [[], ["open"]])
-def test_a_path_opens_the_window(
-    cli, qapp, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, command
-) -> None:
+def test_a_path_opens_the_window(cli, qapp, monkeypatch, tmp_path, command) -> None:
     from procc_annotator.gui import app as gui_app
 
     opened, fields = [], []
@@ -182,6 +180,42 @@ def test_one_of_anything_is_told_in_the_singular(cli, dataset, tmp_path) -> None
         assert not re.findall(rf"(?<![\d.,])1 (?:\w+ )?(?:{many})\b", printed), printed
 
 
+@pytest.mark.parametrize(
+    ("command", "frames"),
+    [("evaluate", 150), ("report", 150), ("calibrate", 20), ("check", 20), ("compare", 20),
+     ("agree", 20)],
+)  # fmt: skip
+def test_two_processes_write_the_same_files(cli, dataset, tmp_path, command, frames) -> None:
+    """More frames than one chunk has, in real processes."""
+    second, cameras = tmp_path / "second", tmp_path / "cameras"
+    for number in range(frames):
+        shutil.copy(dataset.annotations / "1.json", dataset.annotations / f"again{number}.json")
+        shutil.copy(
+            dataset.cameras / "camera_2.json", dataset.cameras / f"camera_again{number}.json"
+        )
+    shutil.copytree(dataset.annotations, second)
+    shutil.copytree(dataset.cameras, cameras)
+    shutil.copy(second / "2.json", second / "1.json")
+    shutil.copy(cameras / "camera_2.json", cameras / "camera_1.json")
+    written = []
+    for workers in (1, 2):
+        out = tmp_path / str(workers)
+        out.mkdir()
+        arguments = {
+            "evaluate": (*dataset.set_arguments, "-o", out / "s.json"),
+            "report": (dataset.annotations, "--cameras", cameras, "-o", out / "r.json"),
+            "calibrate": (dataset.annotations, out, "-m", "P"),
+            "check": (dataset.annotations, "-o", out / "f.csv"),
+            "compare": (dataset.cameras, f"other={cameras}", "-o", out / "c.json"),
+            "agree": (dataset.annotations, second, "-o", out / "a.json"),
+        }[command]
+        done = cli(command, *arguments, "--workers", workers)
+        assert done.exit_code == 0, done.output
+        written.append({path.name: path.read_bytes() for path in out.iterdir()})
+    assert written[0] == written[1]
+    assert written[0]
+
+
 DEEP = b'{"a":' * 1000 + b"1" + b"}" * 1000
 
 
@@ -251,7 +285,7 @@ def test_a_stopped_run_goes_on_by_being_run_again(
 
         def stop(*names: object, call: int, **options: object) -> None:
             nonlocal left
-            real[call](*names, **options)  # type: ignore[operator]
+            real[call](*names, **options)
             left -= 1
             if not left:
                 raise KeyboardInterrupt

@@ -14,7 +14,7 @@ SOURCES = ("true", "bad", "homography")
 
 
 @pytest.fixture
-def data(sample_data: Path, tmp_path: Path) -> Path:
+def data(sample_data, tmp_path) -> Path:
     """The sample's annotations and cameras."""
     folder = tmp_path / "sample"
     folder.mkdir()
@@ -25,7 +25,7 @@ def data(sample_data: Path, tmp_path: Path) -> Path:
 
 
 @pytest.fixture
-def manifest(cli, data: Path, tmp_path: Path) -> Path:
+def manifest(cli, data, tmp_path) -> Path:
     """Of three sources at two thresholds."""
     path = tmp_path / "manifest.json"
     sources = [f"--cameras={name}={data / 'cameras' / name}" for name in SOURCES]
@@ -35,7 +35,7 @@ def manifest(cli, data: Path, tmp_path: Path) -> Path:
     return path
 
 
-def test_a_manifest_holds_the_run_and_no_path_of_the_machine(manifest: Path, data: Path) -> None:
+def test_a_manifest_holds_the_run_and_no_path_of_the_machine(manifest, data) -> None:
     text = manifest.read_text()
     found = json.loads(text)
     assert str(data.parent) not in text
@@ -55,9 +55,7 @@ def test_a_manifest_holds_the_run_and_no_path_of_the_machine(manifest: Path, dat
     assert evaluation["summary"].keys() == {"5", "2"}
 
 
-def test_it_is_repeated_elsewhere_and_by_its_old_name(
-    cli, manifest: Path, data: Path, tmp_path: Path
-) -> None:
+def test_it_is_repeated_elsewhere_and_by_its_old_name(cli, manifest, data, tmp_path) -> None:
     elsewhere = tmp_path / "far" / "away"
     shutil.copytree(data, elsewhere)
     shutil.rmtree(data)
@@ -71,7 +69,7 @@ def test_it_is_repeated_elsewhere_and_by_its_old_name(
     assert json.loads(old.read_text())["format"] == "procc-annotator manifest 1"
 
 
-def test_what_differs_is_listed(cli, manifest: Path, data: Path, tmp_path: Path) -> None:
+def test_what_differs_is_listed(cli, manifest, data, tmp_path) -> None:
     (data / "00001.json").unlink()
     camera = data / "cameras" / "true" / "camera_00002.json"
     content = json.loads(camera.read_text())
@@ -96,7 +94,7 @@ def test_what_differs_is_listed(cli, manifest: Path, data: Path, tmp_path: Path)
     assert len(shown) < 50 < len(lines)
 
 
-def test_the_least_change_of_a_metric_is_a_difference(cli, manifest: Path, data: Path) -> None:
+def test_the_least_change_of_a_metric_is_a_difference(cli, manifest, data) -> None:
     content = json.loads(manifest.read_text())
     content["metrics"]["evaluations"][1]["summary"]["5"]["mean_jac"] *= 1 + 1e-11
     manifest.write_text(json.dumps(content))
@@ -107,7 +105,7 @@ def test_the_least_change_of_a_metric_is_a_difference(cli, manifest: Path, data:
 
 
 def test_a_report_with_intervals_is_repeated_and_its_tables_name_the_manifest(
-    cli, data: Path, tmp_path: Path
+    cli, data, tmp_path
 ) -> None:
     tags, tex, own = data / "tags.csv", tmp_path / "t.tex", tmp_path / "own.json"
     frames = sorted(path.stem for path in data.glob("*.json"))
@@ -145,7 +143,7 @@ def test_a_report_with_intervals_is_repeated_and_its_tables_name_the_manifest(
         ('{"format": "procc-annotator recipe 1"}', "run its command again with --manifest"),
     ],
 )
-def test_what_is_no_manifest(cli, tmp_path: Path, content: str, says: str) -> None:
+def test_what_is_no_manifest(cli, tmp_path, content, says) -> None:
     path = tmp_path / "r.json"
     path.write_text(content)
     done = cli("repeat", path)
@@ -164,14 +162,14 @@ def test_what_is_no_manifest(cli, tmp_path: Path, content: str, says: str) -> No
         ({"inputs": {"else.json": ["", 0]}}, "is not in"),
     ],
 )
-def test_a_manifest_that_is_refused(cli, manifest: Path, data: Path, change, says: str) -> None:
+def test_a_manifest_that_is_refused(cli, manifest, data, change, says) -> None:
     manifest.write_text(json.dumps(json.loads(manifest.read_text()) | change))
     done = cli("repeat", manifest, "--data", data)
     assert done.exit_code == 2
     assert says in " ".join(done.stderr.split())
 
 
-def test_a_manifest_writes_nothing_among_the_data(cli, manifest: Path, data: Path) -> None:
+def test_a_manifest_writes_nothing_among_the_data(cli, manifest, data) -> None:
     content = json.loads(manifest.read_text())
     content["options"] |= {"output": ["00001.json"], "over_time_output": ["t.csv"]}
     manifest.write_text(json.dumps(content))
@@ -180,7 +178,7 @@ def test_a_manifest_writes_nothing_among_the_data(cli, manifest: Path, data: Pat
     assert {path: path.read_bytes() for path in data.rglob("*") if path.is_file()} == before
 
 
-def test_fits_landmarks_and_views_are_inputs(cli, data: Path, tmp_path: Path) -> None:
+def test_fits_landmarks_and_views_are_inputs(cli, data, tmp_path) -> None:
     known = {"name": "Floodlight NE", "position": [61.2, -45.0, -28.4]}
     (data / "landmarks.json").write_text(json.dumps({"landmarks": [known]}))
     (data / "views.csv").write_text("frame,instant,view\n00001,1,main\n")

@@ -38,7 +38,7 @@ def client() -> Client:
 
 
 @pytest.fixture
-def written(cli, sample_data: Path, tmp_path: Path) -> Callable[[str], Path]:
+def written(cli, sample_data, tmp_path) -> Callable[[str], Path]:
     """Writes the sample in a format, with its pictures."""
 
     def write(fmt: str) -> Path:
@@ -75,19 +75,15 @@ def _require_same(read: dict[str, Any], expected: dict[str, dict[str, np.ndarray
     ("fmt", "called"),
     [("coco", "coco_person_keypoints"), ("cvat", "cvat"), ("cvat-video", "cvat")],
 )
-def test_datumaro_reads_every_point_and_picture(
-    client: Client, written, sample_data: Path, fmt: str, called: str
-) -> None:
+def test_datumaro_reads_every_point_and_picture(client, written, sample_data, fmt, called) -> None:
     _require_same(client("datumaro-read", called, written(fmt)), _expected(sample_data))
 
 
-def test_labelme_reads_every_point_and_picture(client: Client, written, sample_data: Path) -> None:
+def test_labelme_reads_every_point_and_picture(client, written, sample_data) -> None:
     _require_same(client("labelme-read", written("labelme")), _expected(sample_data))
 
 
-def test_what_labelme_saves_is_read_back(
-    client: Client, written, cli, sample_data: Path, tmp_path: Path
-) -> None:
+def test_what_labelme_saves_is_read_back(client, written, cli, sample_data, tmp_path) -> None:
     folder, saved = written("labelme"), tmp_path / "saved"
     saved.mkdir()
     for picture in folder.glob("*.jpg"):
@@ -98,7 +94,7 @@ def test_what_labelme_saves_is_read_back(
 
 @pytest.mark.parametrize(("fmt", "called"), [("coco", "coco_person_keypoints"), ("cvat", "cvat")])
 def test_what_datumaro_exports_is_read_back(
-    client: Client, written, cli, sample_data: Path, tmp_path: Path, fmt: str, called: str
+    client, written, cli, sample_data, tmp_path, fmt, called
 ) -> None:
     exported = tmp_path / "exported"
     client("datumaro-write", called, written(fmt), called, exported)
@@ -115,9 +111,7 @@ def _require_no_difference(cli, own: Path, other: Path) -> None:
 
 
 @pytest.mark.parametrize("program", ["pandas", "duckdb"])
-def test_tables_are_read(
-    client: Client, cli, sample_data: Path, tmp_path: Path, program: str
-) -> None:
+def test_tables_are_read(client, cli, sample_data, tmp_path, program) -> None:
     table = tmp_path / "scores.csv"
     done = cli("evaluate", sample_data, sample_data / "cameras" / "bad", "-o", table)
     assert done.exit_code == 0, done.output

@@ -51,7 +51,7 @@ def manifest(path: Path) -> dict:
 
 
 @pytest.fixture
-def data(sample_data: Path, tmp_path: Path) -> Path:
+def data(sample_data, tmp_path) -> Path:
     folder = tmp_path / "sample"
     folder.mkdir()
     for file in sample_data.glob("*.json"):
@@ -62,9 +62,7 @@ def data(sample_data: Path, tmp_path: Path) -> Path:
 
 @pytest.mark.parametrize("protocol", ["procc", "soccernet"])
 @pytest.mark.parametrize("source", SOURCES)
-def test_polylines_score_as_their_cameras_do(
-    cli, data: Path, tmp_path: Path, source: str, protocol: str
-) -> None:
+def test_polylines_score_as_their_cameras_do(cli, data, tmp_path, source, protocol) -> None:
     archive, own, theirs = tmp_path / "s.zip", tmp_path / "own.json", tmp_path / "theirs.json"
     submit(cli, data, source, archive, "--protocol", protocol, "--method", "mine")
     cameras = data / "cameras" / source
@@ -79,9 +77,7 @@ def test_polylines_score_as_their_cameras_do(
         assert summary(theirs)[key] == pytest.approx(summary(own)[key], abs=2e-3), key
 
 
-def test_polylines_cut_to_the_picture_are_no_method_of_procc(
-    cli, data: Path, tmp_path: Path
-) -> None:
+def test_polylines_cut_to_the_picture_are_no_method_of_procc(cli, data, tmp_path) -> None:
     """Their distances are not the camera's."""
     annotations, size = load_annotations(data), (960, 540)
     cameras = load_cameras(data / "cameras" / "true")
@@ -109,13 +105,13 @@ def test_polylines_cut_to_the_picture_are_no_method_of_procc(
         assert "its polylines are cut to the picture" in " ".join(done.stderr.split())
 
 
-def test_cameras_that_hardly_belong_to_the_size_are_told(cli, data: Path, tmp_path: Path) -> None:
+def test_cameras_that_hardly_belong_to_the_size_are_told(cli, data, tmp_path) -> None:
     done = cli("convert", data / "cameras" / "pinhole", tmp_path / "s.zip", "--to", "polylines",
                "--size", "1280x720")  # fmt: skip
     assert "in the exact middle of 960x540, not of 1280x720" in done.stderr
 
 
-def test_what_it_was_made_for_counts(cli, data: Path, tmp_path: Path) -> None:
+def test_what_it_was_made_for_counts(cli, data, tmp_path) -> None:
     archive = tmp_path / "s.zip"
     submit(cli, data, "true", archive, "--protocol", "procc")
 
@@ -131,7 +127,7 @@ def test_what_it_was_made_for_counts(cli, data: Path, tmp_path: Path) -> None:
     assert "other frames" in refused("--protocol", "procc")
 
 
-def test_findings_of_a_poor_submission(cli, data: Path, tmp_path: Path) -> None:
+def test_findings_of_a_poor_submission(cli, data, tmp_path) -> None:
     good = tmp_path / "s.zip"
     submit(cli, data, "true", good)
     poor = changed(
@@ -161,9 +157,7 @@ def test_findings_of_a_poor_submission(cli, data: Path, tmp_path: Path) -> None:
     ("text", "said"),
     [(b"{", "is no manifest"), (b'{"format": 1}', "is no manifest"), (None, "no manifest.json")],
 )
-def test_a_manifest_that_cannot_be_used(
-    cli, data: Path, tmp_path: Path, text: bytes | None, said: str
-) -> None:
+def test_a_manifest_that_cannot_be_used(cli, data, tmp_path, text, said) -> None:
     good = tmp_path / "s.zip"
     submit(cli, data, "true", good)
     bad = changed(good, tmp_path / "bad.zip", **{"manifest.json": text})
@@ -172,7 +166,7 @@ def test_a_manifest_that_cannot_be_used(
     assert said in done.output
 
 
-def test_a_name_from_a_manifest_is_only_a_name(cli, data: Path, tmp_path: Path) -> None:
+def test_a_name_from_a_manifest_is_only_a_name(cli, data, tmp_path) -> None:
     good = tmp_path / "s.zip"
     submit(cli, data, "true", good)
     content = manifest(good) | {"method": "../../x=y:{set}\n" + "z" * 300}
@@ -183,14 +177,14 @@ def test_a_name_from_a_manifest_is_only_a_name(cli, data: Path, tmp_path: Path) 
     assert not set(method) & set("=:/{}\n")
 
 
-def test_only_an_archive_takes_polylines(cli, data: Path, tmp_path: Path) -> None:
+def test_only_an_archive_takes_polylines(cli, data, tmp_path) -> None:
     done = cli("convert", data / "cameras" / "true", tmp_path / "out", "--to", "polylines")
     assert done.exit_code == 2
     assert ".zip" in done.output
 
 
 def test_names_may_begin_at_the_top_of_the_archive_and_be_composed_otherwise(
-    cli, data: Path, tmp_path: Path
+    cli, data, tmp_path
 ) -> None:
     composed, apart = "caf\u00e9.json", "cafe\u0301.json"
     (data / "00001.json").rename(data / composed)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
@@ -39,7 +37,7 @@ def test_different_problems_and_few_of_them_stay_as_they_are() -> None:
 
 @pytest.mark.parametrize("command", ["export", "render", "compare", "report", "evaluate"])
 def test_a_bare_homography_is_not_taken_for_one_of_another_sport(
-    cli, dataset, tmp_path: Path, command: str
+    cli, dataset, tmp_path, command
 ) -> None:
     bare = tmp_path / "bare"
     bare.mkdir()
@@ -60,7 +58,7 @@ def test_a_bare_homography_is_not_taken_for_one_of_another_sport(
     assert "choose its camera format" in done.stderr
 
 
-def test_a_damaged_file_of_many_cameras_is_told_by_itself(cli, dataset, tmp_path: Path) -> None:
+def test_a_damaged_file_of_many_cameras_is_told_by_itself(cli, dataset, tmp_path) -> None:
     for name, content in (
         ("cut.mat", b"MATLAB 5.0 MAT-file" + bytes(99)),
         ("cut.json", b'{"1": {'),

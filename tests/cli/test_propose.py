@@ -47,7 +47,7 @@ class Pretended:
 
 
 @pytest.fixture(scope="module")
-def fits(tmp_path_factory: pytest.TempPathFactory) -> dict[str, FitResult]:
+def fits(tmp_path_factory) -> dict[str, FitResult]:
     """What a fit to its points says of every frame."""
     made = write_dataset(tmp_path_factory.mktemp("fits") / "match")
     return {
@@ -57,7 +57,7 @@ def fits(tmp_path_factory: pytest.TempPathFactory) -> dict[str, FitResult]:
 
 
 @pytest.fixture
-def bare(dataset: Dataset) -> Dataset:
+def bare(dataset) -> Dataset:
     """Nobody has annotated anything."""
     for path in dataset.annotations.iterdir():
         path.unlink()
@@ -65,7 +65,7 @@ def bare(dataset: Dataset) -> Dataset:
 
 
 @pytest.fixture
-def pretend(monkeypatch: pytest.MonkeyPatch):
+def pretend(monkeypatch):
     def made(said: list[Proposal]) -> Pretended:
         found = Pretended(said)
         monkeypatch.setattr("procc_annotator.cli.propose.propose_camera", found)
@@ -134,13 +134,6 @@ def test_a_damaged_annotation_is_named_and_its_frame_passed_over(
     assert "passed over: 1 frame whose annotation cannot be read (--all)" in done.stdout
     assert "2.json" in done.stderr
     assert "2" not in table(tmp_path / "out")
-
-
-def test_not_among_the_pictures(cli, bare, pretend, fits) -> None:
-    pretend([])
-    done = cli("propose", bare.root, bare.root)
-    assert done.exit_code == 2
-    assert "holds the files to be read, write to another folder" in done.stderr
 
 
 def test_sure_frames_tell_the_others_where_the_camera_stands(

@@ -26,7 +26,7 @@ def as_labelme(cli, dataset, folder: Path, label_of) -> None:
         file.write_text(json.dumps(content))
 
 
-def test_labels_that_say_nothing_are_told_by_cameras(cli, dataset, tmp_path: Path) -> None:
+def test_labels_that_say_nothing_are_told_by_cameras(cli, dataset, tmp_path) -> None:
     names = [e.name.strip() for e in load_field(None).elements]
     as_labelme(cli, dataset, tmp_path / "set", lambda name: f"x{names.index(name)}")
     cameras, labels = dataset.cameras, tmp_path / "labels.toml"
@@ -42,7 +42,7 @@ def test_labels_that_say_nothing_are_told_by_cameras(cli, dataset, tmp_path: Pat
     assert used.exit_code == 0, used.stderr
 
 
-def test_labels_that_are_called_alike_need_no_camera(cli, dataset, tmp_path: Path) -> None:
+def test_labels_that_are_called_alike_need_no_camera(cli, dataset, tmp_path) -> None:
     def label(name: str) -> str:
         found = name.replace("Big rect.", "penalty area").replace("Middle line", "halfway-line")
         return found.replace("Side line", "touchline").replace("Circle", "circles").lower()
@@ -90,7 +90,7 @@ def tennis_frame(number: int) -> dict[str, object]:
     return {"shapes": shapes, "imageWidth": 960, "imageHeight": 540, "imagePath": f"{number}.jpg"}
 
 
-def test_lines_that_share_a_label_are_put_in_order(cli, tmp_path: Path) -> None:
+def test_lines_that_share_a_label_are_put_in_order(cli, tmp_path) -> None:
     folder = tmp_path / "tennis"
     folder.mkdir()
     for number in range(4):
@@ -107,7 +107,7 @@ def test_lines_that_share_a_label_are_put_in_order(cli, tmp_path: Path) -> None:
     assert "4 cameras" in found.stdout
 
 
-def test_names_of_another_sport_are_told(cli, tmp_path: Path) -> None:
+def test_names_of_another_sport_are_told(cli, tmp_path) -> None:
     (tmp_path / "0.json").write_text(json.dumps(tennis_frame(0)))
     done = cli("propose-map", tmp_path / "0.json", "-o", tmp_path / "labels.toml")
     assert "--field tennis" in done.stderr
@@ -117,7 +117,7 @@ def test_names_of_another_sport_are_told(cli, tmp_path: Path) -> None:
     assert "exists already" in again.stderr
 
 
-def test_what_was_left_out_is_told_where_there_is_nothing_to_propose(cli, tmp_path: Path) -> None:
+def test_what_was_left_out_is_told_where_there_is_nothing_to_propose(cli, tmp_path) -> None:
     content = {
         "images": [{"id": 1, "width": 640, "height": 360, "file_name": "a.jpg"}],
         "annotations": [
@@ -134,7 +134,7 @@ def test_what_was_left_out_is_told_where_there_is_nothing_to_propose(cli, tmp_pa
 
 @pytest.mark.skipif(not REAL.is_dir(), reason="the real files are not here")
 @pytest.mark.parametrize("name", ["test", "training"])
-def test_a_public_tennis_set(cli, tmp_path: Path, name: str) -> None:
+def test_a_public_tennis_set(cli, tmp_path, name) -> None:
     labels = tmp_path / "labels.toml"
     source = REAL / f"tennis_cvat_{name}.xml"
     done = cli("propose-map", source, "--field", "tennis", "-o", labels)
@@ -145,7 +145,7 @@ def test_a_public_tennis_set(cli, tmp_path: Path, name: str) -> None:
     assert '"service-centerline" = "Centre service line"' in text
 
 
-def test_a_field_without_straight_lines(cli, dataset, tmp_path: Path, monkeypatch) -> None:
+def test_a_field_without_straight_lines(cli, dataset, tmp_path, monkeypatch) -> None:
     field = load_field(None)
     round_ones = tuple(e for e in field.elements if not isinstance(e.geometry, Line))
     as_labelme(cli, dataset, tmp_path / "set", str.lower)

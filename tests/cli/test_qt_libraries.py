@@ -15,7 +15,7 @@ from procc_annotator.cli.open import qt_missing_words, require_qt_libraries
 from procc_annotator.errors import UsageError
 
 pytestmark = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="of Linux")
-QT = Path(find_spec("PySide6").origin).parent / "Qt"  # type: ignore[union-attr, arg-type]
+QT = Path(find_spec("PySide6").origin).parent / "Qt"
 # Names of one length: the files are changed in place, and the loader then looks for the second.
 HIDDEN = {
     b"libxcb-cursor.so.0": b"libxcb-cursor.so.9",
@@ -24,7 +24,7 @@ HIDDEN = {
 
 
 @pytest.fixture
-def lacking(tmp_path: Path) -> Path:
+def lacking(tmp_path) -> Path:
     """Qt as it is on a system without two libraries of X11."""
     platforms = tmp_path / "PySide6" / "Qt" / "plugins" / "platforms"
     platforms.mkdir(parents=True)
@@ -53,9 +53,7 @@ def tools(monkeypatch: pytest.MonkeyPatch, *there: str) -> None:
         ("", "your package manager"),
     ],
 )
-def test_missing_libraries_are_named_with_the_command(
-    lacking: Path, monkeypatch: pytest.MonkeyPatch, tool: str, said: str
-) -> None:
+def test_missing_libraries_are_named_with_the_command(lacking, monkeypatch, tool, said) -> None:
     tools(monkeypatch, tool)
     monkeypatch.setenv("QT_QPA_PLATFORM", "xcb")
     with pytest.raises(UsageError) as error:
@@ -66,16 +64,14 @@ def test_missing_libraries_are_named_with_the_command(
     )
 
 
-def test_another_platform_that_loads_is_good_enough(
-    lacking: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_another_platform_that_loads_is_good_enough(lacking, monkeypatch) -> None:
     monkeypatch.setenv("QT_QPA_PLATFORM", "xcb;offscreen")
     require_qt_libraries(lacking / "PySide6" / "Qt")
     monkeypatch.setenv("QT_QPA_PLATFORM", "xcb")
     require_qt_libraries(QT)  # nothing is missing where these tests run
 
 
-def test_an_import_that_fails_says_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_an_import_that_fails_says_the_same(monkeypatch) -> None:
     tools(monkeypatch, "apt-get")
     error = ImportError("libEGL.so.1: cannot open shared object file: No such file or directory")
     assert qt_missing_words(error).startswith(
@@ -87,7 +83,7 @@ def test_an_import_that_fails_says_the_same(monkeypatch: pytest.MonkeyPatch) -> 
 
 
 def test_the_command_says_it_in_its_first_line_instead_of_ending_abruptly(
-    lacking: Path, sample_data: Path
+    lacking, sample_data
 ) -> None:
     code = f"""
 import importlib.util, sys

@@ -10,7 +10,7 @@ import pytest
 
 
 @pytest.fixture
-def coco_set(cli, sample_data: Path, tmp_path: Path) -> Path:
+def coco_set(cli, sample_data, tmp_path) -> Path:
     """The sample as COCO keypoints with its pictures, for training."""
     out = tmp_path / "coco"
     done = cli("convert", sample_data, out, "--to", "coco", "--split", "train", "--pictures")
@@ -18,7 +18,7 @@ def coco_set(cli, sample_data: Path, tmp_path: Path) -> Path:
     return out
 
 
-def test_pycocotools_indexes_every_point_and_finds_the_pictures(coco_set: Path, sample_data: Path):
+def test_pycocotools_indexes_every_point_and_finds_the_pictures(coco_set, sample_data):
     coco = pytest.importorskip("pycocotools.coco", reason="pycocotools is not installed").COCO
     read = coco(str(coco_set / "annotations" / "person_keypoints_train.json"))
     for image in read.loadImgs(read.getImgIds()):
@@ -40,7 +40,7 @@ def test_pycocotools_indexes_every_point_and_finds_the_pictures(coco_set: Path, 
                 np.testing.assert_allclose(found[name], own, atol=1e-12)
 
 
-def test_pycocotools_scores_the_set_against_itself(coco_set: Path, capsys) -> None:
+def test_pycocotools_scores_the_set_against_itself(coco_set, capsys) -> None:
     module = pytest.importorskip("pycocotools.coco", reason="pycocotools is not installed")
     from pycocotools.cocoeval import COCOeval
 

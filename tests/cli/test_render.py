@@ -26,11 +26,10 @@ pytestmark = pytest.mark.usefixtures("qapp")
 def pixels_of(path: Path, rgb: tuple[int, int, int]) -> int:
     """How many pixels have about this colour."""
     picture = cv2.imread(str(path))
-    assert picture is not None
     return int((np.abs(picture[..., ::-1].astype(int) - rgb).max(axis=2) < 24).sum())
 
 
-def test_colours_say_which_camera_agrees(cli, dataset, tmp_path: Path) -> None:
+def test_colours_say_which_camera_agrees(cli, dataset, tmp_path) -> None:
     bad = json.loads((dataset.cameras / "camera_3.json").read_text())
     dataset.write_camera("3", bad | {"pan_degrees": 1.0})
     out = tmp_path / "out"
@@ -44,7 +43,7 @@ def test_colours_say_which_camera_agrees(cli, dataset, tmp_path: Path) -> None:
     assert pixels_of(out / "3.png", TOO_FAR) > 300
 
 
-def test_without_cameras_the_annotation_is_drawn(cli, dataset, tmp_path: Path) -> None:
+def test_without_cameras_the_annotation_is_drawn(cli, dataset, tmp_path) -> None:
     out = tmp_path / "out"
     done = cli("render", dataset.root, out, "--format", "jpg")
     assert done.exit_code == 0, done.output
@@ -53,7 +52,7 @@ def test_without_cameras_the_annotation_is_drawn(cli, dataset, tmp_path: Path) -
     assert (np.abs(drawn - grey).max(axis=2) > 40).sum() > 300
 
 
-def test_a_camera_without_an_annotation_is_drawn(cli, dataset, tmp_path: Path) -> None:
+def test_a_camera_without_an_annotation_is_drawn(cli, dataset, tmp_path) -> None:
     (dataset.annotations / "1.json").unlink()
     (dataset.annotations / "2.json").unlink()
     next(dataset.cameras.glob("camera_2.*")).unlink()
@@ -71,7 +70,7 @@ def test_a_camera_without_an_annotation_is_drawn(cli, dataset, tmp_path: Path) -
     assert changed["2"] == 0
 
 
-def test_svg_at_a_scale_with_a_legend(cli, dataset, tmp_path: Path) -> None:
+def test_svg_at_a_scale_with_a_legend(cli, dataset, tmp_path) -> None:
     out = tmp_path / "out"
     done = cli(
         "render", dataset.root, out, "--cameras", dataset.cameras,
@@ -85,13 +84,13 @@ def test_svg_at_a_scale_with_a_legend(cli, dataset, tmp_path: Path) -> None:
     assert any("JaC@5 1.000" in text and "soccernet, 960x540" in text for text in texts)
 
 
-def test_a_scale_that_is_none(cli, dataset, tmp_path: Path) -> None:
+def test_a_scale_that_is_none(cli, dataset, tmp_path) -> None:
     done = cli("render", dataset.root, tmp_path / "out", "--scale", 0)
     assert done.exit_code == 2
     assert "scale" in done.stderr
 
 
-def test_a_damaged_picture_is_listed(cli, dataset, tmp_path: Path) -> None:
+def test_a_damaged_picture_is_listed(cli, dataset, tmp_path) -> None:
     (dataset.root / "2.jpg").write_bytes(b"not a picture")
     done = cli("render", dataset.root, tmp_path / "out")
     assert done.exit_code == 1
@@ -112,7 +111,7 @@ def test_pictures_are_not_drawn_among_the_cameras(cli, dataset) -> None:
         assert not list(folder.glob("*.png"))
 
 
-def test_the_painted_width_is_drawn_on_demand(cli, dataset, tmp_path: Path) -> None:
+def test_the_painted_width_is_drawn_on_demand(cli, dataset, tmp_path) -> None:
     drawn = {}
     for more in ([], ["--painted-width"]):
         out = tmp_path / f"out{len(more)}"
@@ -135,7 +134,7 @@ def test_pictures_that_are_there_are_replaced_only_on_request(cli, dataset, tmp_
     assert kept.read_bytes().startswith(b"\x89PNG")
 
 
-def test_frames_nobody_annotated_have_no_score(dataset, tmp_path: Path) -> None:
+def test_frames_nobody_annotated_have_no_score(dataset, tmp_path) -> None:
     (dataset.annotations / "1.json").unlink()
     (dataset.annotations / "2.json").write_text("{}")  # annotated: there is nothing to see
     field = load_field("soccer")

@@ -11,7 +11,7 @@ import pytest
 
 
 @pytest.fixture(scope="module")
-def real(shared_data: Path) -> tuple[str, ...]:
+def real(shared_data) -> tuple[str, ...]:
     folder = shared_data / "wc14"
     sources = {
         "pnlcalib": "cameras_pnlcalib", "nbjw": "cameras_nbjw", "carwc": "homographies_carwc",

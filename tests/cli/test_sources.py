@@ -29,7 +29,7 @@ from tests.cli.conftest import camera_file
         ("pnl/{set}", ("pnl", "auto", "pnl/{set}")),
     ],
 )
-def test_forms(text: str, expected: tuple[str, str, str] | None) -> None:
+def test_forms(text, expected) -> None:
     spec = parse_source(text)
     if expected is None:  # a Windows path: all of it is the path, whatever holds the name
         assert str(spec.path) == text
@@ -39,14 +39,12 @@ def test_forms(text: str, expected: tuple[str, str, str] | None) -> None:
 
 
 @pytest.mark.parametrize("text", ["", "  ", "=x", "a=", "a:=x", ":carwc=x", " =x", "a\x1bb=x"])
-def test_what_is_no_source(text: str) -> None:
+def test_what_is_no_source(text) -> None:
     with pytest.raises(UsageError):
         parse_source(text)
 
 
-def test_a_folder_is_called_like_itself_wherever_one_stands(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_folder_is_called_like_itself_wherever_one_stands(tmp_path, monkeypatch) -> None:
     folder = tmp_path / "v1.2"
     folder.mkdir()
     monkeypatch.chdir(folder)
@@ -54,9 +52,7 @@ def test_a_folder_is_called_like_itself_wherever_one_stands(
     assert parse_source(str(folder)).name == "v1.2"
 
 
-def test_an_existing_path_with_an_equals_sign_is_a_path(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_an_existing_path_with_an_equals_sign_is_a_path(tmp_path, monkeypatch) -> None:
     (tmp_path / "lr=3").mkdir()
     monkeypatch.chdir(tmp_path)
     assert parse_source("lr=3") == SourceSpec("lr=3", "auto", Path("lr=3"))

@@ -37,12 +37,12 @@ def shot() -> DrawnShot:
 
 
 @pytest.fixture(scope="module")
-def video(shot: DrawnShot, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def video(shot, tmp_path_factory) -> Path:
     return shot.write_video(tmp_path_factory.mktemp("drawn") / "match.mp4")
 
 
 @pytest.fixture(scope="module")
-def pictures(video: Path) -> Path:
+def pictures(video) -> Path:
     """The frames of the video, as they are decoded."""
     folder = video.parent / "pictures"
     folder.mkdir()
@@ -66,12 +66,12 @@ def write_cameras(shot: DrawnShot, folder: Path, numbers: tuple[int, ...] = ANCH
 
 
 @pytest.fixture
-def cameras(shot: DrawnShot, tmp_path: Path) -> Path:
+def cameras(shot, tmp_path) -> Path:
     return write_cameras(shot, tmp_path / "cameras")
 
 
 @pytest.fixture(scope="module")
-def whole(cli, shot: DrawnShot, video: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def whole(cli, shot, video, tmp_path_factory) -> Path:
     """The whole track of the video from both anchors, which no test changes."""
     folder = tmp_path_factory.mktemp("whole")
     given = write_cameras(shot, folder / "cameras")
@@ -83,7 +83,7 @@ def whole(cli, shot: DrawnShot, video: Path, tmp_path_factory: pytest.TempPathFa
 
 
 @pytest.fixture
-def followed(whole: Path, tmp_path: Path) -> Path:
+def followed(whole, tmp_path) -> Path:
     """The same, to be changed at will."""
     return shutil.copytree(whole, tmp_path / "out")
 
@@ -104,7 +104,7 @@ def camera_in(out: Path, number: int) -> PinholeCamera:
     return camera
 
 
-def test_every_frame_of_both_shots(shot: DrawnShot, whole: Path) -> None:
+def test_every_frame_of_both_shots(shot, whole) -> None:
     rows = table(whole)
     assert [row["frame"] for row in rows] == [name_of(n) for n in range(FRAMES)]
     assert [row["shot"] for row in rows] == [name_of(0)] * CUT + [name_of(CUT)] * (FRAMES - CUT)
@@ -245,19 +245,6 @@ def test_the_track_of_something_else_is_not_replaced(cli, video, followed, tmp_p
     assert files(followed) == before
 
 
-def test_cameras_in_folders_of_out_are_not_replaced_either(cli, pictures, tmp_path) -> None:
-    match, out = tmp_path / "match", tmp_path / "out"
-    for half in ("1", "2"):
-        (match / half).mkdir(parents=True)
-        shutil.copy(next(pictures.iterdir()), match / half)
-    theirs = out / "2" / "camera_1.json"
-    theirs.parent.mkdir(parents=True)
-    theirs.write_text("{}")
-    done = cli("track", match, out)
-    assert done.exit_code == 2
-    assert "holds cameras but no track.csv" in done.stderr
-
-
 def lost(number: int, reason: str) -> TrackedFrame:
     return TrackedFrame(number, "lost", reason, None, 0.0, None, None)
 
@@ -321,13 +308,6 @@ def test_damaged_pictures_are_lost_and_listed(cli, pictures, monkeypatch, tmp_pa
     assert again.stderr == done.stderr
 
 
-def test_not_among_the_pictures(cli, pictures, cameras) -> None:
-    done = cli("track", pictures, pictures, "--cameras", cameras)
-    assert done.exit_code == 2
-    assert "holds the files to be read, write to another folder" in done.stderr
-    assert not list(pictures.glob("*.json"))
-
-
 def test_a_run_that_was_stopped_goes_on(cli, video, cameras, whole, monkeypatch, tmp_path) -> None:
     out = tmp_path / "out"
     arguments = ("--cameras", cameras)
@@ -373,7 +353,7 @@ def test_what_makes_no_sense(cli, video, cameras, tmp_path) -> None:
 
 
 def test_pictures_that_have_nothing_to_do_with_each_other_have_their_own_anchors(
-    cli, sample_data: Path, tmp_path: Path
+    cli, sample_data, tmp_path
 ) -> None:
     """What cannot be followed from one anchor to the next is followed from each of them."""
     match = tmp_path / "match"

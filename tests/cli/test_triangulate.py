@@ -25,8 +25,6 @@ def three_views() -> ModuleType:
     spec = importlib.util.spec_from_file_location(
         "three_views", ROOT / "docs/examples/three_views.py"
     )
-    assert spec is not None
-    assert spec.loader is not None
     module = importlib.util.module_from_spec(spec)
     sys.modules["three_views"] = module
     spec.loader.exec_module(module)
@@ -350,7 +348,6 @@ def test_the_example_of_the_documentation_prints_what_it_says(
     monkeypatch.chdir(tmp_path)
     text = (ROOT / "docs/landmarks.md").read_text()
     block = re.search(r"```console\n(.*?)```", text, re.DOTALL)
-    assert block is not None
     steps = re.split(r"^\$ ", block[1], flags=re.MULTILINE)[1:]
     assert len(steps) == 5
     for step in steps:

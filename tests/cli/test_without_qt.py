@@ -33,7 +33,7 @@ def without_qt(*arguments: object) -> subprocess.CompletedProcess[str]:
     return subprocess.run(command, capture_output=True, text=True, check=False)
 
 
-def test_pictures_are_drawn_with_what_is_there(dataset, tmp_path: Path) -> None:
+def test_pictures_are_drawn_with_what_is_there(dataset, tmp_path) -> None:
     out = tmp_path / "svg"
     done = without_qt("render", dataset.root, out, "--cameras", dataset.cameras, "--format", "svg")
     assert done.returncode == 0, done.stderr
@@ -42,7 +42,7 @@ def test_pictures_are_drawn_with_what_is_there(dataset, tmp_path: Path) -> None:
     assert "<svg" in (out / "1.svg").read_text()
 
 
-def test_a_report_has_its_pictures(dataset, tmp_path: Path) -> None:
+def test_a_report_has_its_pictures(dataset, tmp_path) -> None:
     page = tmp_path / "r.html"
     done = without_qt(
         "report", dataset.root, "--cameras", dataset.cameras, "--worst", 1, "--random", 0,
@@ -53,7 +53,7 @@ def test_a_report_has_its_pictures(dataset, tmp_path: Path) -> None:
     assert "disagreement" not in done.stderr  # nobody asked for it
 
 
-def test_figures_do_not_even_ask_for_qt(dataset, tmp_path: Path) -> None:
+def test_figures_do_not_even_ask_for_qt(dataset, tmp_path) -> None:
     names = ("r.json", "r.csv", "r.tex")
     outputs = [word for name in names for word in ("--output", tmp_path / name)]
     done = without_qt("report", dataset.root, "--cameras", dataset.cameras, *outputs)
@@ -83,7 +83,7 @@ print(json.dumps(ended), file=sys.stderr)
 """
 
 
-def test_every_command_does_its_work(dataset, sample_data: Path, tmp_path: Path) -> None:
+def test_every_command_does_its_work(dataset, sample_data, tmp_path) -> None:
     """All of them one after the other in one program: what they need of Qt is nothing."""
     root, cameras = dataset.root, dataset.cameras
     one = tmp_path / "one"

@@ -36,7 +36,7 @@ def copied(before: TruthFrame, after: TruthFrame, clip: Path) -> tuple[list[Poly
     return list(lines), set(unseen)
 
 
-def test_ten_copies(shared_data: Path) -> None:
+def test_ten_copies(shared_data) -> None:
     """Dark lines on wood, players on many of them, a three-point line and a free-throw circle."""
     frames = {f.number: f for f in truth_frames() if f.clip == "basketball_nba"}
     before, after = frames[40], frames[60]

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
@@ -17,7 +15,7 @@ VIEWS = Views(load_field("basketball_fiba"))
 
 
 @pytest.fixture(scope="module")
-def cameras(shared_data: Path) -> list[Camera]:
+def cameras(shared_data) -> list[Camera]:
     return read_cameras(shared_data / "deepsportradar")
 
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
@@ -20,7 +18,7 @@ SETUP = EvaluationSetup(FIELD, off_plane="left_out")
 
 
 @pytest.fixture(scope="module")
-def annotations(shared_data: Path) -> list[FrameAnnotation]:
+def annotations(shared_data) -> list[FrameAnnotation]:
     return [
         read_annotation(path.read_bytes(), path=str(path), field=FIELD)
         for path in sorted((shared_data / "wc14" / "annotations").glob("*.json"))

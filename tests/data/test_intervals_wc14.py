@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from functools import partial
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -23,7 +22,7 @@ SETUP = EvaluationSetup(load_field("soccer"), (960, 540), "soccernet")
 
 
 @pytest.fixture(scope="module")
-def sources(shared_data: Path) -> tuple[SourceSums, ...]:
+def sources(shared_data) -> tuple[SourceSums, ...]:
     found = []
     for name in ("pnlcalib", "nbjw"):
         with (
@@ -66,7 +65,7 @@ def test_undecided_at_2_px_and_real_at_5(sources, method) -> None:
     assert certainty.best("mean_jac", 5.0) == 0
 
 
-def test_every_point_is_moved_alike_for_every_source(shared_data: Path) -> None:
+def test_every_point_is_moved_alike_for_every_source(shared_data) -> None:
     moved = []
     for name in ("pnlcalib", "nbjw"):
         with (

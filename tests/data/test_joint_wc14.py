@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
@@ -24,7 +22,7 @@ RUNS = (range(97, 111), range(111, 126), range(126, 143))
 
 
 @pytest.fixture(scope="module")
-def frames(shared_data: Path) -> dict[str, FrameAnnotation]:
+def frames(shared_data) -> dict[str, FrameAnnotation]:
     folder = shared_data / "wc14" / "annotations"
     paths = [folder / f"{number}.json" for run in RUNS for number in run]
     return {p.stem: read_annotation(p.read_bytes(), path=str(p), field=FIELD) for p in paths}
@@ -40,7 +38,7 @@ def shared(frames, alone) -> SharedPositionResult:
     return fit_shared_position(frames, alone, FIELD)
 
 
-def test_every_game_has_a_position_of_its_own(shared: SharedPositionResult) -> None:
+def test_every_game_has_a_position_of_its_own(shared) -> None:
     expected = sorted(({str(n) for n in run} for run in RUNS), key=len, reverse=True)
     assert [set(t.frames) for t in shared.groups] == expected
     for tripod in shared.groups:
@@ -48,7 +46,7 @@ def test_every_game_has_a_position_of_its_own(shared: SharedPositionResult) -> N
         assert tripod.scatter_m[1] > 3 * tripod.deviations_m[1]
 
 
-def test_the_points_are_still_met(shared: SharedPositionResult, alone) -> None:
+def test_the_points_are_still_met(shared, alone) -> None:
     before = np.mean([fit.mean_px for fit in alone.values()])
     after = np.mean([fit.mean_px for fit in shared.fits.values()])
     assert before < after < 1.6 * before

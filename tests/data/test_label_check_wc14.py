@@ -5,8 +5,6 @@ A sample of the frames; all of them in `tests/bench/test_labels.py`.
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
@@ -32,7 +30,7 @@ SIZE = (960, 540)
 
 
 @pytest.fixture(scope="module")
-def annotations(shared_data: Path) -> list[FrameAnnotation]:
+def annotations(shared_data) -> list[FrameAnnotation]:
     return [
         read_annotation(path.read_bytes(), path=str(path), field=FIELD)
         for path in sorted((shared_data / "wc14" / "annotations").glob("*.json"))

@@ -56,11 +56,11 @@ class RealSet:
 
 
 @pytest.fixture(params=SETS)
-def real_set(request: pytest.FixtureRequest, shared_data: Path) -> RealSet:
+def real_set(request, shared_data) -> RealSet:
     return RealSet(shared_data, request.param)
 
 
-def test_every_count_flag_and_figure_is_the_official_one(real_set: RealSet):
+def test_every_count_flag_and_figure_is_the_official_one(real_set):
     setup = EvaluationSetup(FIELD)
     accumulator = SetAccumulator(setup, THRESHOLDS)
     for name, annotation, camera in real_set.frames():
@@ -99,7 +99,7 @@ def check_summary(accumulator: SetAccumulator, official: dict[str, dict[str, Any
         }, tau
 
 
-def test_the_curve_passes_through_every_score(real_set: RealSet):
+def test_the_curve_passes_through_every_score(real_set):
     setup = EvaluationSetup(FIELD)
     taus = np.linspace(0.5, 30, 60)
     for name, annotation, camera in list(real_set.frames())[::7]:
@@ -109,7 +109,7 @@ def test_the_curve_passes_through_every_score(real_set: RealSet):
             np.testing.assert_allclose(jac_curve(measurement, taus), one_by_one, err_msg=name)
 
 
-def test_the_protocols_agree_where_the_official_one_has_no_artefact(shared_data: Path):
+def test_the_protocols_agree_where_the_official_one_has_no_artefact(shared_data):
     """On main-camera frames their JaC differ by little, and only the clean one has short pieces."""
     official = EvaluationSetup(FIELD)
     clean = EvaluationSetup(FIELD, protocol="procc", allow_mirrored=True)

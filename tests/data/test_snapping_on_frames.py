@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
@@ -12,7 +10,7 @@ from procc_annotator.assist.line_evidence import ExpectedLines, line_evidence_by
 from procc_annotator.field.load import load_field
 from procc_annotator.image.decoding import decode_bgra
 from tests.bench.paint.measures import accepted, regular, snapping
-from tests.bench.paint.truth import TruthFrame, truth_frames
+from tests.bench.paint.truth import truth_frames
 
 # The first ones of clips need no search through a video.
 FRAMES = {frame.clip: frame for frame in truth_frames() if frame.number == 0}
@@ -24,7 +22,7 @@ def of(clips: str) -> pytest.MarkDecorator:
 
 
 @of("bra_mex tennis volleyball")
-def test_clicks_beside_paint_land_on_it(frame: TruthFrame, shared_data: Path) -> None:
+def test_clicks_beside_paint_land_on_it(frame, shared_data) -> None:
     """Light lines; what is harder is printed by the bench."""
     paint = ExpectedLines(frame.field, frame.size[0])
     found = snapping(frame, frame.picture(shared_data), paint, directed=True)
@@ -37,14 +35,14 @@ def test_clicks_beside_paint_land_on_it(frame: TruthFrame, shared_data: Path) ->
 
 
 @of("bra_mex basketball_nba")
-def test_regularising_loses_no_click(frame: TruthFrame, shared_data: Path) -> None:
+def test_regularising_loses_no_click(frame, shared_data) -> None:
     found = regular(frame, frame.picture(shared_data), np.random.default_rng(13))
     assert found.clicks >= 10
     assert found.lost == 0
     assert not found.curves or np.median(found.curves) <= 0.6
 
 
-def test_accepted_ghosts_lie_on_paint(shared_data: Path) -> None:
+def test_accepted_ghosts_lie_on_paint(shared_data) -> None:
     frame = FRAMES["bra_mex"]
     found = accepted(frame, frame.picture(shared_data), np.random.default_rng(13))
     assert found.ghosts >= 6
@@ -52,7 +50,7 @@ def test_accepted_ghosts_lie_on_paint(shared_data: Path) -> None:
     assert np.median(found.interior) <= 0.3
 
 
-def test_a_faint_line_that_points_were_put_on_has_paint(shared_data: Path) -> None:
+def test_a_faint_line_that_points_were_put_on_has_paint(shared_data) -> None:
     """Seen along the whole line only; a parallel to it on the grass is on none."""
     video = shared_data / "clips" / "soccer_7_Psg-Angers_156_167.mp4"
     picture, soccer, name = decode_bgra(video / "00000140"), load_field("soccer"), "Side line top"

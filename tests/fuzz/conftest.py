@@ -124,12 +124,12 @@ def _other_number(chance: random.Random) -> bytes:
 
 
 @pytest.fixture
-def damage(lap: int) -> Callable[[str, Sequence[bytes], int], Iterator[bytes]]:
+def damage(lap) -> Callable[[str, Sequence[bytes], int], Iterator[bytes]]:
     return lambda name, seeds, count: damaged(name, seeds, range(lap * count, (lap + 1) * count))
 
 
 @pytest.fixture(scope="session")
-def judge(request: pytest.FixtureRequest) -> Judge:
+def judge(request) -> Judge:
     return request.config.stash[_JUDGE]
 
 

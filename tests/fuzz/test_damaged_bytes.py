@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -30,9 +28,7 @@ Damage = Callable[[str, Sequence[bytes], int], Iterator[bytes]]
 
 @pytest.mark.laps
 @pytest.mark.parametrize("name", READERS)
-def test_damaged_bytes(
-    judge: Any, damage: Damage, tmp_path: Path, request: pytest.FixtureRequest, name: str
-) -> None:
+def test_damaged_bytes(judge, damage, tmp_path, request, name) -> None:
     reader, path = READERS[name], tmp_path / READERS[name].file_name
     real = request.getfixturevalue("shared_data") if name.startswith("real ") else tmp_path
     seeds = reader.seeds(real)
@@ -52,7 +48,7 @@ def test_damaged_bytes(
 
 
 @pytest.mark.laps
-def test_damaged_tables_of_archives(judge: Any, damage: Damage, tmp_path: Path) -> None:
+def test_damaged_tables_of_archives(judge, damage, tmp_path) -> None:
     """Most of an archive is content; here only its headers and its table are damaged."""
     reader, path = READERS["archive"], tmp_path / "z.zip"
     for seed in ARCHIVES[2:]:
@@ -63,7 +59,7 @@ def test_damaged_tables_of_archives(judge: Any, damage: Damage, tmp_path: Path) 
             reader.check(members or [], b"")
 
 
-def test_every_camera_format_takes_every_kind_of_file(judge: Any, tmp_path: Path) -> None:
+def test_every_camera_format_takes_every_kind_of_file(judge, tmp_path) -> None:
     single = (ANNOTATIONS[0], CAMERAS[0], HOMOGRAPHIES[0], ARRAYS[0], b"", b"\0" * 99)
     path = tmp_path / "1.txt"
     for data in single:

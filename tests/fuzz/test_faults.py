@@ -79,7 +79,7 @@ def break_call(
 
 
 @pytest.fixture
-def path(tmp_path: Path) -> Path:
+def path(tmp_path) -> Path:
     (tmp_path / "1.json").write_bytes(OLD)
     return tmp_path / "1.json"
 
@@ -91,9 +91,7 @@ def descriptors() -> int:
 
 @pytest.mark.parametrize("code", REASONS, ids=errno.errorcode.get)
 @pytest.mark.parametrize("call", [*CALLS, *STREAM_CALLS])
-def test_every_reason_at_every_call(
-    path: Path, monkeypatch: pytest.MonkeyPatch, call: str, code: int
-) -> None:
+def test_every_reason_at_every_call(path, monkeypatch, call, code) -> None:
     opened = descriptors()
     with monkeypatch.context() as patch:
         break_call(patch, call, OSError(code, os.strerror(code)))
@@ -109,9 +107,7 @@ def test_every_reason_at_every_call(
 
 
 @pytest.mark.parametrize("call", [*CALLS, *STREAM_CALLS])
-def test_an_interruption_at_every_call(
-    path: Path, monkeypatch: pytest.MonkeyPatch, call: str
-) -> None:
+def test_an_interruption_at_every_call(path, monkeypatch, call) -> None:
     opened = descriptors()
     with monkeypatch.context() as patch:
         break_call(patch, call, KeyboardInterrupt())
@@ -123,9 +119,7 @@ def test_an_interruption_at_every_call(
 
 
 @pytest.mark.parametrize("failure", [OSError(errno.EIO, "late"), KeyboardInterrupt()])
-def test_a_rename_that_happened_and_yet_reports_a_failure(
-    path: Path, monkeypatch: pytest.MonkeyPatch, failure: BaseException
-) -> None:
+def test_a_rename_that_happened_and_yet_reports_a_failure(path, monkeypatch, failure) -> None:
     """A network drive may lose the answer: the file is then the new one, whole."""
     with monkeypatch.context() as patch:
         break_call(patch, "replace", failure, after=True)
@@ -135,9 +129,7 @@ def test_a_rename_that_happened_and_yet_reports_a_failure(
     assert os.listdir(path.parent) == ["1.json"]
 
 
-def test_a_temporary_file_that_cannot_be_removed_hides_nothing(
-    path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_temporary_file_that_cannot_be_removed_hides_nothing(path, monkeypatch) -> None:
     with monkeypatch.context() as patch:
         break_call(patch, "fsync", OSError(errno.EIO, "Input/output error"))
         break_call(patch, "unlink", OSError(errno.EACCES, "Permission denied"))
@@ -152,9 +144,7 @@ def test_a_temporary_file_that_cannot_be_removed_hides_nothing(
 
 
 @pytest.mark.parametrize("call", ["open", "fsync", "close"])
-def test_the_new_file_stays_when_only_its_folder_cannot_be_synced(
-    path: Path, monkeypatch: pytest.MonkeyPatch, call: str
-) -> None:
+def test_the_new_file_stays_when_only_its_folder_cannot_be_synced(path, monkeypatch, call) -> None:
     replace = os.replace
     with monkeypatch.context() as patch:
 
@@ -168,7 +158,7 @@ def test_the_new_file_stays_when_only_its_folder_cannot_be_synced(
     assert os.listdir(path.parent) == ["1.json"]
 
 
-def test_a_write_the_system_itself_refuses(path: Path) -> None:
+def test_a_write_the_system_itself_refuses(path) -> None:
     resource = pytest.importorskip("resource")
     soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (4, hard))
@@ -182,7 +172,7 @@ def test_a_write_the_system_itself_refuses(path: Path) -> None:
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no pipes with names on this system")
-def test_a_pipe_in_the_way_is_neither_waited_for_nor_replaced(tmp_path: Path) -> None:
+def test_a_pipe_in_the_way_is_neither_waited_for_nor_replaced(tmp_path) -> None:
     pipe = tmp_path / "1.json"
     os.mkfifo(pipe)
     with pytest.raises(SaveError, match="a folder, a pipe or a device is in its place"):
@@ -195,7 +185,7 @@ def test_a_pipe_in_the_way_is_neither_waited_for_nor_replaced(tmp_path: Path) ->
 
 
 @pytest.fixture
-def dataset(tmp_path: Path) -> Path:
+def dataset(tmp_path) -> Path:
     (tmp_path / "dataset" / "inner").mkdir(parents=True)
     (tmp_path / "outside").mkdir()
     (tmp_path / "outside" / "secret").write_bytes(OLD)
@@ -212,9 +202,7 @@ def dataset(tmp_path: Path) -> Path:
     ],
     ids=["to a file", "to nothing yet", "a folder", "a sibling that starts alike"],
 )
-def test_links_that_lead_out_of_the_dataset_are_not_followed(
-    dataset: Path, link: str, to: str, written: str
-) -> None:
+def test_links_that_lead_out_of_the_dataset_are_not_followed(dataset, link, to, written) -> None:
     (dataset / link).symlink_to(to)
     with pytest.raises(SaveError, match="is a link that leads out of the dataset; not followed"):
         write_atomic(dataset / written, NEW, inside=dataset)
@@ -224,7 +212,7 @@ def test_links_that_lead_out_of_the_dataset_are_not_followed(
     assert (dataset.parent / "outside" / "secret").read_bytes() == OLD
 
 
-def test_links_within_the_dataset_and_to_the_dataset_are_followed(dataset: Path) -> None:
+def test_links_within_the_dataset_and_to_the_dataset_are_followed(dataset) -> None:
     (dataset / "inner" / "real.json").write_bytes(OLD)
     (dataset / "1.json").symlink_to("inner/real.json")
     (dataset.parent / "linked").symlink_to("dataset")
@@ -237,7 +225,7 @@ def test_links_within_the_dataset_and_to_the_dataset_are_followed(dataset: Path)
     assert (dataset / "2.json").read_bytes() == NEW
 
 
-def test_a_link_in_a_circle_is_an_error(dataset: Path) -> None:
+def test_a_link_in_a_circle_is_an_error(dataset) -> None:
     (dataset / "1.json").symlink_to("2.json")
     (dataset / "2.json").symlink_to("1.json")
     with pytest.raises(SaveError, match="could not be saved"):
@@ -245,7 +233,7 @@ def test_a_link_in_a_circle_is_an_error(dataset: Path) -> None:
     assert (dataset / "1.json").is_symlink()
 
 
-def test_without_a_folder_to_stay_in_links_are_followed_anywhere(dataset: Path) -> None:
+def test_without_a_folder_to_stay_in_links_are_followed_anywhere(dataset) -> None:
     (dataset / "1.json").symlink_to("../outside/secret")
     write_atomic(dataset / "1.json", NEW)
     assert (dataset.parent / "outside" / "secret").read_bytes() == NEW

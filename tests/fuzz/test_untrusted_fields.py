@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import time
-from pathlib import Path
 
 import pytest
 
@@ -43,7 +42,7 @@ from tests.fuzz.readers import SOCCER, in_one_line
         "1_0__0",
     ],
 )
-def test_a_formula_takes_no_time_and_runs_nothing(tmp_path: Path, formula: str) -> None:
+def test_a_formula_takes_no_time_and_runs_nothing(tmp_path, formula) -> None:
     path = tmp_path / "f.toml"
     path.write_text(
         SOCCER.replace('radius = "circle_radius"', f"radius = {json.dumps(formula)}", 1)
@@ -71,7 +70,7 @@ def test_a_formula_takes_no_time_and_runs_nothing(tmp_path: Path, formula: str) 
     ],
     ids=range(10),
 )
-def test_a_field_file_takes_no_time_whatever_its_shape(tmp_path: Path, added: str) -> None:
+def test_a_field_file_takes_no_time_whatever_its_shape(tmp_path, added) -> None:
     path = tmp_path / "f.toml"
     path.write_text(SOCCER + "\n" + added)
     started = time.perf_counter()
@@ -82,7 +81,7 @@ def test_a_field_file_takes_no_time_whatever_its_shape(tmp_path: Path, added: st
 
 
 @pytest.mark.parametrize("radius", ["1001", "1e15", "1e308", "-1001"])
-def test_a_field_larger_than_any_is_refused(tmp_path: Path, radius: str) -> None:
+def test_a_field_larger_than_any_is_refused(tmp_path, radius) -> None:
     path = tmp_path / "f.toml"
     for old, new in (
         ('radius = "circle_radius"', f"radius = {radius}"),
@@ -96,7 +95,7 @@ def test_a_field_larger_than_any_is_refused(tmp_path: Path, radius: str) -> None
 
 
 @pytest.mark.parametrize("tiny", ["1e-320", "1e-9"])
-def test_elements_without_extent_are_refused(tmp_path: Path, tiny: str) -> None:
+def test_elements_without_extent_are_refused(tmp_path, tiny) -> None:
     path = tmp_path / "f.toml"
     for old, new in (
         ('radius = "circle_radius"', f"radius = {tiny}"),
@@ -109,7 +108,7 @@ def test_elements_without_extent_are_refused(tmp_path: Path, tiny: str) -> None:
         in_one_line(caught, str(path))
 
 
-def test_a_range_of_the_rules_wider_than_any_field_is_refused(tmp_path: Path) -> None:
+def test_a_range_of_the_rules_wider_than_any_field_is_refused(tmp_path) -> None:
     """Whole numbers that long would also lose digits on the way."""
     path = tmp_path / "f.toml"
     path.write_text(SOCCER.replace("maximum = 120.0", "maximum = 2222222222222222222", 1))

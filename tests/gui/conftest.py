@@ -27,14 +27,12 @@ from procc_annotator.calibration.label_check.evidence import LineEvidence
 from procc_annotator.calibration.result import FitResult
 from procc_annotator.calibration.single_image.proposal import Proposal
 from procc_annotator.field.model import Field
-from procc_annotator.gui import worker
 from procc_annotator.gui.app import build_window, collect_now_and_then, start_lean
 from procc_annotator.gui.commands.field import field_dimensions, view_grouping
 from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.panels.frames import folder_figures, panel, thumbnails
-from procc_annotator.gui.panels.refresher import Refresher
 from procc_annotator.gui.settings import Settings
-from procc_annotator.gui.state import review_state
+from procc_annotator.gui.state import background, review_state, visible_update
 from procc_annotator.gui.state.checking import check_queue, line_pixels
 from procc_annotator.gui.state.checking.line_pixels import Evidence
 from procc_annotator.gui.state.prediction import live_fit, proposals
@@ -89,12 +87,6 @@ def hurried(lean: None) -> Iterator[None]:
     with pytest.MonkeyPatch.context() as patch:
         for module, name in _WAITS_FOR_A_HAND:
             patch.setattr(module, name, getattr(module, name) // 10)
-        made = Refresher.__init__
-
-        def make(self: Refresher, widget: QWidget, update: Any, interval_ms: int = 0) -> None:
-            made(self, widget, update, interval_ms // 10)
-
-        patch.setattr(Refresher, "__init__", make)
         yield
 
 
@@ -109,6 +101,7 @@ _WAITS_FOR_A_HAND = (
     (review_state, "_COLLECT_MS"),
     (thumbnails, "_SOON_MS"),
     (thumbnails, "_HAND_MS"),
+    (visible_update, "_INTERVAL_MS"),
     (view_grouping, "_SETTLED_MS"),
 )
 
@@ -460,7 +453,7 @@ def until_kept() -> None:
 
 def let_work_end(qtbot: QtBot) -> None:
     """Wait until no work is under way in the background, wanted or not, and all is delivered."""
-    qtbot.waitUntil(lambda: not worker._desk().jobs)
+    qtbot.waitUntil(lambda: not background._dispatcher().jobs)
 
 
 def settle(window: MainWindow, qtbot: QtBot) -> None:
@@ -482,7 +475,7 @@ def all_done(qtbot: QtBot) -> None:
 
     def nothing_due() -> bool:
         nonlocal quiet, due
-        due = "; ".join(map(_what, worker._desk().jobs.values()))
+        due = "; ".join(map(_what, background._dispatcher().jobs.values()))
         if not due:  # or timers, which take longer to look through
             due = "; ".join(map(_whose, _timers_due()))
         quiet = 0 if due else quiet + 1
@@ -494,7 +487,7 @@ def all_done(qtbot: QtBot) -> None:
         raise AssertionError(f"this does not end: {due}") from error
 
 
-def _what(job: worker.Job) -> str:
+def _what(job: background.Job) -> str:
     state = "delivered" if job._delivered else "wanted" if job.running else "cancelled"
     work = "not begun" if job._future is None else str(job._future)
     # Not its text: the receiver may be a deleted object of a window before.

@@ -182,10 +182,10 @@ class Look:
 
     def uncertainty(self) -> object:
         document = self.window.document
-        document.uncertainty.set_wanted(True)
+        document.uncertainty.set_enabled(True)
         all_done(self.qtbot)
         found = document.uncertainty.value
-        document.disagreement.set_wanted(True)
+        document.disagreement.set_enabled(True)
         all_done(self.qtbot)
         return found
 
@@ -280,7 +280,7 @@ def test_nothing_tells_how_a_camera_does_before_the_commit(
     window: MainWindow, tmp_path: Path, qtbot: QtBot
 ) -> None:
     look, document = Look(window, tmp_path, qtbot), window.document
-    document.disagreement.set_wanted(True)
+    document.disagreement.set_enabled(True)
     qtbot.waitUntil(lambda: document.disagreement.value is not None)
     assert telling(look) == LOOKS  # or nothing would be tested below
     document.blind_lock.set_blind(True)

@@ -14,8 +14,8 @@ from PySide6.QtCore import QCoreApplication, QEvent, QObject
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from procc_annotator.gui import worker
 from procc_annotator.gui.app import build_window
+from procc_annotator.gui.state import background
 from procc_annotator.gui.window.docks import DESKS
 from tests.gui.conftest import all_done, let_work_end
 
@@ -53,7 +53,7 @@ def alive() -> Counter[str]:
 def threads() -> list[str]:
     """Those of windows; the desk's, as many as there is work for, are everybody's."""
     names = (thread.name for thread in threading.enumerate())
-    return sorted(name for name in names if not name.startswith(("urgent", "background")))
+    return sorted(name for name in names if not name.startswith(("urgent", "low", "immediate")))
 
 
 def open_files() -> int:
@@ -71,4 +71,4 @@ def test_windows_leave_nothing_behind(qtbot: QtBot, annotated: Path, windows: in
     assert {name: n for name, n in after.items() if n > before[name]} == {}
     assert threads() == running
     assert open_files() <= files
-    assert not worker._desk().jobs
+    assert not background._dispatcher().jobs

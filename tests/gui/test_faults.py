@@ -280,7 +280,7 @@ FAILS = """
     QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.UserScope, sys.argv[2])
     from procc_annotator.annotation import Point
     from procc_annotator.gui import app as program
-    from procc_annotator.gui.worker import run_in_background
+    from procc_annotator.gui.state.background import run_in_background
     from procc_annotator.dataset import editing
 
     def fail_in_slot(): 1 / 0

@@ -266,8 +266,8 @@ def test_what_is_regularised_first_is_done_when_the_next_is_asked_for(
 class TestPaintedWidth:
     def test_it_is_drawn_in_the_next_frame_too(self, audited: MainWindow, qtbot: QtBot) -> None:
         document = audited.document
-        document.painted_width.set_wanted(True)
+        document.painted_width.set_enabled(True)
         qtbot.waitUntil(lambda: document.painted_width.value is not None)
         document.walk.next_frame()
         qtbot.waitUntil(lambda: document.painted_width.value is not None)
-        document.painted_width.set_wanted(False)
+        document.painted_width.set_enabled(False)

@@ -391,7 +391,7 @@ class TestSource:
         measurement, score = document.judge.compared
         assert measurement is not None
         assert score.jac > document.judge.score.jac
-        document.disagreement.set_wanted(True)
+        document.disagreement.set_enabled(True)
         qtbot.waitUntil(lambda: document.disagreement.value is not None, timeout=20_000)
         before = document.disagreement.value
         document.editing.commit_edit("nudge", nudged(document.state.annotation, 0.05))

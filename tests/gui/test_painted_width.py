@@ -58,7 +58,7 @@ def test_it_is_remembered(judged: MainWindow, make_window, qtbot: QtBot) -> None
     judged.close()
     again = make_window()
     assert again.actions_["painted_width"].isChecked()
-    assert again.document.painted_width.wanted
+    assert again.document.painted_width.enabled
 
 
 def test_the_borders_lie_on_the_edges_of_the_painted_line(judged: MainWindow, qtbot: QtBot) -> None:
@@ -96,10 +96,10 @@ def test_what_failed_is_tried_again(
         patched.setattr(maps, "project_markings", fail)
         judged.actions_["painted_width"].trigger()
         let_work_end(qtbot)
-        document.painted_width.try_again()
+        document.painted_width.retry()
         let_work_end(qtbot)
     assert len(tried) == 2
     assert tried[0] is tried[1]
     assert len([text for text in told if "painted width cannot be drawn" in text]) == 1
-    document.painted_width.try_again()
+    document.painted_width.retry()
     qtbot.waitUntil(lambda: borders(judged) > 0, timeout=20_000)

@@ -15,11 +15,11 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.field.load import load_field
-from procc_annotator.gui import worker
 from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.state import background
+from procc_annotator.gui.state.background import run_in_background
 from procc_annotator.gui.state.checking import label_check
 from procc_annotator.gui.state.scoring import dataset_scores
-from procc_annotator.gui.worker import run_in_background
 from procc_annotator.report import conversion
 from tests.gui.conftest import Hand, MakeWindow, let_work_end
 
@@ -45,7 +45,7 @@ def other(dataset: Path, tmp_path: Path) -> Path:
 
 
 @contextmanager
-def busy(threads: int = worker._PATIENT_THREADS) -> Iterator[None]:
+def busy(threads: int = background._THREADS[background.Priority.LOW]) -> Iterator[None]:
     """Whatever walks over a set has to wait its turn meanwhile."""
     go = threading.Event()
     for _ in range(threads):
@@ -108,7 +108,7 @@ def test_the_overview_is_exported_whole_or_not_at_all(
         assert slow.reached.wait(10)
         monkeypatch.undo()
         if name == "stopped.csv":
-            worker.cancel_all()  # as at the end of the program
+            background.cancel_all()  # as at the end of the program
         slow.go.set()
         let_work_end(qtbot)
     with (tmp_path / "whole.csv").open(newline="") as file:
@@ -142,7 +142,7 @@ def test_what_is_exported_while_the_set_is_scored_is_said_to_be_unfinished(
     window.document.live_fit.set_wanted(False)
     let_work_end(qtbot)
     told = messages(window)
-    with busy(worker._PATIENT_THREADS - 1):
+    with busy(background._THREADS[background.Priority.LOW] - 1):
         slow = Stop(dataset_scores._audit, 3)
         with pytest.MonkeyPatch.context() as patch:
             patch.setattr(dataset_scores, "_audit", slow)

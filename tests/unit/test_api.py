@@ -2,16 +2,27 @@
 
 from __future__ import annotations
 
+import ast
+import inspect
 import json
+import re
+import subprocess
+import sys
+import typing
+from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
+import cv2
 import numpy as np
 import pytest
 
 import procc_annotator
 from procc_annotator import (
+    FrameAnnotation,
     HomographyCamera,
+    ImageError,
+    UsageError,
     camera_from_homography,
     check_labels,
     disagreement,
@@ -22,12 +33,13 @@ from procc_annotator import (
     jac_curve,
     load_annotation,
     load_camera,
+    project_field,
     propose_camera,
     track,
 )
-from procc_annotator.annotation import FrameAnnotation, Point
+from procc_annotator.annotation import Point
 from procc_annotator.camera.models import PinholeCamera
-from procc_annotator.errors import AnnotationError, ProccError, UsageError
+from procc_annotator.errors import AnnotationError, ProccError
 from procc_annotator.field.load import load_field
 from procc_annotator.metrics.measurement import measure
 from procc_annotator.metrics.score import score
@@ -230,7 +242,6 @@ def test_a_camera_is_found_in_a_picture_and_followed() -> None:
     assert found.shots == ((0, 2),)
     assert set(followed) >= {0, 2}
     for frame, true in zip(found.frames, shot.cameras, strict=False):
-        assert frame.fit is not None
         assert isinstance(frame.fit.camera, PinholeCamera)
         assert abs(frame.fit.camera.pan_rad - true.pan_rad) * true.focal_px[0] < 1.5
     proposal = procc_annotator.propose_camera(pictures[0])
@@ -242,16 +253,16 @@ def test_a_camera_is_found_in_a_picture_and_followed() -> None:
 def test_pictures_that_are_none(tmp_path) -> None:
     for wrong in (np.zeros((4, 4)), np.zeros((4, 4, 3)), None, 7):
         with pytest.raises(UsageError, match="expected a picture"):
-            procc_annotator.propose_camera(wrong)  # type: ignore[arg-type]
+            procc_annotator.propose_camera(wrong)
     with pytest.raises(ProccError, match=r"no\.jpg"):
         procc_annotator.propose_camera(tmp_path / "no.jpg")
     with pytest.raises(ProccError, match=r"no\.mp4"):
         procc_annotator.track(tmp_path / "no.mp4")
     with pytest.raises(UsageError, match="video's path or a sequence"):
-        procc_annotator.track(5)  # type: ignore[arg-type]
+        procc_annotator.track(5)
     picture = np.zeros((90, 160, 3), np.uint8)
     with pytest.raises(UsageError, match=r"anchors\[0\]: expected a camera"):
-        procc_annotator.track([picture], anchors={0: "camera"})  # type: ignore[dict-item]
+        procc_annotator.track([picture], anchors={0: "camera"})
     for nowhere in (7, -1, "0"):
         with pytest.raises(UsageError, match=f"no frame {nowhere!r} among 1"):
             procc_annotator.track([picture], anchors={nowhere: HomographyCamera(np.eye(3))})
@@ -300,7 +311,7 @@ def test_the_class_of_a_camera_is_no_camera() -> None:
             return points_world[:, :2], np.ones(len(points_world), bool)
 
     with pytest.raises(UsageError, match="Mine is a class; give a camera made of it"):
-        evaluate(load_annotation(FRAME), Mine)  # type: ignore[arg-type]
+        evaluate(load_annotation(FRAME), Mine)
 
 
 @pytest.mark.parametrize("thresholds", [None, ["a"], [float("nan")]])
@@ -315,3 +326,179 @@ def test_a_set_takes_several_thresholds(thresholds) -> None:
         evaluate_set(
             {"1": load_annotation(FRAME)}, {"1": load_camera(CAMERA)}, thresholds=thresholds
         )
+
+
+# Overlay pictures as arrays, findings, and where a camera shows the field.
+
+
+def test_an_overlay_is_a_picture(sample_data) -> None:
+    picture = cv2.imread(str(sample_data / "00002.jpg"))
+    annotation = load_annotation(sample_data / "00002.json")
+    camera = load_camera(sample_data / "cameras" / "bad" / "camera_00002.json")
+    plain = draw_overlay(picture)
+    assert (plain.shape, plain.dtype) == (picture.shape, np.uint8)
+    assert np.abs(plain.astype(int) - picture).max() < 3
+    clicks = draw_overlay(sample_data / "00002.jpg", annotation)
+    both = draw_overlay(picture, annotation, camera, caption="a method")
+    changed = [(p != plain).any(axis=2).sum() for p in (clicks, both)]
+    assert 0 < changed[0] < changed[1] < picture[..., 0].size
+    half = draw_overlay(picture, annotation, camera, scale=0.5, painted_width=True)
+    assert half.shape == (picture.shape[0] // 2, picture.shape[1] // 2, 3)
+
+
+def test_a_camera_of_another_size_is_drawn_in_its_place(sample_data) -> None:
+    picture = cv2.imread(str(sample_data / "00002.jpg"))
+    height, width = picture.shape[:2]
+    annotation = load_annotation(sample_data / "00002.json")
+    small = fit_camera(annotation, size=(960, 540))
+    assert small.size != (width, height)
+    told = draw_overlay(picture, None, small)
+    plain = draw_overlay(picture, None, small.camera, camera_size=(960, 540))
+    assert (told == plain).all()
+    assert (told != draw_overlay(picture, None, small.camera)).any()
+
+
+def test_what_cannot_be_drawn(tmp_path) -> None:
+    with pytest.raises(ImageError, match=r"no\.jpg"):
+        draw_overlay(tmp_path / "no.jpg")
+    with pytest.raises(UsageError, match="expected a picture"):
+        draw_overlay(np.zeros((4, 4)))
+    picture = np.zeros((90, 160, 3), np.uint8)
+    with pytest.raises(UsageError, match="expected an annotation"):
+        draw_overlay(picture, {"Middle line": []})
+    with pytest.raises(UsageError, match="the scale must be"):
+        draw_overlay(picture, scale=0)
+
+
+def test_pieces_of_the_field_in_a_picture(sample_data) -> None:
+    annotation = load_annotation(sample_data / "00002.json")
+    fit = fit_camera(annotation)
+    pieces = project_field(fit)
+    shown = {
+        e.name for e in evaluate(annotation, fit, protocol="procc").elements if e.status == "tp"
+    }
+    assert shown <= set(pieces)
+    for parts in pieces.values():
+        for points in parts:
+            assert points.ndim == 2
+            assert (points >= -1e-6).all()
+            assert (points <= (959 + 1e-6, 539 + 1e-6)).all()
+
+
+def test_mistakes_are_found(sample_data) -> None:
+    annotation = load_annotation(sample_data / "00002.json")
+    assert not [f for f in check_labels(annotation) if f.severity == "error"]
+    lines = annotation.to_dict()
+    first, second = [name for name, points in lines.items() if len(points) > 1][:2]
+    lines[first], lines[second] = lines[second], lines[first]
+    found = check_labels(FrameAnnotation.from_dict(lines), picture=sample_data / "00002.jpg")
+    assert {first, second} & set(found[0].elements)
+    assert found[0].severity == "error"
+    assert found[0].reason
+
+
+def test_nothing_of_it_needs_qt(sample_data) -> None:
+    code = (
+        "import sys\n"
+        "for name in ('PySide6', 'pyqtgraph'): sys.modules[name] = None\n"
+        "import procc_annotator as p\n"
+        "for name in p.__all__: getattr(p, name)\n"
+        f"a = p.load_annotation({str(sample_data / '00002.json')!r})\n"
+        f"d = p.draw_overlay({str(sample_data / '00002.jpg')!r}, a, p.fit_camera(a))\n"
+        "print(d.shape)\n"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert done.stdout.startswith("("), done.stderr
+
+
+# What the package offers other programs: listed once, documented, typed, and nothing private.
+
+PACKAGE = Path(procc_annotator.__file__).parent
+PUBLIC = [name for name in procc_annotator.__all__ if name != "__version__"]
+FUNCTIONS = [n for n in PUBLIC if inspect.isfunction(getattr(procc_annotator, n))]
+CLASSES = [n for n in PUBLIC if inspect.isclass(getattr(procc_annotator, n))]
+
+
+def test_every_name_is_there_and_none_else() -> None:
+    assert sorted([*FUNCTIONS, *CLASSES]) == PUBLIC
+    assert dir(procc_annotator) == sorted(procc_annotator.__all__)
+    with pytest.raises(AttributeError, match="no attribute 'fit_cameras'"):
+        procc_annotator.fit_cameras  # noqa: B018
+
+
+def test_type_checkers_are_told_the_same_names_from_the_same_places() -> None:
+    tree = ast.parse((PACKAGE / "__init__.py").read_text())
+    block = next(node for node in tree.body if isinstance(node, ast.If))
+    told = {
+        alias.name: node.module
+        for node in block.body
+        if isinstance(node, ast.ImportFrom)
+        for alias in node.names
+    }
+    assert sorted(told) == PUBLIC
+    for name, module in told.items():
+        assert getattr(procc_annotator, name).__module__ == module, name
+
+
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_a_function_says_what_it_takes_gives_and_raises(name) -> None:
+    function = getattr(procc_annotator, name)
+    text = inspect.getdoc(function) or ""
+    parts = re.split(r"^(Args|Returns|Raises):$", text, flags=re.M)
+    sections = dict(zip(parts[1::2], parts[2::2], strict=True))
+    parameters = inspect.signature(function).parameters
+    for parameter in parameters:
+        assert re.search(rf"(^|[ *,]){parameter}[:,]", sections["Args"], re.M), parameter
+    if parameters:
+        assert sections["Raises"].strip()
+    assert "Returns" in sections or text.splitlines()[0].endswith("."), name
+
+
+@pytest.mark.parametrize("name", CLASSES)
+def test_a_class_says_what_it_holds(name) -> None:
+    kind = getattr(procc_annotator, name)
+    text = inspect.getdoc(kind) or ""
+    assert text.strip(), name
+    assert not text.startswith(f"{name}("), name  # what dataclasses write themselves
+    for attribute, value in vars(kind).items():
+        method = inspect.isfunction(value) or isinstance(value, property | classmethod)
+        if not attribute.startswith("_") and method:
+            told = inspect.getdoc(getattr(kind, attribute)) or inspect.getdoc(value)
+            assert told, f"{name}.{attribute}"
+
+
+def test_what_is_returned_is_public_itself() -> None:
+    """Nobody has to import a private module to say what a function takes or gives."""
+    for name in FUNCTIONS:
+        for kind in _kinds(typing.get_type_hints(getattr(procc_annotator, name))):
+            assert kind.__name__ in PUBLIC, f"{name}: {kind}"
+
+
+def _kinds(hints: object) -> Iterator[type]:
+    if isinstance(hints, dict):
+        for hint in hints.values():
+            yield from _kinds(hint)
+    elif isinstance(hints, type) and hints.__module__.startswith("procc_annotator."):
+        yield hints
+    for inner in typing.get_args(hints):
+        yield from _kinds(list(inner) if isinstance(inner, tuple) else inner)
+
+
+def test_type_checkers_know_the_package() -> None:
+    assert (PACKAGE / "py.typed").is_file()
+
+
+def test_importing_the_package_is_next_to_nothing() -> None:
+    """Two small modules of its own, and of the standard library what most programs load."""
+    program = (
+        "import sys; b = set(sys.modules); import procc_annotator; print(*set(sys.modules) - b)"
+    )
+    loaded = subprocess.run(
+        [sys.executable, "-S", "-c", program],
+        capture_output=True, text=True, check=True, cwd=PACKAGE.parent,
+    ).stdout.split()  # fmt: skip
+    own = {name for name in loaded if name.startswith("procc_annotator")}
+    assert own == {"procc_annotator", "procc_annotator.version"}
+    others = {name.partition(".")[0] for name in loaded} - {"procc_annotator"}
+    assert others <= sys.stdlib_module_names
+    assert not others & {"asyncio", "inspect", "email", "http", "json", "subprocess", "sqlite3"}

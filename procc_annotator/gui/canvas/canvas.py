@@ -30,8 +30,8 @@ from procc_annotator.gui.canvas.overlay_item import OverlayItem
 from procc_annotator.gui.canvas.shown_picture import ShownPicture
 from procc_annotator.gui.canvas.view import PictureView
 from procc_annotator.gui.roles import give_role
-from procc_annotator.gui.soon import soon
 from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.background import after_paint
 from procc_annotator.gui.state.document import Document
 from procc_annotator.image.pixels import DisplayAdjustment
 from procc_annotator.interaction.gestures import Modifiers
@@ -85,7 +85,7 @@ class Canvas(PictureView):
         self.keep_zoom = False
         self.cursor_px: tuple[float, float] | None = None
         self._hint = ""
-        self._hint_soon = soon(self, self._say_hint)
+        self._hint_soon = after_paint(self, self._say_hint)
         # While the user drags something, who only reads where it is can wait for the next frame.
         self._carried_on = QTimer(self, singleShot=True, interval=_SCREEN_FRAME_MS)
         self._carried_on.timeout.connect(self._say_cursor)

@@ -14,8 +14,8 @@ from procc_annotator.gui.canvas.comparison import OtherSources
 from procc_annotator.gui.canvas.items import paint_overlay
 from procc_annotator.gui.canvas.pinned import Pinned
 from procc_annotator.gui.canvas.view import PictureView
-from procc_annotator.gui.soon import soon
 from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.background import after_paint
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interaction.legend import LegendEntry, OnPicture, corner_legend
 from procc_annotator.interaction.overlay import ColourBy
@@ -40,7 +40,7 @@ class CornerLegend(Pinned):
         self._others: tuple[tuple[str, str], ...] = ()
         self._by: ColourBy = "criterion"
         self._hand: QPointF | None = None
-        self._soon = soon(self, self._look)
+        self._soon = after_paint(self, self._look)
         view.resized.connect(self._soon.start)
         for beneath in self._beneath():
             beneath.installEventFilter(self)

@@ -15,8 +15,8 @@ from procc_annotator.gui.canvas.metre_maps import MetreMaps
 from procc_annotator.gui.canvas.overlay_item import OverlayItem
 from procc_annotator.gui.canvas.overlay_layer import BY_ORIGIN, OverlayLayer
 from procc_annotator.gui.canvas.view import PictureView
-from procc_annotator.gui.soon import soon
 from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.background import after_paint
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.store import When
 from procc_annotator.interaction.gestures import Position
@@ -66,7 +66,7 @@ class OverlayDrawing(QObject):
         self._hidden_by_action = self._hidden_by_key = False
         self._due = False  # once all that changed was told
         self._everywhere = False  # not only where the overlay differs
-        self._soon = soon(self, self.refresh)
+        self._soon = after_paint(self, self.refresh)
         self._listen()
 
     def _listen(self) -> None:

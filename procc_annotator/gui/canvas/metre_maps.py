@@ -41,7 +41,7 @@ class MetreMaps(QObject):
     def _show(self) -> None:
         if self._hidden or self._document.state.frame is None:
             self._show_nothing()
-        elif self._document.uncertainty.wanted:
+        elif self._document.uncertainty.enabled:
             self._show_uncertainty()
         else:
             self._show_disagreement()

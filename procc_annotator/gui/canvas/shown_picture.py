@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from PySide6.QtCore import QObject, Signal
 
-from procc_annotator.gui.state.derived import Derived, Inputs, Where
+from procc_annotator.gui.state.background import ComputedValue, Inputs
 from procc_annotator.image.pixels import DisplayAdjustment, PixelArray, adjust_image
 
 
@@ -24,8 +24,8 @@ class ShownPicture(QObject):
         self.look = self._without = DisplayAdjustment()  # and without enhancement
         self._picture: PixelArray | None = None
         self._whole = True
-        self._plain = Derived(self._given, adjust_image, Where.AT_ONCE, self)
-        self._enhanced = Derived(self._to_enhance, adjust_image, Where.BESIDE, self)
+        self._plain = ComputedValue(self._given, adjust_image, self, background=False)
+        self._enhanced = ComputedValue(self._to_enhance, adjust_image, self)
         self._enhanced.changed.connect(self._arrived)
 
     @property
@@ -37,14 +37,14 @@ class ShownPicture(QObject):
     def set_picture(self, picture: PixelArray | None, *, whole: bool = True) -> None:
         """Another frame, or a first look at it; announced by no one, the caller shows `pixels`."""
         self._picture, self._whole = picture, whole
-        self._enhanced.look()
+        self._enhanced.invalidate()
 
     def set_look(self, look: DisplayAdjustment) -> None:
         """Another look, kept across frames."""
         if look != self.look:
             self.look, self._without = look, replace(look, enhance=False)
-            self._enhanced.forget()
-            self._enhanced.look()
+            self._enhanced.clear()
+            self._enhanced.invalidate()
             self.changed.emit()
 
     def _given(self) -> Inputs | None:

@@ -7,8 +7,8 @@ from typing import Protocol
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QWidget
 
-from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.background import LatestOnlyTask, Priority
 from procc_annotator.gui.state.document import Document
 
 
@@ -31,18 +31,20 @@ class TaskDialog(Protocol):
 class DialogTask(QObject):
     """Shows one dialog at a time, and what became of the work it asked for."""
 
-    def __init__(self, document: Document, parent: QWidget, *, urgent: bool = False) -> None:
+    def __init__(
+        self, document: Document, parent: QWidget, *, priority: Priority = Priority.LOW
+    ) -> None:
         """Nothing is shown yet.
 
         Args:
             document: whose dataset the dialog is about.
             parent: the dialog's.
-            urgent: the user waits for the work, which takes a second at most.
+            priority: of its work.
         """
         super().__init__(parent)
         self._document = document
         self._parent = parent
-        self._work = Latest(self, self._fail, urgent=urgent)
+        self._work = LatestOnlyTask(self, self._fail, priority=priority)
         self.dialog: TaskDialog | None = None
         document.store.watch(select.dataset, self._leave)
 

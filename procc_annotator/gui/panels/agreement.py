@@ -18,14 +18,12 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import InputError
-from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.panels.parts import empty_state
-from procc_annotator.gui.panels.refresher import Refresher
 from procc_annotator.gui.panels.rows import RIGHT, ElementRowsModel, ElementTable, Index
 from procc_annotator.gui.panels.states import class_title
 from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.worker import JobControl
 from procc_annotator.metrics.agreement import (
     AgreementAccumulator,
     AgreementSummary,
@@ -90,11 +88,11 @@ class AgreementPanel(QWidget):
         super().__init__(parent)
         self.setObjectName("agreement_panel")
         self._document = document
-        self._measuring = Latest(self, self._say_of_set)
+        self._measuring = LatestOnlyTask(self, self._say_of_set)
         self._build()
-        self._refresher = Refresher(self, self._refresh, interval_ms=100)
-        self._refresher.follow(
-            document.store,
+        self._refresher = document.store.watch_visible(
+            self,
+            self._refresh,
             lambda s: (
                 s.workspace,
                 s.frame_index,

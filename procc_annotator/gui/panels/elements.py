@@ -22,7 +22,6 @@ from procc_annotator.gui.element_keys import element_keys
 from procc_annotator.gui.keymap import NATIVE, short_text
 from procc_annotator.gui.panels.findings.signs import FindingSigns
 from procc_annotator.gui.panels.parts import NARROW, SEARCH_KEYS, empty_state
-from procc_annotator.gui.panels.refresher import Refresher, judged
 from procc_annotator.gui.panels.states import (
     EXPLANATIONS,
     ElementState,
@@ -33,6 +32,7 @@ from procc_annotator.gui.panels.states import (
 )
 from procc_annotator.gui.panels.titles import short_titles
 from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.selectors import judged
 from procc_annotator.gui.theme import muted
 from procc_annotator.interaction.class_choice import match_rank
 from procc_annotator.translation import tr, word
@@ -63,15 +63,15 @@ class ElementsPanel(QWidget):
         self._shaded: str | None = None
         self._build()
         self._fill()
-        self._refresher = Refresher(self, self._refresh, interval_ms=60)
-        self._refresher.follow(
-            document.store,
+        self._refresher = document.store.watch_visible(
+            self,
+            self._refresh,
             lambda s: (judged(s), s.selection),
             document.label_check.changed,
             document.ghosts.changed,
             document.review.notVisibleChanged,
         )
-        Refresher(self, self._show_hover).follow(document.store, lambda s: s.hovered_class)
+        document.store.watch_visible(self, self._show_hover, lambda s: s.hovered_class)
         document.store.watch(lambda s: (s.field, s.keymap), self._take_field)
 
     def focus_search(self) -> None:

@@ -24,7 +24,6 @@ from PySide6.QtWidgets import (
 from procc_annotator.field.model import Landmark
 from procc_annotator.gui.messages import as_sentence, ask_to_delete
 from procc_annotator.gui.panels.parts import LEFT_BY_ESCAPE, empty_state, note_label, show_note
-from procc_annotator.gui.panels.refresher import Refresher
 from procc_annotator.gui.state.document import Document
 from procc_annotator.translation import tr, tr_count, word
 
@@ -55,9 +54,9 @@ class LandmarksPanel(QWidget):
         self.setObjectName("landmarks_panel")
         self._document = document
         self._build()
-        self._refresher = Refresher(self, self._refresh, interval_ms=80)
-        self._refresher.follow(
-            document.store,
+        self._refresher = document.store.watch_visible(
+            self,
+            self._refresh,
             lambda s: (s.workspace, s.frame_index, s.annotation, s.field, s.selection),
             document.landmarks.changed,
         )

@@ -21,7 +21,6 @@ from PySide6.QtWidgets import (
 from procc_annotator.dataset.records import Comment, Status
 from procc_annotator.dataset.review import BlindStatus
 from procc_annotator.gui.panels.parts import note_label, show_note
-from procc_annotator.gui.panels.refresher import Refresher
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import muted
@@ -63,9 +62,9 @@ class ReviewPanel(QWidget):
         document.store.watch(select.dataset, self._begin_dataset)
         document.store.watch(select.frame, self._begin_frame)
         self._begin_frame()
-        self._refresher = Refresher(self, self._refresh, interval_ms=80)
-        self._refresher.follow(
-            document.store,
+        self._refresher = document.store.watch_visible(
+            self,
+            self._refresh,
             lambda s: (s.workspace, s.frame_index, s.annotation),
             document.review.statusChanged,
             document.review.originsChanged,

@@ -36,14 +36,18 @@ from procc_annotator.field.geometry import Vector
 from procc_annotator.field.landmarks import is_moving, landmark_at_instant, landmarks_by_name
 from procc_annotator.field.model import Field, Landmark
 from procc_annotator.formats.landmark_file import LANDMARKS_FILE, LandmarkFile
-from procc_annotator.gui.latest import Latest
-from procc_annotator.gui.state.derived import Derived, Inputs, Where
+from procc_annotator.gui.state.background import (
+    ComputedValue,
+    Inputs,
+    JobControl,
+    LatestOnlyTask,
+    Priority,
+)
 from procc_annotator.gui.state.file_watch import FileWatch
 from procc_annotator.gui.state.prediction.live_fit import LiveFit
 from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.scoring.frame_score import Judge
 from procc_annotator.gui.state.store import Store
-from procc_annotator.gui.worker import JobControl
 from procc_annotator.interaction.overlay_lines import ShownEllipse
 from procc_annotator.translation import tr
 
@@ -52,17 +56,17 @@ Ellipses = tuple[ShownEllipse, ...]
 FileAndInstant = tuple[LandmarkFile, str | None]  # of a dataset, and of the frame on screen
 
 
-class LandmarkEllipses(Derived[Ellipses]):
+class LandmarkEllipses(ComputedValue[Ellipses]):
     """One for each landmark of the frame on screen whose place has a covariance, by the camera that
     is judged, else by the fit."""
 
     def __init__(
         self, store: Store, live_fit: LiveFit, judge: Judge, here: Callable[[], FileAndInstant]
     ) -> None:
-        super().__init__(self._made_of, _project, Where.AT_ONCE, store)
+        super().__init__(self._made_of, _project, store, background=False)
         self._store, self._live_fit, self._judge = store, live_fit, judge
         self._here = here
-        self.follow(store, live_fit.changed)
+        store.keep_current(self, live_fit.changed)
 
     def _made_of(self) -> Inputs | None:
         state, (file, instant) = self._store.state, self._here()
@@ -125,7 +129,7 @@ class LandmarkFiles(QObject):
         super().__init__(parent)
         self._workspace: Workspace | None = None
         self._writes = 0  # that were seen; what was there before is known
-        self._found = Derived(self._written, _read, Where.BESIDE, self)
+        self._found = ComputedValue(self._written, _read, self)
         self._found.changed.connect(self._deliver)
         self._watches = {name: FileWatch(self) for name in (LANDMARKS_FILE, VIEWS_FILE)}
         for watch in self._watches.values():
@@ -133,7 +137,7 @@ class LandmarkFiles(QObject):
 
     def watch(self, workspace: Workspace | None) -> None:
         """Watch the files of this dataset from now on; None: of none."""
-        self._found.forget()
+        self._found.clear()
         self._workspace, self._writes = workspace, 0
         for name, watch in self._watches.items():
             watch.watch(None if workspace is None else workspace.folder / name)
@@ -146,7 +150,7 @@ class LandmarkFiles(QObject):
     def read_again(self) -> None:
         """Read both files, in the background, anyone who wrote them."""
         self._writes += 1
-        self._found.look()
+        self._found.invalidate()
 
     def _written(self) -> Inputs | None:
         return (self._workspace, self._writes) if self._workspace and self._writes else None
@@ -199,7 +203,7 @@ class LandmarkPlacing(QObject):
         super().__init__(store)
         self._store, self._live_fit = store, live_fit
         self._landmarks = landmarks
-        self._placing = Latest(self, self._not_located, urgent=True)
+        self._placing = LatestOnlyTask(self, self._not_located, priority=Priority.URGENT)
         self.working = ""
 
     def stop(self, name: str | None = None) -> None:

@@ -28,7 +28,7 @@ from procc_annotator.formats.landmark_file import (
     save_landmarks,
 )
 from procc_annotator.gui.state import selectors as select
-from procc_annotator.gui.state.derived import Derived, Inputs, Where
+from procc_annotator.gui.state.background import ComputedValue, Inputs, Priority
 from procc_annotator.gui.state.landmark_tools import (
     LandmarkEllipses,
     LandmarkFiles,
@@ -66,8 +66,8 @@ class Landmarks(QObject):
         self._store, self._terms = store, terms
         self.file, self.groups = LandmarkFile(), ViewGroups()
         self.problem = self.strange = ""
-        self._clicked = Derived(
-            self._to_scan, _scan, Where.BESIDE, self, stoppable=True, urgent=False
+        self._clicked = ComputedValue(
+            self._to_scan, _scan, self, stoppable=True, priority=Priority.LOW
         )
         self._clicked.changed.connect(self._take_scan)
         self._clicked.failed.connect(self._say_scan_failed)
@@ -228,7 +228,7 @@ class Landmarks(QObject):
 
     def frames_with(self, name: str) -> tuple[str, ...] | None:
         """The frames that a landmark is clicked in, in order; None while that is looked up."""
-        self._clicked.look()
+        self._clicked.invalidate()
         clicked = self._clicked.value
         if clicked is None:
             return () if self._clicked.problem else None
@@ -266,7 +266,7 @@ class Landmarks(QObject):
 
     def _forget_clicks(self) -> None:
         self._since.clear()
-        self._clicked.forget()
+        self._clicked.clear()
 
     def _names(self) -> tuple[str, ...]:
         return tuple(landmarks_by_name(self.file.landmarks))

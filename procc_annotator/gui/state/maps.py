@@ -19,8 +19,8 @@ from procc_annotator.camera.base import Camera, CameraOrProjections, ElementProj
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.background import ComputedValue, Inputs
 from procc_annotator.gui.state.blind_lock import BlindLock
-from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.map_shapes import (
     MapShapes,
     map_shapes,
@@ -78,19 +78,18 @@ class Compared:
         return None if metres is None or pixels is None else (metres, pixels)
 
 
-class DisagreementWatch(Derived[Compared]):
+class DisagreementWatch(ComputedValue[Compared]):
     """The disagreement in the frame on screen, once a person wants to see it."""
 
     def __init__(self, store: Store, source_frames: SourceFrames) -> None:
         super().__init__(
             self._made_of,
             compare_cameras,
-            Where.BESIDE,
             store,
-            wanted=False,
+            enabled=False,
         )
         self._store, self._source_frames = store, source_frames
-        self.follow(store, source_frames.changed, when=When.NOW)
+        store.keep_current(self, source_frames.changed, when=When.NOW)
 
     @property
     def problem(self) -> str:
@@ -185,11 +184,11 @@ class MapSight(QObject):
         self._sure = True
         self._turns = 0
         self._told: tuple[object, ...] = ()
-        self._found = Derived(self._made_of, _look_at, Where.BESIDE, self, kept=_KEPT)
+        self._found = ComputedValue(self._made_of, _look_at, self, cache_size=_KEPT)
         self._found.changed.connect(self._take)
         store.watch(lambda s: (s.workspace, s.field), self._begin_anew)
         store.watch(select.blind, self._look)
-        self._found.follow(store)
+        store.keep_current(self._found)
         foresight.changed.connect(self._look)
 
     @property
@@ -242,12 +241,12 @@ class MapSight(QObject):
         return state.sized_field, camera, state.setup.size
 
     def _look(self, *_: object) -> None:
-        self._found.look()
+        self._found.invalidate()
         self._take()
 
     def _begin_anew(self) -> None:
         self._sight, self._turns = None, 0
-        self._found.forget()
+        self._found.clear()
         self._look()
 
     def _take(self, *_: object) -> None:
@@ -318,7 +317,7 @@ def know_ground(fit: FitResult, field: Field) -> KnownGround:
     )
 
 
-class UncertaintyWatch(Derived[KnownGround]):
+class UncertaintyWatch(ComputedValue[KnownGround]):
     """The map of the live fit, once a person wants to see it."""
 
     def __init__(
@@ -331,13 +330,12 @@ class UncertaintyWatch(Derived[KnownGround]):
         super().__init__(
             self._made_of,
             know_ground,
-            Where.BESIDE,
             store,
-            wanted=False,
+            enabled=False,
         )
         self._store, self._live_fit = store, live_fit
         self._blind_lock, self._disagreement = blind_lock, disagreement
-        self.follow(store, live_fit.changed, when=When.NOW)
+        store.keep_current(self, live_fit.changed, when=When.NOW)
         disagreement.changed.connect(self._give_way)
 
     @property
@@ -349,11 +347,11 @@ class UncertaintyWatch(Derived[KnownGround]):
         nothing = found is not None and found.values.statistics.median is None
         return tr("The fitted camera sees no part of the field.") if nothing else ""
 
-    def set_wanted(self, wanted: bool) -> None:
-        """Whether a person wants to see it; it takes the place of the disagreement."""
-        if wanted:
-            self._disagreement.set_wanted(False)
-        super().set_wanted(wanted)
+    def set_enabled(self, enabled: bool) -> None:
+        """Show it or not; it takes the place of the disagreement."""
+        if enabled:
+            self._disagreement.set_enabled(False)
+        super().set_enabled(enabled)
 
     def _made_of(self) -> Inputs | str | None:
         state, live = self._store.state, self._live_fit
@@ -377,18 +375,18 @@ class UncertaintyWatch(Derived[KnownGround]):
         return fit, state.sized_field
 
     def _give_way(self) -> None:
-        if self._disagreement.wanted:
-            self.set_wanted(False)
+        if self._disagreement.enabled:
+            self.set_enabled(False)
 
 
-class PaintedWidth(Derived[ProjectedField]):
+class PaintedWidth(ComputedValue[ProjectedField]):
     """The borders of painted lines, once a person wants to see them."""
 
     def __init__(self, store: Store, judge: Judge) -> None:
-        super().__init__(self._made_of, _project, Where.BESIDE, store, wanted=False)
+        super().__init__(self._made_of, _project, store, enabled=False)
         self._store, self._judge = store, judge
         self.failed.connect(self._say)
-        store.watch(select.score, self.try_again)
+        store.watch(select.score, self.retry)
 
     def _made_of(self) -> Inputs | None:
         camera = self._judge.camera

@@ -16,11 +16,10 @@ from procc_annotator.formats.annotations.soccernet import read_annotation
 from procc_annotator.formats.file_listing import AnnotationFiles, list_annotations
 from procc_annotator.formats.file_source import FileSource
 from procc_annotator.formats.strict_json import printable
-from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
 from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.store import Store
-from procc_annotator.gui.worker import JobControl
 from procc_annotator.messages import first_names
 from procc_annotator.metrics.agreement import FrameAgreement, compare_annotations
 from procc_annotator.translation import tr, tr_count
@@ -42,7 +41,7 @@ class SecondAnnotator(QObject):
     def __init__(self, store: Store) -> None:
         super().__init__(store)
         self._store = store
-        self._reading = Latest(self, lambda why: say(store, why, "error"))
+        self._reading = LatestOnlyTask(self, lambda why: say(store, why, "error"))
         store.watch(select.field, self._read_again)
         self._frame: str | None = None
         self._source: FileSource | None = None

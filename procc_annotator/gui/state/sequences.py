@@ -10,7 +10,7 @@ from procc_annotator.dataset.sequence import FrameSequence, sequence_of
 from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import InputError
 from procc_annotator.gui.state import selectors as select
-from procc_annotator.gui.state.derived import Derived, Inputs, Where
+from procc_annotator.gui.state.background import ComputedValue, Inputs, Priority
 from procc_annotator.gui.state.store import Store
 
 
@@ -24,8 +24,8 @@ class AnnotatedIndices(QObject):
         super().__init__(store)
         self._store = store
         self._edited: dict[int, bool] = {}  # since they were read
-        self._read = Derived(
-            self._made_of, _read_all, Where.BESIDE, self, wanted=False, stoppable=True, urgent=False
+        self._read = ComputedValue(
+            self._made_of, _read_all, self, enabled=False, stoppable=True, priority=Priority.LOW
         )
         self._read.changed.connect(self.changed)
         store.watch(select.dataset, self._begin_anew)
@@ -34,7 +34,7 @@ class AnnotatedIndices(QObject):
 
     def set_wanted(self, wanted: bool) -> None:
         """Whether a person wants them from now on."""
-        self._read.set_wanted(wanted)
+        self._read.set_enabled(wanted)
 
     @property
     def indices(self) -> frozenset[int]:
@@ -55,7 +55,7 @@ class AnnotatedIndices(QObject):
 
     def _begin_anew(self) -> None:
         self._edited.clear()
-        self._read.look()
+        self._read.invalidate()
 
     def _note_here(self) -> None:
         state = self._store.state
@@ -93,19 +93,18 @@ def _read_all(workspace: Workspace, *, go_on: Callable[[], None]) -> frozenset[i
     return frozenset(found)
 
 
-class SequenceWatch(Derived[FrameSequence]):
+class SequenceWatch(ComputedValue[FrameSequence]):
     """The video or the consecutive pictures that the dataset's frames are of; None for others."""
 
     def __init__(self, store: Store) -> None:
         super().__init__(
             self._made_of,
             _look,
-            Where.BESIDE,
             store,
             stoppable=True,
         )
         self._store = store
-        self.follow(store)
+        store.keep_current(self)
 
     def _made_of(self) -> Inputs | None:
         workspace = self._store.state.workspace

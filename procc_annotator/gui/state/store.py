@@ -11,11 +11,13 @@ from typing import Any
 from weakref import WeakMethod
 
 import shiboken6
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, SignalInstance
+from PySide6.QtWidgets import QWidget
 
-from procc_annotator.gui.soon import soon
+from procc_annotator.gui.state.background import ComputedValue, after_paint
 from procc_annotator.gui.state.events import Events
 from procc_annotator.gui.state.state import State, same
+from procc_annotator.gui.state.visible_update import VisibleUpdate
 
 _GESTURE_FIELDS = frozenset({"preview"})  # replaced with every mouse move of a drag
 
@@ -88,7 +90,7 @@ class Store(QObject):
         self._notifying = False
         self._only_gesture = True  # since all watches were checked
         self._later: list[Callable[[], object]] = []
-        self._after_paint = soon(self, self._notify_after_paint)
+        self._after_paint = after_paint(self, self._notify_after_paint)
 
     @property
     def state(self) -> State:
@@ -135,6 +137,33 @@ class Store(QObject):
             when: when to call.
         """
         self._watches.append(_Watch(select, callback, when, self._state))
+
+    def watch_visible(
+        self,
+        widget: QWidget,
+        update: Callable[[], None],
+        select: Callable[[State], object],
+        *signals: SignalInstance,
+    ) -> VisibleUpdate:
+        """Update a widget whenever a selection of the state has changed, and after signals of what
+        is no part of the state: after the paint, and only while it can be seen."""
+        visible = VisibleUpdate(widget, update)
+        self.watch(select, visible.request)
+        for signal in signals:
+            signal.connect(visible.request)
+        return visible
+
+    def keep_current(
+        self,
+        value: ComputedValue[Any],
+        *signals: SignalInstance,
+        when: When = When.AFTER_PAINT,
+    ) -> None:
+        """Invalidate a computed value whenever its inputs differ: after a change of the state, and
+        after signals of what is no part of the state."""
+        self.watch(lambda _: value.inputs(), value.invalidate, when)
+        for signal in signals:
+            signal.connect(value.invalidate)
 
     def when_notified(self, callback: Callable[[], object]) -> None:
         """Call at once, or after all watches were notified if that is in progress."""

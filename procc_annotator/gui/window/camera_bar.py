@@ -8,8 +8,8 @@ from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QSizePolicy, QWidget
 
 from procc_annotator.camera.base import projects_only_ground
-from procc_annotator.gui.panels.refresher import judged
 from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.selectors import judged
 from procc_annotator.gui.theme import fixed_width
 from procc_annotator.gui.window.status import ElidedLabel, SteadyLabel
 from procc_annotator.gui.window.tau_control import TauControl

@@ -90,7 +90,7 @@ class Commands:
 
     def set_disagreement(self, shown: bool) -> None:
         """Show where the active and the compared source disagree."""
-        self._document.disagreement.set_wanted(shown)
+        self._document.disagreement.set_enabled(shown)
         if shown:
             self._say_if_alone(tr("load a second set of cameras to compare (Ctrl+L)"))
 

@@ -14,7 +14,7 @@ from itertools import pairwise
 from PySide6.QtCore import QByteArray, Qt
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabBar, QWidget
 
-from procc_annotator.gui.panels.refresher import Refresher
+from procc_annotator.gui.state.visible_update import VisibleUpdate
 from procc_annotator.translation import tr, word
 
 _LEFT = Qt.DockWidgetArea.LeftDockWidgetArea
@@ -70,7 +70,7 @@ class DeskLook:
 def _catch_up(panel: QWidget, in_sight: bool) -> None:
     """A panel that comes to the front of its tabs shows what it missed behind them."""
     if in_sight:
-        for refresher in panel.findChildren(Refresher):
+        for refresher in panel.findChildren(VisibleUpdate):
             refresher.catch_up()
 
 

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import QSizePolicy, QStyle, QStyleOptionToolButton, QTool
 
 from procc_annotator.gui.icons import paint_icon
 from procc_annotator.gui.keymap import NATIVE, short_text
-from procc_annotator.gui.soon import soon
+from procc_annotator.gui.state.background import after_paint
 from procc_annotator.gui.theme import blend
 
 _ICON = 1.45  # heights of a line of text
@@ -38,7 +38,7 @@ class IconButton(QToolButton):
         self._icon, self._with_key, self._key = icon, with_key, ""
         self._hint: QSize | None = None  # asked for hundreds of times whenever a window is laid out
         self._called_by: list[QKeySequence] = []
-        self._soon = soon(self, self._take_words)
+        self._soon = after_paint(self, self._take_words)
         self.setAutoRaise(True)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
 

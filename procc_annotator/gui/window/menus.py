@@ -170,5 +170,5 @@ class ActionStates(QObject):
         self._actions.set_checked("live_fit", self._document.live_fit.wanted)
 
     def _show_maps(self) -> None:
-        self._actions.set_checked("disagreement", self._document.disagreement.wanted)
-        self._actions.set_checked("uncertainty", self._document.uncertainty.wanted)
+        self._actions.set_checked("disagreement", self._document.disagreement.enabled)
+        self._actions.set_checked("uncertainty", self._document.uncertainty.enabled)

@@ -9,7 +9,7 @@ from PySide6.QtCore import QEvent, QSize, Qt, QTimer
 from PySide6.QtGui import QFontMetrics, QPainter, QPaintEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QStatusBar, QWidget
 
-from procc_annotator.gui.soon import soon
+from procc_annotator.gui.state.background import after_paint
 from procc_annotator.gui.theme import fixed_width
 from procc_annotator.gui.window.apart import Apart
 from procc_annotator.interaction.hints import SEPARATOR
@@ -32,7 +32,7 @@ class PaintedText(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self._text = ""
-        self._soon = soon(self, self.update)
+        self._soon = after_paint(self, self.update)
 
     def text(self) -> str:
         """All of it."""

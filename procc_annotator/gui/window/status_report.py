@@ -64,10 +64,10 @@ class StatusReport(QObject):
         self._status.set_cursor(px, None if at is None else self._metres(at))
         found = self._document.disagreement.value
         apart = found.at(*at) if found is not None and at is not None else None
-        self._status.set_disagreement(self._document.disagreement.wanted, apart)
+        self._status.set_disagreement(self._document.disagreement.enabled, apart)
         known = self._document.uncertainty.value
         sd = known.at(*px) if known is not None and px is not None else None
-        self._status.set_uncertainty(self._document.uncertainty.wanted, sd)
+        self._status.set_uncertainty(self._document.uncertainty.enabled, sd)
 
     def _evaluated(self, px: tuple[float, float]) -> tuple[float, float] | None:
         """A place of the picture in px of the evaluation size."""

@@ -30,7 +30,7 @@ from procc_annotator.gui.app import (
     start_lean,
 )
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.worker import hold_back
+from procc_annotator.gui.state.background import hold
 from tests.bench.interaction.stopwatch import Stopwatch, resident_mb
 
 ELEMENT = "Big rect. left main"
@@ -45,7 +45,7 @@ def main() -> None:
     app = application()
     watch = Stopwatch(app.processEvents)
     tell_when_painted(watch)
-    hold_back()
+    hold()
     window = build_window(dataset, cameras=cameras if cameras is not None else ())
     window.resize(1920, 1080)
     watch.time("painting alone", window.show)
@@ -82,9 +82,9 @@ class OurHand:
 
     def quiet(self) -> bool:
         """Whether everything in the background is done."""
-        from procc_annotator.gui import worker
+        from procc_annotator.gui.state import background
 
-        return not worker._desk().jobs
+        return not background._dispatcher().jobs
 
     def rest(self, least_s: float = 0.06) -> None:
         self.watch.rest(self.quiet, least_s)

@@ -11,8 +11,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
-from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -108,7 +106,6 @@ def _errors(shot: DrawnShot, found: Track) -> dict[str, np.ndarray]:
         rows["metres"].append(float(np.linalg.norm(place)))
         rows["focal %"].append(100 * abs(focal) / true.focal_px[0])
         sd = fit.deviations
-        assert sd is not None
         by = np.array([sd.pan_rad, sd.tilt_rad, sd.roll_rad, *sd.position_m, sd.focal_px])
         rows["sds"] += (np.abs([*angles, *place, focal]) / np.maximum(by, 1e-12)).tolist()
     return {name: np.array(values) for name, values in rows.items()}
@@ -116,7 +113,7 @@ def _errors(shot: DrawnShot, found: Track) -> dict[str, np.ndarray]:
 
 @pytest.mark.parametrize("anchored", [True, False], ids=["one camera given", "no click"])
 @pytest.mark.parametrize("name", SHOTS)
-def test_errors_and_bands(benchmark: Any, name: str, anchored: bool) -> None:
+def test_errors_and_bands(benchmark, name, anchored) -> None:
     """Each shot from its first frame's camera, and from nothing."""
     shot, _ = _pictures(name)
     found = benchmark.pedantic(lambda: _tracked(name, anchored), rounds=1)
@@ -135,7 +132,7 @@ def test_errors_and_bands(benchmark: Any, name: str, anchored: bool) -> None:
     print(f"\n{row} {' | '.join(figures)} | {held:.0f} % | {cuts} |")
 
 
-def test_the_same_cameras_in_other_chunks_and_processes(benchmark: Any, tmp_path: Path) -> None:
+def test_the_same_cameras_in_other_chunks_and_processes(benchmark, tmp_path) -> None:
     """A video of two shots: once more, in two processes, and only one of its shots."""
     from typer.testing import CliRunner
 

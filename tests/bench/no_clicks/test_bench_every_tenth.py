@@ -11,8 +11,6 @@ from __future__ import annotations
 
 import os
 import time
-from pathlib import Path
-from typing import Any
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.calibration.single_image.propose import propose_camera
@@ -55,7 +53,7 @@ def _judges(clip: Clip, field: Field) -> dict[int, FrameAnnotation]:
     return judges
 
 
-def test_every_tenth_frame(benchmark: Any, shared_data: Path) -> None:
+def test_every_tenth_frame(benchmark, shared_data) -> None:
     """Nothing known, each frame by itself."""
     soccer = load_field("soccer")
 

@@ -12,7 +12,6 @@ import os
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -87,7 +86,7 @@ def _followed(clip: Clip, anchors: dict[int, Any]) -> Followed:
 
 
 @pytest.mark.parametrize("begin", ["no click", "one annotated frame"])
-def test_tracks(benchmark: Any, shared_data: Path, begin: str) -> None:
+def test_tracks(benchmark, shared_data, begin) -> None:
     """Every clip from its own pictures alone, or from the frame with most listed elements."""
     soccer = load_field("soccer")
 

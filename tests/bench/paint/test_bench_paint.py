@@ -7,8 +7,6 @@ eye (`truth`). Printed are tables; speeds are processor times.
 from __future__ import annotations
 
 from collections import defaultdict
-from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -27,7 +25,7 @@ from tests.bench.paint.truth import truth_frames
 
 
 @pytest.mark.parametrize("given", ["nothing", "direction", "camera"])
-def test_snapping(benchmark: Any, shared_data: Path, given: str) -> None:
+def test_snapping(benchmark, shared_data, given) -> None:
     """Knowing the class alone, the line's direction as well, or the frame's camera."""
 
     def run() -> dict[tuple[str, str], Snaps]:
@@ -58,7 +56,7 @@ def test_snapping(benchmark: Any, shared_data: Path, given: str) -> None:
     print(f"a snap: {1e3 * np.median(seconds):.2f} ms, 95 % {1e3 * np.percentile(seconds, 95):.2f}")
 
 
-def test_regularising(benchmark: Any, shared_data: Path) -> None:
+def test_regularising(benchmark, shared_data) -> None:
     """Every element of every frame, clicked by a hand."""
 
     def run() -> dict[str, Regular]:
@@ -83,7 +81,7 @@ def test_regularising(benchmark: Any, shared_data: Path) -> None:
         )
 
 
-def test_accepted_ghosts(benchmark: Any, shared_data: Path) -> None:
+def test_accepted_ghosts(benchmark, shared_data) -> None:
     """Four elements clicked, all ghosts accepted."""
 
     def run() -> dict[str, Accepted]:

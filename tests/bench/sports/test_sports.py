@@ -8,8 +8,6 @@ Printed are the rows of the table in docs/fitting.md.
 from __future__ import annotations
 
 import time
-from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -30,7 +28,7 @@ _SURE = 0.9
 
 
 @pytest.mark.parametrize("name", field_names())
-def test_fit_plausible_cameras(benchmark: Any, name: str) -> None:
+def test_fit_plausible_cameras(benchmark, name) -> None:
     """Share recovered, processor time of a cold fit, and how many elements are needed."""
     views = Views(load_field(name))
     rng = np.random.default_rng(2024)
@@ -71,7 +69,7 @@ def test_fit_plausible_cameras(benchmark: Any, name: str) -> None:
 
 
 @pytest.mark.parametrize("model", ["R+", "auto"])
-def test_fit_court_cameras(benchmark: Any, shared_data: Path, model: str) -> None:
+def test_fit_court_cameras(benchmark, shared_data, model) -> None:
     """The 248 real cameras of basketball courts, fitted back to what they show."""
     cameras = read_cameras(shared_data / "deepsportradar")
     views = Views(load_field("basketball_fiba"))
@@ -86,9 +84,7 @@ def test_fit_court_cameras(benchmark: Any, shared_data: Path, model: str) -> Non
 
 
 @pytest.mark.parametrize("noise_px", [0.5, 1.0])
-def test_fit_clicks_on_the_middle_of_paint(
-    benchmark: Any, shared_data: Path, noise_px: float
-) -> None:
+def test_fit_clicks_on_the_middle_of_paint(benchmark, shared_data, noise_px) -> None:
     """The same cameras, clicked on the middle of the paint, fitted with either choice of lines."""
     cameras = read_cameras(shared_data / "deepsportradar")
     measured = load_field("basketball_fiba")

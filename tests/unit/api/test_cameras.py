@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import pickle
 from dataclasses import replace
-from pathlib import Path
 
 import cv2
 import numpy as np
@@ -71,7 +70,7 @@ def test_matrices_that_are_no_camera(given, says) -> None:
 
 
 @pytest.mark.parametrize("fisheye", [False, True])
-def test_the_distortion_as_opencv_gives_it(fisheye: bool) -> None:
+def test_the_distortion_as_opencv_gives_it(fisheye) -> None:
     row = np.array([[-0.1, 0.02, 0.0, 0.0]])
     expected = camera_from_krt(K, R, T, distortion=row[0].tolist(), fisheye=fisheye)
     for given in (row, row.T):
@@ -83,7 +82,7 @@ def test_the_distortion_as_opencv_gives_it(fisheye: bool) -> None:
 
 
 @pytest.mark.parametrize("factor", [1.0, -1.0, 1e-4, -3e5])
-def test_a_camera_from_a_projection_matrix_of_any_scale(factor: float) -> None:
+def test_a_camera_from_a_projection_matrix_of_any_scale(factor) -> None:
     camera = camera_from_projection(factor * P)
     the_same(camera)
     the_same(camera, CAMERA.position_world + PLACES / 40)  # all about it, behind it too
@@ -132,7 +131,7 @@ def through_opencv(points: np.ndarray) -> np.ndarray:
     return px
 
 
-def test_a_function_is_judged_as_the_camera_it_is(sample_data: Path) -> None:
+def test_a_function_is_judged_as_the_camera_it_is(sample_data) -> None:
     annotation = load_annotation(sample_data / "00002.json")
     true = load_camera(sample_data / "cameras" / "true" / "camera_00002.json")
     found = evaluate(annotation, true)
@@ -186,7 +185,7 @@ def nan_marked_as_valid(px, valid):
         ),
     ],
 )
-def test_answers_that_are_no_projection_are_told(answer, says, sample_data: Path) -> None:
+def test_answers_that_are_no_projection_are_told(answer, says, sample_data) -> None:
     annotation = load_annotation(sample_data / "00002.json")
     for protocol in ("soccernet", "procc"):
         with pytest.raises(UsageError, match=says):
@@ -203,7 +202,7 @@ def test_answers_that_are_no_projection_are_told(answer, says, sample_data: Path
         evaluate(annotation, Custom(answer), size=(1280, 720), camera_size=SIZE)
 
 
-def test_pixels_of_whole_numbers_and_single_precision_will_do(sample_data: Path) -> None:
+def test_pixels_of_whole_numbers_and_single_precision_will_do(sample_data) -> None:
     annotation = load_annotation(sample_data / "00002.json")
     camera = load_camera(sample_data / "cameras" / "true" / "camera_00002.json").camera
     exact = evaluate(annotation, camera)

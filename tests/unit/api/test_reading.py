@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import shutil
-from pathlib import Path
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -14,21 +14,27 @@ from procc_annotator import (
     CameraError,
     FrameAnnotation,
     PinholeCamera,
+    SaveError,
     UsageError,
+    camera_from_function,
+    camera_from_homography,
     evaluate,
     evaluate_set,
+    fit_camera,
     load_annotation,
     load_annotations,
     load_camera,
     load_cameras,
     load_dataset,
     load_field,
+    save_camera,
 )
+from procc_annotator.camera.matrices import calibration_matrix, translation
 from procc_annotator.report.conversion import convert_annotations
 from procc_annotator.report.conversion_output import ConversionRequest
 
 
-def test_a_dataset_is_its_field_its_annotations_and_its_pictures(sample_data: Path) -> None:
+def test_a_dataset_is_its_field_its_annotations_and_its_pictures(sample_data) -> None:
     dataset = load_dataset(sample_data)
     assert dataset.field.name == "soccer"
     assert list(dataset.pictures) == [f"{n:05}" for n in range(1, 15)]
@@ -41,7 +47,7 @@ def test_a_dataset_is_its_field_its_annotations_and_its_pictures(sample_data: Pa
     assert load_dataset(sample_data / "ice_hockey", "soccer").field.name == "soccer"
 
 
-def test_annotations_may_lie_in_a_folder_of_their_own(sample_data: Path, tmp_path: Path) -> None:
+def test_annotations_may_lie_in_a_folder_of_their_own(sample_data, tmp_path) -> None:
     inner = tmp_path / "annotations"
     inner.mkdir()
     shutil.copy(sample_data / "00002.json", inner)
@@ -56,7 +62,7 @@ def test_annotations_may_lie_in_a_folder_of_their_own(sample_data: Path, tmp_pat
         load_dataset(tmp_path)
 
 
-def test_frames_of_a_tree_are_called_by_their_paths(sample_data: Path, tmp_path: Path) -> None:
+def test_frames_of_a_tree_are_called_by_their_paths(sample_data, tmp_path) -> None:
     for match in ("a/img1", "b/img1"):
         (tmp_path / match).mkdir(parents=True)
         shutil.copy(sample_data / "00002.json", tmp_path / match)
@@ -69,7 +75,7 @@ def test_frames_of_a_tree_are_called_by_their_paths(sample_data: Path, tmp_path:
     assert dataset.size_of(names[0]) == (1280, 720)
 
 
-def test_a_dataset_knows_the_sizes_of_its_pictures(sample_data: Path, tmp_path: Path) -> None:
+def test_a_dataset_knows_the_sizes_of_its_pictures(sample_data, tmp_path) -> None:
     shutil.copy(sample_data / "00005.jpg", tmp_path)  # not annotated
     told = json.loads((sample_data / "00002.json").read_text())
     told |= {"image_width": 1920, "image_height": 1080}
@@ -82,9 +88,7 @@ def test_a_dataset_knows_the_sizes_of_its_pictures(sample_data: Path, tmp_path: 
 
 
 @pytest.mark.parametrize("fmt", ["labelme", "cvat", "coco", "soccernet-v3", "soccernet-gsr"])
-def test_every_format_is_read_as_the_commands_do(
-    sample_data: Path, tmp_path: Path, fmt: str
-) -> None:
+def test_every_format_is_read_as_the_commands_do(sample_data, tmp_path, fmt) -> None:
     """Sizes that a file leaves out are those of the pictures around it."""
     own = load_annotations(sample_data)
     convert_annotations(sample_data, tmp_path / "out", ConversionRequest(fmt), load_field())
@@ -96,7 +100,7 @@ def test_every_format_is_read_as_the_commands_do(
         }
 
 
-def test_a_second_annotation_of_a_frame_is_told(tmp_path: Path) -> None:
+def test_a_second_annotation_of_a_frame_is_told(tmp_path) -> None:
     shape = '<polyline label="Middle line" points="0.0,0.0;10.0,10.0" occluded="0"></polyline>'
     images = "".join(
         f'<image id="{n}" name="1.{suffix}" width="960" height="540">{shape}</image>'
@@ -112,13 +116,13 @@ def test_a_second_annotation_of_a_frame_is_told(tmp_path: Path) -> None:
         load_annotations(tmp_path)
 
 
-def test_a_real_set_of_another_program_is_read(shared_data: Path) -> None:
+def test_a_real_set_of_another_program_is_read(shared_data) -> None:
     found = load_annotations(shared_data / "foreign" / "tennis_cvat_test.xml", "tennis")
     assert len(found) == 23
     assert load_dataset(shared_data / "foreign" / "tennis_cvat_test.xml").sizes["01"][0] > 100
 
 
-def test_damaged_annotations_are_raised_or_told(sample_data: Path, tmp_path: Path) -> None:
+def test_damaged_annotations_are_raised_or_told(sample_data, tmp_path) -> None:
     shutil.copy(sample_data / "00002.json", tmp_path)
     (tmp_path / "00003.json").write_text('{"Middle line": [{"x": 0.5}]}')
     with pytest.raises(AnnotationError, match=r"00003.json: Middle line\[0\]"):
@@ -130,7 +134,7 @@ def test_damaged_annotations_are_raised_or_told(sample_data: Path, tmp_path: Pat
     assert "the coordinate 'y'" in str(problem)
 
 
-def test_cameras_know_the_picture_size_of_their_files(sample_data: Path, tmp_path: Path) -> None:
+def test_cameras_know_the_picture_size_of_their_files(sample_data, tmp_path) -> None:
     cameras = load_cameras(sample_data / "cameras" / "homography")
     assert {camera.model for camera in cameras.values()} == {"homography"}
     assert {camera.size for camera in cameras.values()} == {(1280, 720)}
@@ -151,7 +155,7 @@ def test_cameras_know_the_picture_size_of_their_files(sample_data: Path, tmp_pat
         load_camera(sample_data / "cameras" / "homography")
 
 
-def test_an_annotation_from_and_to_plain_values(sample_data: Path) -> None:
+def test_an_annotation_from_and_to_plain_values(sample_data) -> None:
     content = json.loads((sample_data / "00002.json").read_text())
     annotation = FrameAnnotation.from_dict(content)
     assert annotation == load_annotation(sample_data / "00002.json")
@@ -183,7 +187,7 @@ def test_plain_values_that_are_no_annotation(wrong, says) -> None:
         FrameAnnotation.from_dict(wrong)
 
 
-def test_names_of_others_are_told_by_a_map(sample_data: Path, tmp_path: Path) -> None:
+def test_names_of_others_are_told_by_a_map(sample_data, tmp_path) -> None:
     own = load_annotation(sample_data / "00002.json")
     content = {f"x {p.class_name}": [{"x": q.u, "y": q.v} for q in p.points] for p in own}
     (tmp_path / "00002.json").write_text(json.dumps(content))
@@ -197,7 +201,7 @@ def test_names_of_others_are_told_by_a_map(sample_data: Path, tmp_path: Path) ->
     assert load_dataset(tmp_path).annotations["00002"] == own
 
 
-def test_a_bare_homography_is_of_one_sport(tmp_path: Path) -> None:
+def test_a_bare_homography_is_of_one_sport(tmp_path) -> None:
     np.save(tmp_path / "1.npy", np.diag([0.1, 0.1, 1.0]))
     camera = load_camera(tmp_path / "1.npy")
     annotation = FrameAnnotation.from_dict({"Baseline left": [(0.1, 0.2), (0.3, 0.4)]})
@@ -205,3 +209,88 @@ def test_a_bare_homography_is_of_one_sport(tmp_path: Path) -> None:
         evaluate(annotation, camera, field="tennis")
     with pytest.raises(UsageError, match="camera of 1: nothing says which ground"):
         evaluate_set({"1": annotation}, tmp_path, field="tennis")
+
+
+# A camera written from Python is one that the program reads, and what is in the way is told.
+
+SIZE = (960, 540)
+CAMERA = PinholeCamera(
+    0.3, np.deg2rad(77), 0.01, (3.0, 62.0, -17.0), (1480.0, 1480.0), (479.5, 269.5)
+)
+GROUND = np.random.default_rng(5).uniform((-60, -40, 0), (60, 40, 0), (50, 3))
+
+
+@pytest.mark.parametrize(
+    ("format", "name"),
+    [("soccernet", "camera_1.json"), ("opencv", "1.yml"), ("krt", "1.json"),
+     ("wc14", "1.homographyMatrix"), ("carwc", "1.npy"), ("world", "1.txt")],
+)  # fmt: skip
+def test_what_is_written_is_read_again(tmp_path, format, name) -> None:
+    lost = save_camera(CAMERA, tmp_path / name, format=format, size=SIZE)
+    read = load_camera(tmp_path / name, format="auto" if format in ("soccernet", "krt") else format)
+    again = read.camera
+    if read.size not in (None, SIZE):
+        again = again.scaled(read.size, SIZE)
+    (px, valid), (expected, seen) = again.project(GROUND), CAMERA.project(GROUND)
+    assert valid[seen].all()
+    np.testing.assert_allclose(px[seen], expected[seen], atol=1e-6)
+    assert ("everything off the ground" in lost) == (read.model == "homography")
+
+
+def test_a_fit_is_written_with_its_size_and_the_clicks_it_explains(sample_data, tmp_path) -> None:
+    annotation = load_annotation(sample_data / "00002.json")
+    fit = fit_camera(annotation, size=(1280, 720))
+    assert save_camera(fit, tmp_path / "camera_00002.json", fitted_to=annotation) == ()
+    read = load_camera(tmp_path / "camera_00002.json")
+    assert read.size == (1280, 720)
+    assert read.fitted_on is not None
+    assert evaluate(annotation, read).jac == evaluate(annotation, fit).jac == 1.0
+    smaller = tmp_path / "small.json"
+    save_camera(fit, smaller, size=SIZE)
+    assert load_camera(smaller).size == SIZE
+    assert load_camera(smaller).fitted_on == read.fitted_on
+    for fmt, name in (("opencv", "2.yml"), ("krt", "3.json")):
+        fitted = {"size": fit.size, "fitted_to": annotation}
+        assert save_camera(fit.camera, tmp_path / name, format=fmt, **fitted) == ()
+        assert load_camera(tmp_path / name, format=fmt).fitted_on == read.fitted_on
+    with pytest.raises(UsageError, match="the fit failed: 2 elements"):
+        save_camera(
+            fit_camera(FrameAnnotation(annotation.polylines[:2])), tmp_path / "camera_3.json"
+        )
+
+
+def test_a_camera_from_a_file_keeps_what_the_file_said(sample_data, tmp_path) -> None:
+    given = load_camera(sample_data / "cameras" / "true" / "camera_00002.json")
+    given = replace(given, content={**given.content, "note": "by hand"})
+    save_camera(given, tmp_path / "camera_2.json")
+    assert load_camera(tmp_path / "camera_2.json").extra["note"] == "by hand"
+
+
+def test_what_cannot_be_written_is_told_and_nothing_is(tmp_path) -> None:
+    file = tmp_path / "camera_1.json"
+    homography = camera_from_homography(
+        calibration_matrix(CAMERA)
+        @ np.column_stack((CAMERA.rotation_cam_from_world, translation(CAMERA)))[:, [0, 1, 3]],
+        SIZE,
+    )
+    for wrong, says, further in (
+        (homography, "cannot hold a homography", {}),
+        (camera_from_function(CAMERA.project), "cannot hold a camera model", {}),
+        (np.eye(3), "expected a camera", {}),
+        (CAMERA, "no format 'csv' for one camera", {"format": "csv"}),
+        (CAMERA, "no format 'submission'", {"format": "submission"}),
+        (CAMERA, r"expected a name that ends in \.yml", {"format": "opencv"}),
+    ):
+        with pytest.raises(UsageError, match=says):
+            save_camera(wrong, file, **further)
+    with pytest.raises(UsageError, match="names no picture size"):
+        save_camera(homography, tmp_path / "1.txt", format="world")
+    assert not list(tmp_path.iterdir())
+    file.write_text("mine")
+    with pytest.raises(UsageError, match="is there already"):
+        save_camera(CAMERA, file)
+    assert file.read_text() == "mine"
+    save_camera(CAMERA, file, overwrite=True)
+    assert isinstance(load_camera(file).camera, PinholeCamera)
+    with pytest.raises(SaveError, match="nowhere"):
+        save_camera(CAMERA, tmp_path / "nowhere" / "camera_1.json")

@@ -38,14 +38,14 @@ def carried(
     return points_px(moved, SIZE)
 
 
-def test_a_line_along_the_edge_keeps_its_length(views: tuple[PixelArray, PixelArray]) -> None:
+def test_a_line_along_the_edge_keeps_its_length(views) -> None:
     found = carried(views, (957, 200), (956, 300))
     assert found == pytest.approx(np.array([(957 - SHIFT, 200), (956 - SHIFT, 300)]), abs=7)
 
 
 @pytest.mark.parametrize(("end", "reached"), [(1150, SIZE[0] - 1), (985, 955 - SHIFT)])
 def test_a_line_that_left_the_picture_is_continued_to_its_edge_if_it_is_seen_there(
-    views: tuple[PixelArray, PixelArray], end: int, reached: int
+    views, end, reached
 ) -> None:
     """Else its own end came into sight."""
     drawn = [view // 4 for view in views]
@@ -57,9 +57,7 @@ def test_a_line_that_left_the_picture_is_continued_to_its_edge_if_it_is_seen_the
     assert found[-1, 0] == pytest.approx(reached, abs=7)
 
 
-def test_what_leaves_the_picture_is_cut_off_at_its_edge(
-    views: tuple[PixelArray, PixelArray],
-) -> None:
+def test_what_leaves_the_picture_is_cut_off_at_its_edge(views) -> None:
     found = carried(views, (20, 300), (400, 300))
     assert found[0, 0] == pytest.approx(0, abs=1)
     assert found[-1] == pytest.approx([400 - SHIFT, 300], abs=7)

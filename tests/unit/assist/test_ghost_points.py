@@ -85,12 +85,11 @@ class Drawn:
 
     def exact(self, name: str) -> dict[str, list[np.ndarray]]:
         loaded = self.cameras.camera(name, SIZE)
-        assert loaded is not None
         return exact_courses(loaded.camera)
 
 
 @pytest.fixture(scope="module")
-def drawn(sample_data: Path) -> Drawn:
+def drawn(sample_data) -> Drawn:
     return Drawn(sample_data)
 
 
@@ -108,7 +107,7 @@ def all_accepted(
     return done.annotation, *(tuple(f.name for f in some) for some in (done.accepted, done.left))
 
 
-def test_all_ghosts_after_four_elements_lie_on_their_lines(drawn: Drawn) -> None:
+def test_all_ghosts_after_four_elements_lie_on_their_lines(drawn) -> None:
     rng = np.random.default_rng(6)
     medians, distances = [], []
     for name in ("00002", "00006", "00009", "00011", "00012"):
@@ -130,7 +129,7 @@ def test_all_ghosts_after_four_elements_lie_on_their_lines(drawn: Drawn) -> None
     assert max(distances) < 5.0  # along the line, where it meets another
 
 
-def test_the_points_are_regular_in_order_and_reach_the_edge(drawn: Drawn) -> None:
+def test_the_points_are_regular_in_order_and_reach_the_edge(drawn) -> None:
     (course,) = drawn.exact("00003")["Side line top"]
     found = find_points(
         ghost_along("Side line top", moved(course, 0.0, 1.2)), drawn.picture("00003"), FIELD, SIZE
@@ -147,7 +146,7 @@ def test_the_points_are_regular_in_order_and_reach_the_edge(drawn: Drawn) -> Non
     assert all(0 <= p.u <= 1 and 0 <= p.v <= 1 for p in found.points)
 
 
-def test_a_circle_gets_points_all_round(drawn: Drawn) -> None:
+def test_a_circle_gets_points_all_round(drawn) -> None:
     courses = drawn.exact("00001")["Circle central"]
     pieces = tuple(GhostPiece(moved(c, 0.8, -0.8), np.full(len(c), 1.5)) for c in courses)
     found = find_points(Ghost("Circle central", pieces), drawn.picture("00001"), FIELD, SIZE)
@@ -185,7 +184,7 @@ LINE = ((100, 300), (1179, 400))
 
 
 @pytest.mark.parametrize("offset", [-3.0, 0.0, 3.0])
-def test_a_line_beside_the_prediction_is_found(offset: float) -> None:
+def test_a_line_beside_the_prediction_is_found(offset) -> None:
     ghost = ghost_along("Side line top", moved(COURSE, 0.0, offset - 2.0), 2.0)
     found = find_points(ghost, shown(pitch(LINE)), FIELD, SIZE)
     assert found.support > 0.95
@@ -231,7 +230,7 @@ def test_players_on_the_line_get_no_points() -> None:
 
 
 @pytest.mark.parametrize("name", ["Side line top", "Goal left crossbar", "Circle left"])
-def test_a_ghost_in_the_crowd_or_on_bare_grass_finds_no_line(name: str) -> None:
+def test_a_ghost_in_the_crowd_or_on_bare_grass_finds_no_line(name) -> None:
     pixels = pitch()
     pixels[:360] = crowd(1280, 360)
     rng = np.random.default_rng(3)
@@ -280,7 +279,7 @@ def test_accepting_makes_elements_and_keeps_what_is_there() -> None:
     assert accept(before, []) is before
 
 
-def test_accepting_all_leaves_out_what_is_hardly_seen(drawn: Drawn) -> None:
+def test_accepting_all_leaves_out_what_is_hardly_seen(drawn) -> None:
     annotation, picture = drawn.annotation("00011"), drawn.picture("00011").copy()
     four = {"Big rect. left main", "Big rect. left top", "Big rect. left bottom"}
     four.add("Goal left crossbar")
@@ -333,7 +332,7 @@ def drawn_twice() -> DrawnTwice:
 
 
 @pytest.mark.parametrize("number", [12, pytest.param(14, marks=pytest.mark.soak)])
-def test_every_point_lies_where_paint_can_be_seen(drawn_twice: DrawnTwice, number: int) -> None:
+def test_every_point_lies_where_paint_can_be_seen(drawn_twice, number) -> None:
     """Posts and crossbars, players, goals and boards in front of lines: the drawing knows."""
     camera, picture, paint = drawn_twice(number)
     exact = exact_courses(camera, SMALL)
@@ -362,7 +361,7 @@ def test_every_point_lies_where_paint_can_be_seen(drawn_twice: DrawnTwice, numbe
     assert hidden == 0
 
 
-def test_real_lines_of_a_real_frame(shared_data: Path) -> None:
+def test_real_lines_of_a_real_frame(shared_data) -> None:
     frames = shared_data / "frames"
     picture = decode_bgra(frames / "bra_mex.jpg")
     path = frames / "bra_mex.json"

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from functools import partial
-from pathlib import Path
 
 import cv2
 import numpy as np
 import pytest
 
-from procc_annotator.annotation import Point, Polyline, point_from_px, points_px
-from procc_annotator.assist.regularise import MOST_MOVED_PX, Snap, regularise
+from procc_annotator.annotation import FrameAnnotation, Point, Polyline, point_from_px, points_px
+from procc_annotator.assist.regularise import MOST_MOVED_PX, close_gaps, regularise
 from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.field.load import load_field
 from procc_annotator.field.sampling import sample_evenly
@@ -73,7 +72,7 @@ def test_the_direction_of_the_clicks_is_kept() -> None:
 
 
 @pytest.mark.parametrize("shuffled", [False, True])
-def test_five_clicks_make_an_arc(shuffled: bool) -> None:
+def test_five_clicks_make_an_arc(shuffled) -> None:
     arc = CIRCLE[500:4800]
     clicked = arc[[0, 1000, 2100, 3300, -1]] + np.random.default_rng(3).normal(0, 1.5, (5, 2))
     if shuffled:
@@ -165,7 +164,7 @@ def test_what_a_file_says_about_the_ends_is_kept() -> None:
     assert found.points[0].extra == first.extra
 
 
-def test_on_drawn_frames_it_lies_on_the_exact_geometry(sample_data: Path) -> None:
+def test_on_drawn_frames_it_lies_on_the_exact_geometry(sample_data) -> None:
     cameras = CameraSet.open(sample_data / "cameras" / "true", camera_size=(960, 540))
     samples = sample_evenly(FIELD, 0.01)
     rng = np.random.default_rng(4)
@@ -174,7 +173,6 @@ def test_on_drawn_frames_it_lies_on_the_exact_geometry(sample_data: Path) -> Non
         picture = decode_bgra(sample_data / f"{name}.jpg")
         size = picture.shape[1], picture.shape[0]
         loaded = cameras.camera(name, size)
-        assert loaded is not None
         for i, element in enumerate(FIELD.elements):
             places, seen = loaded.camera.project(samples.of(i))
             inside = seen & (places > 1).all(axis=1) & (places < np.array(size) - 2).all(axis=1)
@@ -245,7 +243,7 @@ def covered(curve: np.ndarray, *places: int) -> PixelArray:
 @pytest.mark.parametrize(
     "drawing", [*range(6), *(pytest.param(n, marks=pytest.mark.soak) for n in range(6, 24))]
 )
-def test_what_was_regularised_stays(drawing: int) -> None:
+def test_what_was_regularised_stays(drawing) -> None:
     """A circle clicked all round but for one gap, with players on it: time and again the same."""
     rng = np.random.default_rng(drawing)
     rows = np.sort(rng.integers(0, len(CIRCLE), 8))
@@ -272,7 +270,7 @@ def test_what_was_thinned_out_is_regularised_again() -> None:
 
 @pytest.mark.parametrize("way", [(0, 2, 0), (0, 1, 2, 1, 0)])
 @pytest.mark.parametrize("snap", [None, lambda points, _: points])
-def test_clicks_that_come_back_the_way_they_went_stay(way: tuple[int, ...], snap: Snap) -> None:
+def test_clicks_that_come_back_the_way_they_went_stay(way, snap) -> None:
     clicks = polyline("Middle line", np.array([[100, 100], [200, 130], [300, 160]])[[*way]])
     assert regularise(clicks, curved=False, size=SIZE, snap=snap).polyline == clicks
 
@@ -283,3 +281,61 @@ def test_an_arc_with_two_clicks_in_nearly_one_place() -> None:
     found = points_px(regularise(arc, curved=True, size=SIZE, snap=None).polyline, SIZE)
     assert away(clicks, found).max() < 40
     np.testing.assert_allclose(found[[0, -1]], clicks[[0, -1]], atol=1e-6)
+
+
+# Ends that fall a little short reach the corner, the picture's edge, the circle's beginning.
+
+PICTURE_SIZE = (1280, 720)
+MAIN, TOP = "Big rect. left main", "Big rect. left top"
+
+
+def line(name: str, *points: tuple[float, float]) -> Polyline:
+    return Polyline(name, tuple(point_from_px(x, y, PICTURE_SIZE) for x, y in points))
+
+
+def closed(polyline: Polyline, *others: Polyline) -> np.ndarray:
+    annotation = FrameAnnotation((polyline, *others))
+    return points_px(close_gaps(polyline, annotation, FIELD, PICTURE_SIZE), PICTURE_SIZE)
+
+
+def test_an_end_reaches_the_corner_with_the_line_it_meets() -> None:
+    found = closed(line(TOP, (300, 200), (590, 200)), line(MAIN, (600, 212), (600, 500)))
+    assert found == pytest.approx(np.array([[300, 200], [600, 200]]), abs=1e-6)
+
+
+def test_an_end_that_went_too_far_comes_back() -> None:
+    found = closed(line(TOP, (300, 200), (612, 200)), line(MAIN, (600, 190), (600, 500)))
+    assert found[-1] == pytest.approx([600, 200], abs=1e-6)
+
+
+def test_lines_that_do_not_meet_on_the_field_leave_each_other_alone() -> None:
+    polyline = line(TOP, (300, 200), (590, 200))
+    other = line("Side line top", (600, 190), (600, 500))
+    assert closed(polyline, other) == pytest.approx(points_px(polyline, PICTURE_SIZE))
+
+
+def test_an_end_near_the_edge_reaches_it_along_its_line() -> None:
+    found = closed(line("Side line top", (10, 100), (640, 90), (1270, 80)))
+    assert found[0] == pytest.approx([0, 100 + 10 * 10 / 630], abs=1e-6)
+    assert found[1] == pytest.approx([640, 90])
+    assert found[-1] == pytest.approx([1279, 80 - 9 * 10 / 630], abs=1e-6)
+
+
+def test_what_is_far_stays() -> None:
+    polyline = line("Side line top", (60, 100), (1200, 80))
+    assert closed(polyline) == pytest.approx(points_px(polyline, PICTURE_SIZE))
+
+
+def test_a_circle_closes_with_its_first_point() -> None:
+    angles = np.linspace(0, 2 * np.pi - 0.1, 9)
+    points = [(640 + 200 * np.cos(a), 360 + 80 * np.sin(a)) for a in angles]
+    polyline = line("Circle central", *points)
+    found = close_gaps(polyline, FrameAnnotation((polyline,)), FIELD, PICTURE_SIZE)
+    assert found.points == (*polyline.points, polyline.points[0])
+    half = line("Circle central", *points[:5])
+    assert close_gaps(half, FrameAnnotation((half,)), FIELD, PICTURE_SIZE) == half
+
+
+def test_other_elements_and_single_points_come_back_as_they_are() -> None:
+    for polyline in (line("Line unknown", (2, 2), (9, 9)), line(TOP, (5, 5))):
+        assert close_gaps(polyline, FrameAnnotation((polyline,)), FIELD, PICTURE_SIZE) == polyline

@@ -26,7 +26,7 @@ Change = Callable[[str, dict[str, Any]], dict[str, Any] | None]
 
 
 @pytest.fixture
-def folders(tmp_path: Path) -> tuple[Path, Path]:
+def folders(tmp_path) -> tuple[Path, Path]:
     both = tmp_path / "a", tmp_path / "b"
     for folder in both:
         folder.mkdir()
@@ -162,7 +162,7 @@ def noisy(sigma_px: float) -> Change:
 
 
 @pytest.fixture(scope="module", params=[6, pytest.param(1, marks=pytest.mark.soak)])
-def real(shared_data: Path, tmp_path_factory: pytest.TempPathFactory, request) -> Path:
+def real(shared_data, tmp_path_factory, request) -> Path:
     """Every sixth frame of the World Cup; all of them in `make soak`."""
     folder = tmp_path_factory.mktemp("real")
     for path in sorted((shared_data / "wc14" / "annotations").glob("*.json"))[:: request.param]:

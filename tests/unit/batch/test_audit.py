@@ -72,7 +72,7 @@ def made_up(
 
 
 @pytest.mark.parametrize("source", ["bad", "true", "pinhole"])
-def test_audits_of_the_sample_say_what_the_metric_says(sample_data: Path, source: str) -> None:
+def test_audits_of_the_sample_say_what_the_metric_says(sample_data, source) -> None:
     pairs = audits_of(sample_data, sample_data / "cameras" / source)
     assert pairs
     for audit, measured in pairs:
@@ -84,7 +84,7 @@ def test_audits_of_the_sample_say_what_the_metric_says(sample_data: Path, source
 
 
 def test_where_neither_labelling_passes_residuals_are_those_of_the_labels_as_they_are(
-    sample_data: Path,
+    sample_data,
 ) -> None:
     turned = 0
     for audit, measured in audits_of(sample_data, sample_data / "cameras" / "bad", tau=1e-6):
@@ -93,7 +93,7 @@ def test_where_neither_labelling_passes_residuals_are_those_of_the_labels_as_the
     assert turned  # the official evaluation takes the mirrored labels there
 
 
-def test_points_belong_to_the_class_they_were_clicked_for(sample_data: Path) -> None:
+def test_points_belong_to_the_class_they_were_clicked_for(sample_data) -> None:
     for audit, measured in audits_of(sample_data, sample_data / "cameras" / "bad"):
         labelling = better_labelling(measured, 5.0)
         worst = {
@@ -124,7 +124,7 @@ def test_points_keep_their_class_where_something_moves() -> None:
         assert [titles[row] for row in audit.class_rows.tolist()] == seen
 
 
-def test_a_residual_leads_from_the_click_onto_the_projection(sample_data: Path) -> None:
+def test_a_residual_leads_from_the_click_onto_the_projection(sample_data) -> None:
     for audit, measured in audits_of(sample_data, sample_data / "cameras" / "pinhole"):
         feet = (audit.points_px + audit.residuals_px).astype(float)
         again = measured.projected.polylines.segments.distances(
@@ -133,7 +133,7 @@ def test_a_residual_leads_from_the_click_onto_the_projection(sample_data: Path) 
         assert again == pytest.approx(0.0, abs=1e-3)
 
 
-def test_the_pose_is_the_cameras_own(sample_data: Path) -> None:
+def test_the_pose_is_the_cameras_own(sample_data) -> None:
     cameras = CameraSet.open(sample_data / "cameras" / "true")
     for audit, _ in audits_of(sample_data, sample_data / "cameras" / "true"):
         camera = cameras.camera(audit.frame, SIZE).camera
@@ -144,7 +144,7 @@ def test_the_pose_is_the_cameras_own(sample_data: Path) -> None:
         assert audit.pose is None
 
 
-def test_the_mean_curve_of_real_cameras_is_the_official_jac(shared_data: Path) -> None:
+def test_the_mean_curve_of_real_cameras_is_the_official_jac(shared_data) -> None:
     wc14 = shared_data / "wc14"
     pairs = audits_of(wc14 / "annotations", wc14 / "cameras_pnlcalib")
     curve = figures.mean_curve([audit for audit, _ in pairs])
@@ -279,12 +279,11 @@ def test_a_timeline_has_gaps_where_there_is_no_score() -> None:
     assert line[1] == 1.0
 
 
-def test_points_without_a_distance_have_no_residual(sample_data: Path) -> None:
+def test_points_without_a_distance_have_no_residual(sample_data) -> None:
     (measured,) = [
         m for a, m in audits_of(sample_data, sample_data / "cameras" / "true") if a.frame == "00002"
     ]
     true = CameraSet.open(sample_data / "cameras" / "true").camera("00002", SIZE)
-    assert true is not None
 
     class Rounded:
         """Neighbouring positions fall together, which leaves segments without a length."""
@@ -303,7 +302,7 @@ def test_points_without_a_distance_have_no_residual(sample_data: Path) -> None:
     assert figures.gather([audit]).undefined == undefined.sum()
 
 
-def test_turned_labels_count_for_the_classes_that_their_score_is_of(sample_data: Path) -> None:
+def test_turned_labels_count_for_the_classes_that_their_score_is_of(sample_data) -> None:
     path = sample_data / "00002.json"
     plain = read_annotation(path.read_bytes(), path=str(path), field=FIELD)
     turn = FIELD.symmetries[0]
@@ -311,7 +310,6 @@ def test_turned_labels_count_for_the_classes_that_their_score_is_of(sample_data:
         tuple(replace(p, class_name=turn.name_of(p.class_name)) for p in plain.polylines)
     )
     found = CameraSet.open(sample_data / "cameras" / "true").camera("00002", SIZE)
-    assert found is not None
     as_meant, as_labelled = (
         figures.gather(
             [audit_frame("00002", found.camera, "P", measure(one, found.camera, SETUP), 5.0)]

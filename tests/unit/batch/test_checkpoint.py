@@ -2,17 +2,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import json
+import math
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
-from procc_annotator.batch.checkpoint import Checkpoint, field_settings
+from procc_annotator.annotation import FrameAnnotation, Point, Polyline
+from procc_annotator.batch.checkpoint import (
+    Checkpoint,
+    SerializationError,
+    deserialize,
+    field_settings,
+    serialize,
+)
+from procc_annotator.calibration.fitting import fit_camera
+from procc_annotator.dataset.picture_sizes import FrameSize
 from procc_annotator.errors import UsageError
 from procc_annotator.field.landmarks import with_landmarks
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import DARKER, CameraPlacement, Field, Landmark
+from procc_annotator.formats.annotations.soccernet import read_annotation
+from procc_annotator.metrics.measurement import measure
+from procc_annotator.metrics.score import score
+from procc_annotator.metrics.setup import EvaluationSetup
 
 SEAT = Landmark(
     "Seat",
@@ -45,9 +62,7 @@ def darker(field: Field) -> Field:
         lambda _: field_with(SEAT, replace(BALL, position=(20.0, 0.0, 0.0))),
     ],
 )
-def test_results_of_another_field_are_not_gone_on_with(
-    tmp_path: Path, change: Callable[[Field], Field]
-) -> None:
+def test_results_of_another_field_are_not_gone_on_with(tmp_path, change) -> None:
     field = field_with(SEAT, BALL)
     file = tmp_path / ".propose.unfinished"
     with Checkpoint(file, {"field": field_settings(field)}, resume=False) as kept:
@@ -61,3 +76,91 @@ def test_results_of_another_field_are_not_gone_on_with(
 def test_what_no_fit_looks_at_keeps_no_run_from_going_on() -> None:
     noted = field_with(replace(SEAT, note="row 12", colour="#ff0000"), BALL)
     assert field_settings(noted) == field_settings(field_with(SEAT, BALL))
+
+
+# What a run keeps of its results comes back to the last bit, and a file can make nothing else.
+
+
+def test_a_fit_and_its_score_come_back(sample_data) -> None:
+    field = load_field("soccer")
+    file = sample_data / "00002.json"
+    annotation = read_annotation(file.read_bytes(), path=str(file), field=field)
+    fit = fit_camera(annotation, field, model="R")
+    setup = EvaluationSetup(field)
+    scored = score(measure(annotation, fit.camera, setup), 5.0)
+    size = FrameSize((960, 540))
+    again, score_again, same, size_again = deserialize(serialize((fit, {5.0: scored}, fit, size)))
+    assert again is same
+    assert again.camera == fit.camera
+    assert isinstance(again.camera.position_world, tuple)
+    assert again.vector.tobytes() == fit.vector.tobytes()
+    assert again.covariance.tobytes() == fit.covariance.tobytes()
+    assert again.deviations == fit.deviations
+    assert again.elements == fit.elements
+    assert size_again == size
+    assert isinstance(size_again, FrameSize)
+    assert score_again[5.0].jac == scored.jac
+    assert score_again[5.0].labelling.all_distances.tobytes() == (
+        scored.labelling.all_distances.tobytes()
+    )
+    score_again[5.0].labelling.all_distances[0] = 1  # as writable as it was
+
+
+values = st.recursive(
+    st.none() | st.booleans() | st.integers() | st.floats() | st.text() | st.binary(),
+    lambda inner: st.lists(inner) | st.tuples(inner, inner) | st.dictionaries(st.floats(), inner),
+    max_leaves=12,
+)
+
+
+def same(one: object, other: object) -> bool:
+    if isinstance(one, float) and isinstance(other, float):
+        return one.hex() == other.hex() or (math.isnan(one) and math.isnan(other))
+    if isinstance(one, list | tuple) and isinstance(other, list | tuple):
+        alike = type(one) is type(other) and len(one) == len(other)
+        return alike and all(map(same, one, other))
+    if isinstance(one, dict) and isinstance(other, dict):
+        return same(list(one.items()), list(other.items()))
+    return type(one) is type(other) and one == other
+
+
+@given(values)
+def test_whatever_is_plain_comes_back(value) -> None:
+    assert same(deserialize(serialize(value)), value)
+
+
+def test_numbers_of_arrays_keep_their_kind() -> None:
+    found = deserialize(serialize([np.float32(0.1), np.arange(6).reshape(2, 3), Path("a/b")]))
+    assert type(found[0]) is np.float32
+    assert (found[1].dtype, found[1].shape) == (np.arange(6).dtype, (2, 3))
+    assert found[2] == Path("a/b")
+
+
+def test_only_plain_data_is_kept() -> None:
+    for value in (object(), load_field, {1, 2}, np.array(["text"], dtype=object)):
+        with pytest.raises(TypeError):
+            serialize(value)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "", "{", '{"x": 1}', '{"r": 0}', '{"a": ["|O", [1], "AAAAAAAAAAA="]}', '{"n": ["|O", 1]}',
+        '{"c": ["os:system", ["true"]]}',
+        '{"c": ["procc_annotator.formats.atomic:write_atomic", ["/tmp/x", ""]]}',
+        '{"c": ["procc_annotator.batch.checkpoint:import_module", ["os"]]}',
+        '{"c": ["procc_annotator.batch.checkpoint:Path", ["/"]]}',
+        '{"c": ["procc_annotator.annotation:Point", []]}',
+        '{"c": ["procc_annotator.annotation:Polyline", [1, 2, 3]]}',
+        '{"c": ["procc_annotator.no.such:Thing", []]}',
+    ],
+)  # fmt: skip
+def test_a_file_of_anybodys_makes_nothing_else(text) -> None:
+    with pytest.raises(SerializationError):
+        deserialize(text)
+
+
+def test_values_in_values_come_back() -> None:
+    annotation = FrameAnnotation((Polyline("Middle line", (Point(0.1, 0.2, (("a", 1),)),)),))
+    assert deserialize(serialize(annotation)) == annotation
+    assert json.loads(serialize(annotation))  # one line of JSON

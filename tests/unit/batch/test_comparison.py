@@ -46,7 +46,7 @@ def moved(metres: float) -> dict[str, Any]:
 
 
 @pytest.fixture
-def sources(tmp_path: Path) -> tuple[CameraSet, CameraSet]:
+def sources(tmp_path) -> tuple[CameraSet, CameraSet]:
     a = write(tmp_path / "a", {name: camera() for name in ("1", "2", "3", "4")})
     b = write(
         tmp_path / "b",
@@ -103,7 +103,7 @@ def test_running_twice_counts_once(sources) -> None:
 
 
 def test_a_worker_that_was_started_elsewhere_finds_relative_paths(
-    sources, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    sources, tmp_path, monkeypatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
     run = ComparisonRun(CameraSet.open(Path("a")), CameraSet.open(Path("b")), FIELD, SIZE)
@@ -115,7 +115,7 @@ def test_a_worker_that_was_started_elsewhere_finds_relative_paths(
     assert task.a.opened.path == Path("a")  # as it is named to people
 
 
-def test_frames_without_common_ground_are_blank(tmp_path: Path) -> None:
+def test_frames_without_common_ground_are_blank(tmp_path) -> None:
     a = write(tmp_path / "a", {"1": camera(), "2": camera()})
     b = write(tmp_path / "b", {"1": camera(tilt_degrees=130.0), "2": camera()})
     comparison = ComparisonRun(a, b, FIELD, SIZE)
@@ -128,7 +128,7 @@ def test_frames_without_common_ground_are_blank(tmp_path: Path) -> None:
     assert [frame.name for frame in worst_frames(frames, None)] == ["2"]
 
 
-def test_a_damaged_camera_is_an_error_of_its_frame(tmp_path: Path) -> None:
+def test_a_damaged_camera_is_an_error_of_its_frame(tmp_path) -> None:
     a = write(tmp_path / "a", {"1": camera(), "2": camera()})
     b = write(tmp_path / "b", {"1": camera(x_focal_length="long"), "2": camera()})
     comparison = ComparisonRun(a, b, FIELD, SIZE)

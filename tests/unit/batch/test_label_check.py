@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from pathlib import Path
 
 import pytest
 
@@ -27,7 +26,7 @@ def rules(checked: FrameCheck | str) -> list[Rule]:
     return [found.finding.rule for found in checked.found]
 
 
-def test_frames_come_with_their_findings_and_damaged_ones_with_the_reason(tmp_path: Path) -> None:
+def test_frames_come_with_their_findings_and_damaged_ones_with_the_reason(tmp_path) -> None:
     places = ", ".join(f'{{"x": {p.u}, "y": {p.v}}}' for p in BENT.polylines[0].points)
     (tmp_path / "a.json").write_text(f'{{"Middle line": [{places}]}}')
     (tmp_path / "b.json").write_text('{"Middle line": [], "Middle line": []}')
@@ -54,15 +53,13 @@ def test_no_camera_is_fitted_where_none_may_be() -> None:
 
 
 @pytest.mark.parametrize("model", ["H", "P", "R", "R+", "auto"])
-def test_every_model_will_do(model: str) -> None:
+def test_every_model_will_do(model) -> None:
     ((_, checked),) = CheckFrames(FIELD, model)([FrameToCheck("a", BENT, SIZE)])
     assert rules(checked) == [Rule.BENT]
 
 
-def test_a_set_tells_which_frame_stands_on_the_other_side(
-    sample_data: Path, tmp_path: Path
-) -> None:
-    names = {name: FIELD.half_turn.name_of(name) for name in FIELD.index}  # type: ignore[union-attr]
+def test_a_set_tells_which_frame_stands_on_the_other_side(sample_data, tmp_path) -> None:
+    names = {name: FIELD.half_turn.name_of(name) for name in FIELD.index}
     for name in ("00002", "00003", "00004", "00006"):
         content = json.loads((sample_data / f"{name}.json").read_text())
         turned = {names.get(key, key): value for key, value in content.items()}

@@ -45,7 +45,7 @@ Open = Callable[[], WorkspaceDatabase]
 
 
 @pytest.fixture
-def opened(tmp_path: Path) -> Iterator[Open]:
+def opened(tmp_path) -> Iterator[Open]:
     held: list[WorkspaceDatabase] = []
 
     def open_() -> WorkspaceDatabase:
@@ -58,7 +58,7 @@ def opened(tmp_path: Path) -> Iterator[Open]:
 
 
 class TestDatabase:
-    def test_verdicts_are_there_again(self, opened: Open) -> None:
+    def test_verdicts_are_there_again(self, opened) -> None:
         database = opened()
         database.set_verdict("f1", "NBJW", FaultParty.CAMERA, "the roll is off")
         database.set_verdict("f1", "CARWC", FaultParty.FINE)
@@ -74,7 +74,7 @@ class TestDatabase:
         assert first[place_by_name("CARWC")].fault is FaultParty.FINE
         assert set(again.all_verdicts()) == {"f1", "f\udcff2"}
 
-    def test_another_window_sees_them_and_that_they_are_gone(self, opened: Open) -> None:
+    def test_another_window_sees_them_and_that_they_are_gone(self, opened) -> None:
         mine, theirs = opened(), opened()
         mine.set_verdict("f1", "NBJW", FaultParty.CAMERA)
         assert mine.flush()
@@ -85,7 +85,7 @@ class TestDatabase:
         assert "f1" in theirs.reload()
         assert not theirs.verdicts("f1")
 
-    def test_a_database_of_the_version_before_goes_on(self, tmp_path: Path, opened: Open) -> None:
+    def test_a_database_of_the_version_before_goes_on(self, tmp_path, opened) -> None:
         database = opened()
         database.set_status("f1", Status.DONE)
         database.add_comment("f1", "left goal")
@@ -105,9 +105,7 @@ class TestDatabase:
         again.close()
         assert opened().verdicts("f1")[place_by_name("NBJW")].fault is FaultParty.ANNOTATION
 
-    def test_verdicts_by_name_of_the_version_before_go_on(
-        self, tmp_path: Path, opened: Open
-    ) -> None:
+    def test_verdicts_by_name_of_the_version_before_go_on(self, tmp_path, opened) -> None:
         opened().close()
         self.make_older(tmp_path / ".procc" / "workspace.db")
         again = opened()
@@ -116,7 +114,7 @@ class TestDatabase:
         assert again.verdicts("f2")[place_by_name("N\udcff")].fault is FaultParty.FINE
 
     def test_verdicts_of_a_damaged_file_of_the_version_before_are_saved(
-        self, tmp_path: Path, opened: Open
+        self, tmp_path, opened
     ) -> None:
         opened().close()
         path = tmp_path / ".procc" / "workspace.db"
@@ -142,7 +140,7 @@ class TestDatabase:
             older.execute("PRAGMA user_version = 2")
         older.close()
 
-    def test_a_new_name_goes_to_the_file_and_to_other_windows(self, opened: Open) -> None:
+    def test_a_new_name_goes_to_the_file_and_to_other_windows(self, opened) -> None:
         mine, theirs = opened(), opened()
         mine.set_verdict("f1", "bad", FaultParty.CAMERA, place=BAD)
         mine.set_verdict("f2", "bad", FaultParty.FINE, place="auto:elsewhere/bad")
@@ -157,13 +155,13 @@ class TestDatabase:
             (moved,) = database.verdicts("f3").values()
             assert (moved.source, moved.place, moved.comment) == ("vendor X", BAD, "from before")
 
-    def test_a_new_verdict_takes_the_place_of_one_by_name(self, opened: Open) -> None:
+    def test_a_new_verdict_takes_the_place_of_one_by_name(self, opened) -> None:
         database = opened()
         database.set_verdict("f1", "bad", FaultParty.FINE)
         database.set_verdict("f1", "bad", FaultParty.CAMERA, place=BAD)
         assert [v.fault for v in database.verdicts("f1").values()] == [FaultParty.CAMERA]
 
-    def test_places(self, tmp_path: Path) -> None:
+    def test_places(self, tmp_path) -> None:
         dataset = tmp_path / "set" / "images"
         for path, place in (
             (dataset / "cameras" / "bad", "auto:cameras/bad"),
@@ -174,7 +172,7 @@ class TestDatabase:
             assert path_of(place) == place.removeprefix("auto:")
         assert path_of(place_by_name("bad")) == ""
 
-    def test_they_are_written_into_a_file_begun_anew(self, tmp_path: Path, opened: Open) -> None:
+    def test_they_are_written_into_a_file_begun_anew(self, tmp_path, opened) -> None:
         database = opened()
         database.set_verdict("f1", "NBJW", FaultParty.CAMERA)
         assert database.flush()
@@ -201,7 +199,7 @@ class TestFilter:
             ("verdict:", {"fine"}, True),  # not finished yet
         ],
     )
-    def test_by_verdict(self, query: str, verdicts: set[str], matches: bool) -> None:
+    def test_by_verdict(self, query, verdicts, matches) -> None:
         from dataclasses import replace
 
         facts = replace(self.FACTS, verdicts=frozenset(verdicts))
@@ -234,9 +232,7 @@ class TestCheckFilter:
             ("check:", None, True),  # not finished yet
         ],
     )
-    def test_by_what_the_label_check_found(
-        self, query: str, findings: set[str] | None, matches: bool
-    ) -> None:
+    def test_by_what_the_label_check_found(self, query, findings, matches) -> None:
         from dataclasses import replace
 
         known = None if findings is None else frozenset(findings)
@@ -274,7 +270,7 @@ class TestOrder:
 
 
 class TestCompare:
-    def test_the_median_is_that_of_the_map(self, sample_data: Path) -> None:
+    def test_the_median_is_that_of_the_map(self, sample_data) -> None:
         true, bad = (CameraSet.open(sample_data / "cameras" / n) for n in ("true", "bad"))
         found = set_disagreement(["00001", "00002", "no such"], true, bad, SETUP)
         assert found.finished
@@ -288,12 +284,12 @@ class TestCompare:
         assert found.metres["00002"] == exact.statistics.metres.median
         assert found.metres["00002"] > 0.05
 
-    def test_a_source_agrees_with_itself(self, sample_data: Path) -> None:
+    def test_a_source_agrees_with_itself(self, sample_data) -> None:
         true = CameraSet.open(sample_data / "cameras" / "true")
         found = set_disagreement(["00001"], true, true, SETUP)
         assert found.metres["00001"] == pytest.approx(0.0, abs=1e-9)
 
-    def test_it_can_be_stopped(self, sample_data: Path) -> None:
+    def test_it_can_be_stopped(self, sample_data) -> None:
         true = CameraSet.open(sample_data / "cameras" / "true")
         calls = iter([False, True])
         found = set_disagreement(
@@ -308,7 +304,7 @@ class TestExport:
         path = folder / f"{name}.json"
         return read_annotation(path.read_bytes(), path=str(path), field=FIELD)
 
-    def test_the_figures_are_those_of_the_metric(self, sample_data: Path) -> None:
+    def test_the_figures_are_those_of_the_metric(self, sample_data) -> None:
         cameras = CameraSet.open(sample_data / "cameras" / "bad")
         verdict = Verdict(
             "00002", "bad", BAD, FaultParty.CAMERA, "Anna", 1_700_000_000.0, '=1+1 "x"'
@@ -336,14 +332,14 @@ class TestExport:
         assert row["comment"] == '\'=1+1 "x"'
         assert row["terms"] == "soccernet, 960x540"
 
-    def test_a_frame_annotated_as_empty_is_judged(self, sample_data: Path) -> None:
+    def test_a_frame_annotated_as_empty_is_judged(self, sample_data) -> None:
         cameras = CameraSet.open(sample_data / "cameras" / "bad")
         verdict = Verdict("00002", "bad", BAD, FaultParty.CAMERA, "Anna", 0.0)
         found = judge_verdict(verdict, cameras, lambda n: FrameAnnotation(()), SETUP, 5.0)
         assert (found.jac, found.largest_px, found.worst_element) == (0.0, None, "")
         assert found.problem == ""
 
-    def test_without_figures_it_says_why(self, sample_data: Path) -> None:
+    def test_without_figures_it_says_why(self, sample_data) -> None:
         cameras = CameraSet.open(sample_data / "cameras" / "bad")
         verdict = Verdict("00002", "bad", BAD, FaultParty.CAMERA, "Anna", 0.0)
         missing = judge_verdict(verdict, None, lambda n: None, SETUP, 5.0)

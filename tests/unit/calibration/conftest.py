@@ -113,7 +113,7 @@ def field() -> Field:
 
 
 @pytest.fixture(scope="session")
-def views(field: Field) -> Views:
+def views(field) -> Views:
     return Views(field)
 
 

@@ -7,6 +7,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from procc_annotator.calibration.line_alignment.control_points import (
+    ControlPoint,
+    align_with_control_points,
+    control_point_errors,
+    fit_control_points,
+    rotated_camera,
+)
 from procc_annotator.calibration.line_alignment.expected_lines import (
     expected_line_points,
     marking_points,
@@ -20,6 +27,7 @@ from procc_annotator.calibration.line_alignment.refinement import (
 )
 from procc_annotator.calibration.optimization.camera_parameters import vector_from_camera
 from procc_annotator.calibration.optimization.observations import ImageFrame
+from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.field.geometry import Line
 from procc_annotator.field.model import Appearance, Field
 from tests.drawn_shots import draw as draw_scene
@@ -121,7 +129,7 @@ def _with_a_line_elsewhere(name: str, metres: float) -> Field:
 
 
 @pytest.mark.parametrize("metres", [0.35, -0.35])
-def test_a_line_that_lies_beside_its_paint_is_named(metres: float) -> None:
+def test_a_line_that_lies_beside_its_paint_is_named(metres) -> None:
     picture, moved = draw(TRUE), _with_a_line_elsewhere("Big rect. right main", metres)
     assert not displaced_elements_in_image(picture, VECTOR, marking_points(FIELD), FRAME)
     said = displaced_elements_in_image(picture, VECTOR, marking_points(moved), FRAME)
@@ -149,3 +157,137 @@ def test_a_narrow_line_between_two_colours_is_found_in_its_middle() -> None:
     assert len(off) > 50
     assert np.median(seen.expected.width_px[own]) < 1
     assert abs(np.median(off)) < 0.25
+
+
+# Places put where they belong turn and zoom a camera, which stays where it stands.
+
+PLAIN = PinholeCamera(0.1, 1.3, 0.01, (2.0, 60.0, -16.0), (1500.0, 1500.0), (639.5, 359.5))
+BENT = replace(
+    PLAIN,
+    radial=(0.3, 0.2, 0.05, 0.1, 0.02, 0.01),
+    tangential=(0.003, -0.002),
+    thin_prism=(0.001, 0.0, 0.002, 0.0),
+    focal_px=(1500.0, 1480.0),
+)
+CORNERS = ((0.0, 0.0, 0.0), (0.0, -34.0, 0.0), (9.15, 0.0, 0.0), (0.0, 9.15, 0.0))
+
+
+def shown(of: PinholeCamera, world: tuple[float, float, float]) -> tuple[float, float]:
+    x, y = of.project(np.array([world]))[0][0].tolist()
+    return x, y
+
+
+def put(of: PinholeCamera, row: int, by: tuple[float, float], **more: object) -> ControlPoint:
+    x, y = shown(of, CORNERS[row])
+    return ControlPoint(CORNERS[row], (x + by[0], y + by[1]), **more)
+
+
+@pytest.mark.parametrize("start", [PLAIN, BENT], ids=["plain", "bent"])
+@pytest.mark.parametrize("by", [(3.0, -2.0), (40.0, 25.0), (-300.0, 180.0)])
+def test_one_place_turns_the_camera(start, by) -> None:
+    hand = put(start, 1, by)
+    found = fit_control_points(start, (), hand)
+    assert control_point_errors(found, [hand])[0] < 0.01
+    assert found.position_world == start.position_world
+    assert found.roll_rad == start.roll_rad
+    assert found.focal_px == pytest.approx(start.focal_px)
+
+
+@pytest.mark.parametrize("start", [PLAIN, BENT], ids=["plain", "bent"])
+@pytest.mark.parametrize("by", [(3.0, -2.0), (30.0, 25.0), (-80.0, 40.0)])
+def test_two_places_zoom_and_roll_it_and_the_first_one_stays(start, by) -> None:
+    first = put(start, 0, (12.0, -7.0))
+    hand = put(start, 1, by)
+    found = fit_control_points(fit_control_points(start, (), first), (first,), hand)
+    assert control_point_errors(found, [hand])[0] < 0.01
+    assert control_point_errors(found, [first])[0] < 0.1
+    assert found.position_world == start.position_world
+
+
+def test_of_more_places_the_one_in_hand_is_met_and_the_others_share_what_is_left() -> None:
+    turned_away = rotated_camera(PLAIN, np.array([0.01, -0.004, 0.05, 0.002]))
+    rng = np.random.default_rng(3)
+    pegs = [ControlPoint(world, shown(turned_away, world)) for world in CORNERS]
+    noisy = [replace_px(peg, rng.normal(0, 0.5, 2)) for peg in pegs[:3]]
+    found = fit_control_points(PLAIN, noisy, pegs[3])
+    assert control_point_errors(found, [pegs[3]])[0] < 0.01
+    assert control_point_errors(found, noisy).max() < 2.0
+    assert found.focal_px == pytest.approx(turned_away.focal_px, rel=0.01)
+
+
+def replace_px(peg: ControlPoint, off: np.ndarray) -> ControlPoint:
+    return ControlPoint(peg.world, (peg.px[0] + off[0], peg.px[1] + off[1]), peg.along, peg.sd_px)
+
+
+def test_a_place_on_a_line_stays_on_its_line_only() -> None:
+    on_line = put(PLAIN, 0, (5.0, 8.0), along=(1.0, 0.0, 0.0))
+    hand = put(PLAIN, 1, (40.0, 3.0))
+    start = fit_control_points(PLAIN, (), on_line)
+    found = fit_control_points(start, (on_line,), hand)
+    assert control_point_errors(found, [on_line, hand]).max() < 0.1
+    x, _ = shown(found, on_line.world)
+    assert abs(x - on_line.px[0]) > 1.0  # along the line it went where it had to
+
+
+def test_what_no_camera_there_can_show_leaves_the_camera_alone() -> None:
+    behind = ControlPoint((2.0, 200.0, 0.0), (600.0, 300.0))
+    assert fit_control_points(PLAIN, (), behind) is PLAIN
+    assert fit_control_points(PLAIN, ()) is PLAIN
+    assert control_point_errors(PLAIN, [behind])[0] == np.inf
+
+
+def test_a_camera_that_looks_straight_down_turns_too() -> None:
+    down = replace(PLAIN, pan_rad=0.0, tilt_rad=0.0, roll_rad=0.0, position_world=(0.0, 0.0, -50.0))
+    hand = ControlPoint((5.0, 4.0, 0.0), tuple(np.add(shown(down, (5.0, 4.0, 0.0)), (6.0, -4.0))))
+    assert control_point_errors(fit_control_points(down, (), hand), [hand])[0] < 0.01
+
+
+def test_zoom_leaves_the_bend_of_the_lens_in_the_picture() -> None:
+    twice = rotated_camera(BENT, np.array([0.0, 0.0, np.log(2.0), 0.0]))
+    rays = np.array([[0.2, 0.1, 1.0], [-0.15, 0.18, 1.0]])
+    stand, turn = np.array(BENT.position_world), BENT.rotation_cam_from_world
+    before, _ = BENT.project(stand + rays @ turn)
+    after, _ = twice.project(stand + rays * (0.5, 0.5, 1.0) @ turn)
+    assert after == pytest.approx(before)
+
+
+PLACES = ((36.0, 20.16, 0.0), (36.0, -20.16, 0.0), (52.5, 9.16, 0.0))
+
+
+def test_one_dragged_place_and_the_paint_give_the_camera() -> None:
+    picture = draw(TRUE, noise=4.0)
+    place = next(p for p in PLACES if _in_sight(p))
+    wrong = rotated_camera(TRUE, np.array([0.02, 0.008, 0.08, 0.0]))
+    assert apart_px(TRUE, wrong) > 15
+    hand = ControlPoint(place, shown(TRUE, place), None, 1.0)
+    found, why_not = align_with_control_points(
+        picture, FIELD, fit_control_points(wrong, (), hand), [hand]
+    )
+    assert why_not == ""
+    assert isinstance(found.fit.camera, PinholeCamera)
+    assert apart_px(TRUE, found.fit.camera) < 1.0
+    assert control_point_errors(found.fit.camera, [hand])[0] < 2.0
+
+
+def _in_sight(place: tuple[float, float, float]) -> bool:
+    (x, y), seen = shown(TRUE, place), TRUE.project(np.array([place]))[1][0]
+    return bool(seen) and 0 < x < 959 and 0 < y < 539
+
+
+def test_paint_that_would_take_a_peg_away_has_no_say() -> None:
+    place = next(p for p in PLACES if _in_sight(p))
+    x, y = shown(TRUE, place)
+    hand = ControlPoint(place, (x + 8.0, y), None, 0.3)
+    found, why_not = align_with_control_points(
+        draw(TRUE), FIELD, fit_control_points(TRUE, (), hand), [hand]
+    )
+    assert found is None
+    assert why_not
+
+
+def test_without_paint_it_is_said_why() -> None:
+    place = next(p for p in PLACES if _in_sight(p))
+    hand = ControlPoint(place, shown(TRUE, place))
+    found, why_not = align_with_control_points(draw(TRUE, lines=False), FIELD, TRUE, [hand])
+    assert found is None
+    assert why_not

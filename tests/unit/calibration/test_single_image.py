@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import cache
-from pathlib import Path
 
 import cv2
 import numpy as np
@@ -101,7 +100,6 @@ def test_the_paint_of_a_net_belongs_to_the_field() -> None:
 
 def test_deviations_hold_the_position() -> None:
     found = _anywhere()
-    assert found.fit.deviations is not None
     assert isinstance(found.fit.camera, PinholeCamera)
     off = np.abs(np.array(found.fit.camera.position_world) - MAIN)
     assert (off < 4 * np.array(found.fit.deviations.position_m) + 0.1).all()
@@ -156,9 +154,7 @@ def _seen(
         (_seen((0, 60, -16), -20.0, 1.00, "sure"), "at_known", "sure"),
     ],
 )
-def test_a_known_position_is_one_more_hypothesis(
-    at_known: Proposal, kept: str, state: ProposalState
-) -> None:
+def test_a_known_position_is_one_more_hypothesis(at_known, kept, state) -> None:
     free = _seen((0, 60, -16), 20.0, 0.88, "sure")
     found = better_proposal(free, at_known, _stage().field)
     assert found.fit is {"free": free, "at_known": at_known}[kept].fit
@@ -166,7 +162,7 @@ def test_a_known_position_is_one_more_hypothesis(
 
 
 @pytest.mark.parametrize("sport", ["volleyball", "ice_hockey"])
-def test_a_picture_of_another_sport_is_not_sure(sport: str, sample_data: Path) -> None:
+def test_a_picture_of_another_sport_is_not_sure(sport, sample_data) -> None:
     picture = decode_bgra(sample_data / sport / "00001.jpg")
     found = propose_camera(picture, _stage().field)
     assert found.state != "sure"

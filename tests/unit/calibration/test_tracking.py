@@ -7,7 +7,6 @@ import threading
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import lru_cache
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -72,11 +71,10 @@ def _nothing(_picture: PixelArray, _field: object, _known: tuple[KnownPosition, 
 def _followed(frame: Callable[[int], PixelArray] = _picture, **options: object) -> Track:
     options.setdefault("propose", _nothing)
     options.setdefault("anchors", {0: CAMERAS[0]})
-    return track_shot(frame, range(COUNT), FIELD, **options)  # type: ignore[arg-type]
+    return track_shot(frame, range(COUNT), FIELD, **options)
 
 
 def _off(frame: TrackedFrame) -> float:
-    assert frame.fit is not None
     assert isinstance(frame.fit.camera, PinholeCamera)
     return apart_px(CAMERAS[frame.number], frame.fit.camera)
 
@@ -101,20 +99,17 @@ def test_an_anchor_keeps_its_camera_to_the_digit_and_the_track_passes_it() -> No
     found = _followed(anchors=anchors)
     for number, given in anchors.items():
         fit = found.frames[number].fit
-        assert fit is not None
         assert fit.camera is given
         assert found.frames[number].state == "anchor"
     assert max(_off(f) for f in found.frames) < 0.8
     assert found.frames[10].anchor_distance == 2
 
 
-def test_a_sure_camera_is_not_replaced_by_one_that_leaves_its_lines(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_a_sure_camera_is_not_replaced_by_one_that_leaves_its_lines(monkeypatch) -> None:
     """All frames together suit a camera that is turned: then they stay as they were followed."""
 
     def turned(chain: FrameChain, *given: object) -> SmoothedChain:
-        found = smooth_chain(chain, *given)  # type: ignore[arg-type]
+        found = smooth_chain(chain, *given)
         by = 0.02 * (np.arange(11) == 0)  # 30 px
         steps = [
             replace(step, belief=replace(step.belief, vector=step.belief.vector + by))
@@ -132,17 +127,13 @@ def test_a_sure_camera_is_not_replaced_by_one_that_leaves_its_lines(
     assert not any(f.reason for f in found.frames)
 
 
-def test_frames_solved_some_at_a_time_have_the_same_cameras(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_frames_solved_some_at_a_time_have_the_same_cameras(monkeypatch) -> None:
     def frame(number: int) -> PixelArray:
         return _picture(number, lines=not 6 <= number < 12)  # some have nothing to solve
 
     whole = _followed(frame)
     monkeypatch.setattr(smoother, "_BATCH_FRAMES", 3)
     for one, other in zip(whole.frames, _followed(frame).frames, strict=True):
-        assert one.fit is not None
-        assert other.fit is not None
         np.testing.assert_allclose(other.fit.vector, one.fit.vector, atol=1e-9)
         np.testing.assert_allclose(other.fit.covariance, one.fit.covariance, rtol=1e-6)
         assert (one.state, one.coverage) == (other.state, other.coverage)
@@ -150,12 +141,11 @@ def test_frames_solved_some_at_a_time_have_the_same_cameras(
 
 @pytest.mark.parametrize("worn", [False, True])
 def test_a_long_line_that_the_camera_shows_elsewhere_is_reported_and_a_worn_one_is_not(
-    monkeypatch: pytest.MonkeyPatch, worn: bool
+    monkeypatch, worn
 ) -> None:
     """Everything else fits: four fifths of what is in sight lie on line pixels."""
     name = "Big rect. right main"
     there = FIELD.element(name)
-    assert there is not None
     assert isinstance(there.geometry, Line)
     (x, *start), (_, *end) = there.geometry.start, there.geometry.end
     away = replace(there, geometry=Line((x - 3, *start), (x - 3, *end)))  # 20 px
@@ -211,9 +201,7 @@ def test_a_cut_ends_a_shot_and_the_next_one_is_found_by_a_proposal() -> None:
 
 
 @pytest.mark.parametrize(("away_m", "state"), [(0.8, "followed"), (4.5, "lost")])
-def test_a_camera_found_where_others_stand_counts_if_its_shot_tells_so(
-    away_m: float, state: str
-) -> None:
+def test_a_camera_found_where_others_stand_counts_if_its_shot_tells_so(away_m, state) -> None:
     asked: list[int] = []
 
     def propose(_: PixelArray, __: object, places: tuple[KnownPosition, ...]) -> Proposal:
@@ -280,7 +268,6 @@ def test_the_motion_of_a_picture_is_that_of_its_camera() -> None:
         np.zeros(4),
         FRAME,
     )
-    assert turn is not None
     true = (vector_from_camera(now, FRAME) - vector_from_camera(before, FRAME))[MOTION_PARAMETERS]
     assert np.abs(turn.step - true)[:2].max() < 1.0 / 1500  # a solver px
     assert abs(turn.step[3] - true[3]) < 0.004
@@ -301,7 +288,6 @@ def test_a_banner_laid_over_the_picture_does_not_hold_the_camera_back() -> None:
         picture[-len(banner) :] = banner
     before, now = (vector_from_camera(one, FRAME) for one in cameras)
     turn = estimate_inter_frame_motion(*map(motion_image, pictures), before, np.zeros(4), FRAME)
-    assert turn is not None
     assert (
         np.abs(turn.step - (now - before)[MOTION_PARAMETERS])[:2].max() < 0.5 / 1500
     )  # half a solver px
@@ -347,7 +333,6 @@ def test_a_camera_on_rails_is_followed_as_one() -> None:
     found = _followed(pictures.__getitem__, anchors={0: cameras[0]})
     assert {f.state for f in found.frames[1:]} == {"followed"}
     for frame in found.frames:
-        assert frame.fit is not None
         assert isinstance(frame.fit.camera, PinholeCamera)
         assert apart_px(cameras[frame.number], frame.fit.camera) < 1.5
         apart = np.subtract(frame.fit.camera.position_world, cameras[frame.number].position_world)
@@ -364,7 +349,6 @@ def test_a_camera_that_moves_where_each_place_leaves_a_few_lines_behind() -> Non
     anchors = {0: shot.cameras[0]}
     found = track_shot(pictures.__getitem__, range(count), shot.stage.field, anchors=anchors)
     for frame, true in zip(found.frames, shot.cameras, strict=True):
-        assert frame.fit is not None
         assert isinstance(frame.fit.camera, PinholeCamera)
         assert frame.coverage > 0.9
         apart = np.subtract(frame.fit.camera.position_world, true.position_world)
@@ -372,7 +356,7 @@ def test_a_camera_that_moves_where_each_place_leaves_a_few_lines_behind() -> Non
 
 
 @pytest.mark.soak
-def test_a_tripod_beside_a_pitch_that_is_not_as_its_file_says_stays_one(shared_data: Path) -> None:
+def test_a_tripod_beside_a_pitch_that_is_not_as_its_file_says_stays_one(shared_data) -> None:
     """A position a frame explains such a shot a little better, by a camera that flies 19 m."""
     video = open_shared_video(shared_data / "clips" / "soccer_7_Psg-Angers_103_110.mp4")
     told: list[TrackedFrame] = []
@@ -404,7 +388,6 @@ def test_coverage_is_that_of_the_camera_that_is_handed_back() -> None:
         lambda: None,
     )
     marks = steps[3].marks
-    assert marks is not None
     beside = np.arange(len(marks)) % 3 == 0
     steps[3] = replace(steps[3], marks=replace(marks, across=marks.across + 6.0 * beside))
     turns = tuple(step.turn for step in steps[1:])

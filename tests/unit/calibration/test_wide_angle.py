@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -53,7 +52,7 @@ def off(camera, other) -> float:
 
 
 @pytest.mark.parametrize("model", CAMERAS)
-def test_the_solver_sees_what_the_camera_shows(model: str) -> None:
+def test_the_solver_sees_what_the_camera_shows(model) -> None:
     vector = wide_angle_vector_from_camera(CAMERAS[model], FRAME)
     of_vector = fisheye_from_vector if model == "F" else camera_from_vector
     again = of_vector(vector, FRAME)
@@ -71,7 +70,7 @@ def test_the_solver_sees_what_the_camera_shows(model: str) -> None:
 
 
 @pytest.mark.parametrize("model", CAMERAS)
-def test_derivatives_are_those_of_differences(model: str) -> None:
+def test_derivatives_are_those_of_differences(model) -> None:
     vector = wide_angle_vector_from_camera(CAMERAS[model], FRAME)
     world = GROUND[(np.abs(GROUND[:, 0] - 2) < 6)].T[None]
     along = np.broadcast_to(np.array([0.6, -0.8, 0.0])[:, None], world.shape[1:])[None]
@@ -91,7 +90,7 @@ def test_derivatives_are_those_of_differences(model: str) -> None:
 
 
 @pytest.mark.parametrize("model", CAMERAS)
-def test_a_strong_lens_is_found_where_one_coefficient_is_not_enough(model: str) -> None:
+def test_a_strong_lens_is_found_where_one_coefficient_is_not_enough(model) -> None:
     annotation = clicks(CAMERAS[model])
     plain = fit_camera(annotation, COURT, model="R+")
     fit = fit_camera(annotation, COURT, model=model)
@@ -120,7 +119,7 @@ def test_a_strong_lens_is_looked_for_where_many_elements_fit_no_pinhole() -> Non
     assert Rule.RESIDUAL not in {finding.rule for finding in findings}
 
 
-def test_a_panorama_is_a_fisheye_and_its_labels_are_right(shared_data: Path) -> None:
+def test_a_panorama_is_a_fisheye_and_its_labels_are_right(shared_data) -> None:
     annotation = load_annotation(shared_data / "inputs" / "pano_auto" / "pano.json")
     pitch, size = load_field("soccer"), (6500, 1000)
     fit = fit_camera(annotation, pitch, model="auto", size=size)
@@ -132,7 +131,7 @@ def test_a_panorama_is_a_fisheye_and_its_labels_are_right(shared_data: Path) -> 
 
 
 @pytest.mark.parametrize("model", [*CAMERAS, "auto"])
-def test_it_goes_on_from_the_camera_before(model: str) -> None:
+def test_it_goes_on_from_the_camera_before(model) -> None:
     camera = CAMERAS.get(model, FISHEYE)
     fit = fit_camera(clicks(camera), COURT, model=model)
     again = fit_camera(clicks(camera, 1), COURT, model=model, start=fit.camera)
@@ -150,7 +149,7 @@ def test_an_ordinary_lens_stays_ordinary() -> None:
 
 
 @pytest.mark.parametrize("model", CAMERAS)
-def test_what_it_says_of_itself_holds(model: str) -> None:
+def test_what_it_says_of_itself_holds(model) -> None:
     camera = CAMERAS[model]
     shown, valid = camera.project(GROUND)
     inside = valid & (shown > 0).all(axis=1) & (shown < np.array(SIZE) - 1).all(axis=1)
@@ -165,7 +164,7 @@ def test_what_it_says_of_itself_holds(model: str) -> None:
 
 
 @pytest.mark.parametrize("model", CAMERAS)
-def test_ghosts_and_the_label_check_go_by_it(model: str) -> None:
+def test_ghosts_and_the_label_check_go_by_it(model) -> None:
     camera, annotation = CAMERAS[model], clicks(CAMERAS[model])
     hidden = annotation.annotated[3]
     kept = FrameAnnotation(tuple(p for p in annotation.polylines if p.class_name != hidden))

@@ -32,7 +32,7 @@ T = np.array([1.0, -2.0, 60.0])
     st.one_of(st.floats(0, math.pi), st.sampled_from([0.0, 1e-13, 1e-9, 1e-5, math.pi])),
     st.floats(-math.pi, math.pi),
 )
-def test_the_angles_are_those_of_the_rotation(pan: float, tilt: float, roll: float) -> None:
+def test_the_angles_are_those_of_the_rotation(pan, tilt, roll) -> None:
     rotation = rotation_cam_from_world(pan, tilt, roll)
     found = angles_from_rotation(rotation)
     np.testing.assert_allclose(rotation_cam_from_world(*found), rotation, atol=3e-12)
@@ -40,7 +40,7 @@ def test_the_angles_are_those_of_the_rotation(pan: float, tilt: float, roll: flo
 
 
 @given(st.integers(0, 10_000), st.sampled_from([0, 4, 5, 8, 12, 14]))
-def test_a_camera_of_matrices_projects_as_opencv_does(seed: int, count: int) -> None:
+def test_a_camera_of_matrices_projects_as_opencv_does(seed, count) -> None:
     random = np.random.default_rng(seed)
     turn = random.uniform(-2, 2, 3)
     rotation = np.asarray(cv2.Rodrigues(turn)[0], dtype=np.float64)
@@ -108,7 +108,7 @@ def test_a_skew_is_left_out_where_it_moves_nothing_and_refused_where_it_does() -
         np.array([[1500.0, 0, 470], [5.0, 1400, 260], [0, 0, 1]]),
     ],
 )
-def test_what_is_no_calibration_matrix_is_refused(k: np.ndarray) -> None:
+def test_what_is_no_calibration_matrix_is_refused(k) -> None:
     with pytest.raises(ValueError, match="K"):
         intrinsics_from_matrix(k)
 

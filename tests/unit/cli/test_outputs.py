@@ -14,14 +14,14 @@ LINE = '{"Middle line": [{"x": 0.5, "y": 0.4}, {"x": 0.5, "y": 0.6}]}'
 
 
 @pytest.fixture
-def annotations(tmp_path: Path) -> Path:
+def annotations(tmp_path) -> Path:
     folder = tmp_path / "annotations"
     folder.mkdir()
     (folder / "1.json").write_text(LINE)
     return folder
 
 
-def test_cameras_go_to_a_folder_apart_from_what_is_read(annotations: Path, tmp_path: Path) -> None:
+def test_cameras_go_to_a_folder_apart_from_what_is_read(annotations, tmp_path) -> None:
     pictures, file = tmp_path / "pictures", tmp_path / "file"
     pictures.mkdir()
     file.write_text("")
@@ -37,7 +37,7 @@ def test_cameras_go_to_a_folder_apart_from_what_is_read(annotations: Path, tmp_p
             check_camera_folder(out, inputs)
 
 
-def test_no_file_replaces_an_input_under_whatever_name(annotations: Path, tmp_path: Path) -> None:
+def test_no_file_replaces_an_input_under_whatever_name(annotations, tmp_path) -> None:
     other, linked = tmp_path / "other.json", tmp_path / "linked.csv"
     linked.hardlink_to(annotations / "1.json")
     with open_source(annotations) as source:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import pytest
 
@@ -16,12 +17,22 @@ from procc_annotator.calibration.label_check.finding import (
 )
 from procc_annotator.calibration.result import ElementResidual, FitResult
 from procc_annotator.dataset.review import (
+    BlindCommit,
+    BlindStatus,
+    LockEvent,
+    blind_status,
     check_frame,
     check_without_fit,
     content_of,
+    lock_of,
+    read_commit,
+    read_events,
+    setting_of,
     still_valid,
     store_check,
     worst_severity,
+    write_commit,
+    write_events,
 )
 from procc_annotator.field.load import load_field
 
@@ -108,9 +119,7 @@ def test_after_an_edit_only_findings_of_untouched_elements_are_left() -> None:
         (7, (1.0, 1.0, 9.0), 2),  # no such point
     ],
 )
-def test_marks_stand_at_the_worst_point(
-    point: int | None, distances: tuple[float, ...] | None, index: int
-) -> None:
+def test_marks_stand_at_the_worst_point(point, distances, index) -> None:
     fit = fitted(Middle_line=distances) if distances else fitted()
     found = store_check(FRAME, [finding("Middle line", point=point)], fit).found[0]
     assert found.places == (("Middle line", index),)
@@ -162,3 +171,59 @@ def test_a_frame_that_cannot_have_a_camera_says_why() -> None:
     checked = check_frame(FRAME, load_field("soccer"), size=SIZE)
     assert checked.fitted
     assert "elements" in checked.failure
+
+
+# Who locked a dataset to blind mode and who took it back.
+
+LOCKED, UNLOCKED = LockEvent(True, "Ada", 1.5), LockEvent(False, "Béla", 2.0)
+
+
+@pytest.mark.parametrize(
+    ("events", "lock"),
+    [
+        ((), None),
+        ((LOCKED,), LOCKED),
+        ((LOCKED, UNLOCKED), None),
+        ((LOCKED, UNLOCKED, LOCKED),) * 2,
+    ],
+)
+def test_the_last_word_holds(events, lock) -> None:
+    expected = events[-1] if isinstance(lock, tuple) else lock
+    assert read_events(write_events(events)) == events
+    assert lock_of(events) is expected
+
+
+def test_what_cannot_be_read_locks() -> None:
+    assert lock_of(read_events("[{")) is not None
+    assert read_events(None) == ()
+
+
+# Whether a frame's clicks are still those of its commit in blind mode.
+
+LINE = Polyline("Middle line", (Point(0.1, 0.2), Point(0.3, 0.4)))
+COMMITTED = FrameAnnotation((LINE,))
+COMMIT = BlindCommit("Ana Müller", 1.5, content_of(COMMITTED))
+
+
+def test_a_commit_is_read_as_it_was_written() -> None:
+    assert read_commit(write_commit(COMMIT)) == COMMIT
+    assert read_commit(None) is None
+    assert setting_of("1") != setting_of("2")
+
+
+def test_the_points_decide() -> None:
+    text = write_commit(COMMIT)
+    moved = replace(LINE, points=(Point(0.1, 0.2), Point(0.3, 0.41)))
+    more = FrameAnnotation((LINE, Polyline("Side line top", (Point(0.5, 0.5),))))
+    assert blind_status(text, COMMITTED) is BlindStatus.BLIND
+    assert blind_status(text, FrameAnnotation((LINE,), unconfirmed=(moved,))) is BlindStatus.BLIND
+    assert blind_status(text, FrameAnnotation((moved,))) is BlindStatus.EDITED
+    assert blind_status(text, more) is BlindStatus.EDITED
+    assert blind_status(text, FrameAnnotation()) is BlindStatus.EDITED
+    assert blind_status(None, COMMITTED) is BlindStatus.UNKNOWN
+
+
+@pytest.mark.parametrize("text", ["", "{", "[]", '{"author": "x"}', "null"])
+def test_of_a_damaged_commit_nothing_is_claimed(text) -> None:
+    assert blind_status(text, COMMITTED) is BlindStatus.EDITED
+    assert blind_status(text, FrameAnnotation()) is BlindStatus.EDITED

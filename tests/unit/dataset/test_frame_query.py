@@ -17,6 +17,7 @@ from procc_annotator.dataset.filter_query import (
     FrameQuery,
     parse_query,
 )
+from procc_annotator.dataset.frames import folders_of, rows_of
 from procc_annotator.errors import UsageError
 from procc_annotator.field.load import load_field
 
@@ -109,7 +110,7 @@ def _found(text: str) -> set[str]:
         ("“frame_07”", "plain"),
     ],
 )
-def test_what_a_filter_finds(text: str, expected: str) -> None:
+def test_what_a_filter_finds(text, expected) -> None:
     assert _found(text) == set(expected.split())
 
 
@@ -135,7 +136,7 @@ def test_what_a_filter_finds(text: str, expected: str) -> None:
         ('""', "a part of a name is missing"),
     ],
 )
-def test_what_is_not_finished_lets_all_frames_through(text: str, says: str) -> None:
+def test_what_is_not_finished_lets_all_frames_through(text, says) -> None:
     for written in (text, "-" + text.removeprefix("-")):
         query = parse_query(written, FIELD)
         assert query.is_empty
@@ -154,7 +155,7 @@ def test_finished_conditions_count_beside_unfinished_ones() -> None:
 
 
 @pytest.mark.parametrize("whole", [word for word, _ in QUERY_HELP] + ["jac5:0.2..0.8", "n:3..12"])
-def test_typing_a_filter_is_no_error_at_any_moment(whole: str) -> None:
+def test_typing_a_filter_is_no_error_at_any_moment(whole) -> None:
     assert parse_query(whole, FIELD).incomplete == ""
     key, colon, value = whole.partition(":")
     for typed in range(len(value) + 1):
@@ -186,7 +187,7 @@ def test_typing_a_filter_is_no_error_at_any_moment(whole: str) -> None:
         ("comments:often", r"'often' is not a number; .*open"),
     ],
 )
-def test_what_is_refused(text: str, message: str) -> None:
+def test_what_is_refused(text, message) -> None:
     with pytest.raises(UsageError, match=message) as caught:
         parse_query(text, FIELD)
     assert str(caught.value).startswith("filter, character ")
@@ -245,7 +246,7 @@ _WORDS = st.sampled_from(
 @example("jac" + "9" * 400 + ":<1")
 @example("n:" + "9" * 5000)
 @example("\u2028:\n\0")
-def test_any_text_is_a_filter_or_one_line_of_advice(text: str) -> None:
+def test_any_text_is_a_filter_or_one_line_of_advice(text) -> None:
     try:
         query = parse_query(text, FIELD)
     except UsageError as error:
@@ -261,16 +262,61 @@ def test_any_text_is_a_filter_or_one_line_of_advice(text: str) -> None:
 
 
 @given(st.text(min_size=1).filter(lambda s: not set(s) & set('"“”„*')))
-def test_a_quoted_name_finds_its_frame(name: str) -> None:
+def test_a_quoted_name_finds_its_frame(name) -> None:
     facts = replace(PLAIN, name=f"a{name}b")
     assert parse_query(f'"{name}"', FIELD).matches(facts)
     assert not parse_query(f'-"{name}"', FIELD).matches(facts)
 
 
 @given(st.integers(0, 40), st.integers(0, 40))
-def test_a_condition_and_its_opposite_part_the_frames(limit: int, count: int) -> None:
+def test_a_condition_and_its_opposite_part_the_frames(limit, count) -> None:
     facts = replace(PLAIN, annotated=tuple(str(i) for i in range(count)))
     less = parse_query(f"n:<{limit}", FIELD).matches(facts)
     assert less is (count < limit)
     assert parse_query(f"-n:<{limit}", FIELD).matches(facts) is not less
     assert parse_query(f"n:>={limit}", FIELD).matches(facts) is not less
+
+
+# The folders of a tree as rows of a list.
+
+NAMES = [
+    *("epl/a/img1/1", "epl/a/img1/2", "epl/b/img1/1"),
+    *("liga/x/1", "liga/x/deep/1", "liga/x/deep/2"),
+]
+
+
+def test_a_folder_that_holds_nothing_but_another_is_one_with_it() -> None:
+    folders = folders_of(NAMES)
+    assert [(f.label, f.depth) for f in folders] == [
+        ("epl", 0),
+        ("a/img1", 1),
+        ("b/img1", 1),
+        ("liga/x", 0),
+        ("deep", 1),
+    ]
+    assert [(f.first, f.own_past, f.past) for f in folders] == [
+        (0, 0, 3),
+        (0, 2, 2),
+        (2, 3, 3),
+        (3, 4, 6),
+        (4, 6, 6),
+    ]
+
+
+def test_a_flat_dataset_has_no_folders() -> None:
+    assert folders_of(["1", "2"]) == ()
+    assert folders_of([]) == ()
+
+
+def test_rows_are_folders_and_the_frames_in_those_that_are_open() -> None:
+    folders = folders_of(NAMES)
+    assert rows_of(folders, (), None) == [-1, -2, 0, 1, -3, 2, -4, 3, -5, 4, 5]
+    assert rows_of(folders, {"epl"}, None) == [-1, -4, 3, -5, 4, 5]
+    assert rows_of(folders, {"epl/a/img1", "liga/x"}, None) == [-1, -2, -3, 2, -4]
+
+
+def test_folders_without_a_frame_that_is_shown_are_left_out() -> None:
+    folders = folders_of(NAMES)
+    assert rows_of(folders, (), [1, 5]) == [-1, -2, 1, -4, -5, 5]
+    assert rows_of(folders, {"liga/x/deep"}, [1, 5]) == [-1, -2, 1, -4, -5]
+    assert rows_of(folders, (), []) == []

@@ -14,7 +14,7 @@ from procc_annotator.dataset.locks import FrameLocks, locks_folder
 
 
 @pytest.fixture
-def folder(tmp_path: Path) -> Path:
+def folder(tmp_path) -> Path:
     return locks_folder(tmp_path)
 
 
@@ -28,7 +28,7 @@ def _age(path: Path, seconds: float) -> None:
     os.utime(path, (moment, moment))
 
 
-def test_one_holds_the_other_is_told(folder: Path) -> None:
+def test_one_holds_the_other_is_told(folder) -> None:
     anna, bert = FrameLocks(folder, "Anna"), FrameLocks(folder, "Bert")
     assert anna.holder("f") is None
     assert anna.acquire("f") is None
@@ -37,7 +37,6 @@ def test_one_holds_the_other_is_told(folder: Path) -> None:
     assert anna.holder("f") is None
 
     for found in (bert.holder("f"), bert.acquire("f")):
-        assert found is not None
         assert found.author == "Anna"
         assert found.host
         assert found.since > 0
@@ -52,7 +51,7 @@ def test_one_holds_the_other_is_told(folder: Path) -> None:
     assert anna.beat() == frozenset()
 
 
-def test_release_all_leaves_nothing(folder: Path) -> None:
+def test_release_all_leaves_nothing(folder) -> None:
     anna = FrameLocks(folder, "Anna")
     for frame in ("a", "b"):
         anna.acquire(frame)
@@ -65,7 +64,7 @@ def test_release_all_leaves_nothing(folder: Path) -> None:
 @pytest.mark.parametrize(
     "frame", ["a/b\\c:*?", "..", "", "\0", "ä" * 300, "fr\udcff", "con", "a" * 255, "x.lock"]
 )
-def test_any_name_can_be_locked(folder: Path, frame: str) -> None:
+def test_any_name_can_be_locked(folder, frame) -> None:
     anna, bert = FrameLocks(folder, "Änn\udcff a"), FrameLocks(folder, "Bert")
     assert anna.acquire(frame) is None
     assert anna.held == {frame}
@@ -73,25 +72,23 @@ def test_any_name_can_be_locked(folder: Path, frame: str) -> None:
     assert bert.acquire(frame) is not None
 
 
-def test_names_that_look_alike_are_told_apart(folder: Path) -> None:
+def test_names_that_look_alike_are_told_apart(folder) -> None:
     anna, bert = FrameLocks(folder, "Anna"), FrameLocks(folder, "Bert")
     anna.acquire("a b")
     assert bert.holder("a_b") is None
     assert bert.holder("a  b") is None
 
 
-def test_a_lock_without_beats_expires(folder: Path) -> None:
+def test_a_lock_without_beats_expires(folder) -> None:
     far = FrameLocks(folder, "Far")
     far.acquire("f")
     anna = FrameLocks(folder, "Anna")
     _age(_only_lock(folder), 50)
     found = anna.acquire("f")
-    assert found is not None
     assert 45 < found.age < 60
 
     assert far.beat() == frozenset()
     found = anna.holder("f")
-    assert found is not None
     assert found.age < 45
 
     _age(_only_lock(folder), 61)
@@ -104,7 +101,7 @@ def test_a_lock_without_beats_expires(folder: Path) -> None:
     assert anna.beat() == frozenset()
 
 
-def test_wrong_clocks_do_not_matter(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_wrong_clocks_do_not_matter(folder, monkeypatch) -> None:
     far = FrameLocks(folder, "Far")
     monkeypatch.setattr(locks_module.time, "time", lambda: 1.0)
     far.acquire("f")
@@ -122,14 +119,13 @@ GARBAGE = [
 
 
 @pytest.mark.parametrize("content", GARBAGE)
-def test_unreadable_lock_goes_by_its_age(folder: Path, content: bytes) -> None:
+def test_unreadable_lock_goes_by_its_age(folder, content) -> None:
     anna = FrameLocks(folder, "Anna")
     anna.acquire("f")
     path = _only_lock(folder)
     path.write_bytes(content)
     bert = FrameLocks(folder, "Bert")
     found = bert.acquire("f")
-    assert found is not None
     assert found.author == ""
     assert anna.beat() == {"f"}
     _age(path, 61)
@@ -137,7 +133,7 @@ def test_unreadable_lock_goes_by_its_age(folder: Path, content: bytes) -> None:
     assert bert.held == {"f"}
 
 
-def test_a_full_disk_leaves_no_lock_behind(folder: Path) -> None:
+def test_a_full_disk_leaves_no_lock_behind(folder) -> None:
     resource = pytest.importorskip("resource")
     FrameLocks(folder, "Anna").acquire("other")
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
@@ -151,15 +147,14 @@ def test_a_full_disk_leaves_no_lock_behind(folder: Path) -> None:
     assert FrameLocks(folder, "Bert").acquire("f") is None
 
 
-def test_text_of_a_stranger_stays_in_one_line(folder: Path) -> None:
+def test_text_of_a_stranger_stays_in_one_line(folder) -> None:
     FrameLocks(folder, "An\nna " + "x" * 1000).acquire("f")
     found = FrameLocks(folder, "Bert").holder("f")
-    assert found is not None
     assert found.author.startswith("An na x")
     assert len(found.author) <= 200
 
 
-def test_removed_lock_is_lost(folder: Path) -> None:
+def test_removed_lock_is_lost(folder) -> None:
     anna = FrameLocks(folder, "Anna")
     anna.acquire("f")
     anna.acquire("g")
@@ -172,7 +167,7 @@ def test_removed_lock_is_lost(folder: Path) -> None:
     assert anna.beat() == {"g"}
 
 
-def test_folder_that_is_a_link_out_of_the_dataset_is_left_alone(tmp_path: Path) -> None:
+def test_folder_that_is_a_link_out_of_the_dataset_is_left_alone(tmp_path) -> None:
     elsewhere, dataset = tmp_path / "elsewhere", tmp_path / "dataset"
     elsewhere.mkdir()
     for link in (dataset / ".procc", dataset / ".procc" / "locks"):
@@ -186,7 +181,7 @@ def test_folder_that_is_a_link_out_of_the_dataset_is_left_alone(tmp_path: Path) 
         assert list(elsewhere.iterdir()) == []
 
 
-def test_folder_out_of_reach_loses_nothing(folder: Path) -> None:
+def test_folder_out_of_reach_loses_nothing(folder) -> None:
     anna = FrameLocks(folder, "Anna")
     anna.acquire("f")
     dataset = folder.parent.parent
@@ -199,7 +194,7 @@ def test_folder_out_of_reach_loses_nothing(folder: Path) -> None:
     assert anna.held == {"f"}
 
 
-def test_what_cannot_be_written_tells_nothing(tmp_path: Path) -> None:
+def test_what_cannot_be_written_tells_nothing(tmp_path) -> None:
     blocked = tmp_path / "file"
     blocked.write_bytes(b"")
     for folder in (locks_folder(blocked / "dataset"), locks_folder(tmp_path / "gone")):
@@ -213,7 +208,7 @@ def test_what_cannot_be_written_tells_nothing(tmp_path: Path) -> None:
     assert not (tmp_path / "gone").exists()
 
 
-def test_read_only_folder_tells_who_holds(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_read_only_folder_tells_who_holds(folder, monkeypatch) -> None:
     FrameLocks(folder, "Far").acquire("f")
 
     def refuse(path: Path, data: bytes) -> None:
@@ -223,11 +218,10 @@ def test_read_only_folder_tells_who_holds(folder: Path, monkeypatch: pytest.Monk
     anna = FrameLocks(folder, "Anna")
     assert anna.acquire("g") is None
     found = anna.holder("f")
-    assert found is not None
     assert found.author == "Far"
 
 
-def test_of_many_takers_one_gets_it(folder: Path) -> None:
+def test_of_many_takers_one_gets_it(folder) -> None:
     rounds, takers = 40, 4
     dead = FrameLocks(folder, "Dead")
     names = [f"f{i}" for i in range(rounds)]
@@ -253,7 +247,7 @@ def test_of_many_takers_one_gets_it(folder: Path) -> None:
     assert sorted(name for window in windows for name in window.held) == sorted(names)
 
 
-def test_single_picture_shares_the_locks_of_its_folder(tmp_path: Path) -> None:
+def test_single_picture_shares_the_locks_of_its_folder(tmp_path) -> None:
     picture = tmp_path / "frame.png"
     picture.write_bytes(b"")
     assert locks_folder(picture) == locks_folder(tmp_path)

@@ -178,7 +178,7 @@ TestOneFrame.settings = settings(
 )
 
 
-def test_two_windows_on_one_dataset_never_overwrite_each_other(tmp_path: Path) -> None:
+def test_two_windows_on_one_dataset_never_overwrite_each_other(tmp_path) -> None:
     (tmp_path / "1.jpg").write_bytes(b"")
     one, two = (Workspace.open(tmp_path, FIELD) for _ in range(2))
     first = FrameAnnotation((Polyline("Circle left", (Point(0.1, 0.2),)),))

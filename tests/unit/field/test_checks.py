@@ -89,12 +89,12 @@ def remarks(tmp_path: Path, old: str = "", new: str = "", **taken: str) -> list[
 
 
 @pytest.mark.parametrize("name", field_names())
-def test_the_shipped_fields_give_no_warning(name: str) -> None:
+def test_the_shipped_fields_give_no_warning(name) -> None:
     found = [r for r in validate_field(load_field(name)) if r.severity is not WarningSeverity.NOTE]
     assert not found
 
 
-def test_a_right_field_gives_no_remark(tmp_path: Path) -> None:
+def test_a_right_field_gives_no_remark(tmp_path) -> None:
     assert remarks(tmp_path) == []
 
 
@@ -167,9 +167,7 @@ def test_a_right_field_gives_no_remark(tmp_path: Path) -> None:
         ),
     ],
 )
-def test_a_doubt_is_named_with_its_place_and_what_to_do(
-    tmp_path: Path, old: str, new: str, expected: str
-) -> None:
+def test_a_doubt_is_named_with_its_place_and_what_to_do(tmp_path, old, new, expected) -> None:
     assert expected in remarks(tmp_path, old, new, S="Snap to lines")
 
 
@@ -190,14 +188,14 @@ def test_a_doubt_is_named_with_its_place_and_what_to_do(
         ),
     ],
 )
-def test_misplaced_elements_are_named(tmp_path: Path, old: str, new: str, expected: str) -> None:
+def test_misplaced_elements_are_named(tmp_path, old, new, expected) -> None:
     assert old in COURT
     text = COURT.replace("symmetries = [180]", "symmetries = []").replace(old, new)
     found = [str(remark) for remark in validate_field(load_field(written(tmp_path, text)))]
     assert expected in found
 
 
-def test_coordinates_from_a_corner_are_noticed(tmp_path: Path) -> None:
+def test_coordinates_from_a_corner_are_noticed(tmp_path) -> None:
     text = COURT.replace("-length / 2", "0").replace("length / 2", "length")
     text = text.replace("-width / 2", "0").replace("width / 2", "width")
     text = text.replace("symmetries = [180]", "symmetries = []")
@@ -207,7 +205,7 @@ def test_coordinates_from_a_corner_are_noticed(tmp_path: Path) -> None:
     assert any("element 'End right': lies up to 10 m outside" in r for r in found)
 
 
-def test_half_a_field_is_noticed(tmp_path: Path) -> None:
+def test_half_a_field_is_noticed(tmp_path) -> None:
     found = [
         str(r)
         for r in validate_field(
@@ -219,7 +217,7 @@ def test_half_a_field_is_noticed(tmp_path: Path) -> None:
     )
 
 
-def test_every_size_the_rules_allow_must_make_a_field(tmp_path: Path) -> None:
+def test_every_size_the_rules_allow_must_make_a_field(tmp_path) -> None:
     found = remarks(tmp_path, 'line_width = "line"', 'line_width = "line * sqrt(length - 19)"')
     assert len(found) == 1
     assert found[0].startswith(
@@ -227,7 +225,7 @@ def test_every_size_the_rules_allow_must_make_a_field(tmp_path: Path) -> None:
     )
 
 
-def test_a_dimension_that_nothing_follows_is_noticed(tmp_path: Path) -> None:
+def test_a_dimension_that_nothing_follows_is_noticed(tmp_path) -> None:
     found = remarks(
         tmp_path,
         "[paint]",
@@ -252,7 +250,7 @@ def test_a_dimension_that_nothing_follows_is_noticed(tmp_path: Path) -> None:
         ('name = "Net"', 'name = "Side far"', 'name = "Side far"\ntitle = "Net"'),
     ],
 )
-def test_an_error_says_its_line(tmp_path: Path, old: str, new: str, line_with: str) -> None:
+def test_an_error_says_its_line(tmp_path, old, new, line_with) -> None:
     text = COURT.replace(old, new, 1)
     line = text[: text.index(line_with)].count("\n") + 1
     with pytest.raises(FieldError) as caught:

@@ -147,7 +147,6 @@ def within(points: FloatArray, areas: list[FloatArray]) -> NDArray[np.bool_]:
 
 def towards_paint(element: Element, part: Line | Arc | Circle, distance_m: float) -> FloatArray:
     """(n, 2) metres: places beside a part of an element, on the side of its paint."""
-    assert element.inside is not None
     inside = np.array(element.inside[:2])
     if isinstance(part, Line):
         start, end = np.array(part.start[:2]), np.array(part.end[:2])
@@ -163,7 +162,7 @@ def towards_paint(element: Element, part: Line | Arc | Circle, distance_m: float
 
 
 @pytest.mark.parametrize("name", COURTS)
-def test_lines_lie_where_an_independent_drawing_has_them(name: str) -> None:
+def test_lines_lie_where_an_independent_drawing_has_them(name) -> None:
     field, compared = court(name), set()
     for elements, kind in PAINT.items():
         known = [n for n in elements if n in field.index]
@@ -189,7 +188,7 @@ def test_lines_lie_where_an_independent_drawing_has_them(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", COURTS)
-def test_paint_lies_on_the_side_an_independent_drawing_has_it(name: str) -> None:
+def test_paint_lies_on_the_side_an_independent_drawing_has_it(name) -> None:
     field, compared = court(name), 0
     for elements, kind in PAINT.items():
         for one in elements:
@@ -210,7 +209,7 @@ def test_paint_lies_on_the_side_an_independent_drawing_has_it(name: str) -> None
 
 
 @pytest.mark.parametrize("name", BASKETBALL)
-def test_lengths_of_basketball_agree_with_an_independent_source(name: str) -> None:
+def test_lengths_of_basketball_agree_with_an_independent_source(name) -> None:
     known = {k: metres(name, v) for k, v in other_court(name).court_params.items()
              if isinstance(v, int | float | list) and not isinstance(v, bool)
              and not (isinstance(v, list) and isinstance(v[0], list | bool))}  # fmt: skip
@@ -266,9 +265,7 @@ def test_lengths_of_basketball_agree_with_an_independent_source(name: str) -> No
          (24 * 0.0254, 18 * 0.0254, 118 * 0.0254)),
     ],
 )  # fmt: skip
-def test_baskets_hang_as_high_as_the_rules_say(
-    name: str, lower: float, width: float, height: float, rim: float, rectangle: tuple[float, ...]
-) -> None:
+def test_baskets_hang_as_high_as_the_rules_say(name, lower, width, height, rim, rectangle) -> None:
     for side in SIDES:
         board = outline_of(element(name, f"Backboard {side}").geometry)
         assert -board[:, 2].max() == pytest.approx(lower)
@@ -325,7 +322,7 @@ def test_the_net_of_tennis_sags() -> None:
     ends = ends_of(net)
     assert ends is not None
     for end, post in zip(ends, ("far", "near"), strict=True):
-        assert end == pytest.approx(ends_of(element("tennis", f"Net post {post}").geometry)[0])  # type: ignore[index]
+        assert end == pytest.approx(ends_of(element("tennis", f"Net post {post}").geometry)[0])
         assert end[2] == pytest.approx(-1.07)
         assert abs(end[1]) == pytest.approx(10.97 / 2 + 0.914)
     # Without sticks the cord is straight from strap to post; with them it is as high there.
@@ -335,7 +332,6 @@ def test_the_net_of_tennis_sags() -> None:
     with_sticks = load_field("tennis", net_stick_height=1.07)
     held = outline_of(with_sticks.elements[with_sticks.index["Net top"]].geometry)
     stick = ends_of(element("tennis", "Singles stick near").geometry)
-    assert stick is not None
     assert np.linalg.norm(held - stick[0], axis=1).min() < 1e-9
     assert stick[0][1] == pytest.approx(8.23 / 2 + 0.914)
 
@@ -365,7 +361,6 @@ def test_volleyball_is_as_the_rules_say() -> None:
     assert -ends("Net top band")[:, 2] == pytest.approx(2.43)  # 2.1.1, men
     women = load_field("volleyball", net_height=2.24)  # 2.1.1
     antenna = ends_of(women.elements[women.index["Antenna far"]].geometry)
-    assert antenna is not None
     assert antenna[0] == pytest.approx((0, -4.5, -2.24 - 0.80))  # 2.4: 80 cm above the net
     assert antenna[1] == pytest.approx((0, -4.5, -2.24 + 1.00))
     top, bottom = ends("Net top band"), ends("Net bottom band")

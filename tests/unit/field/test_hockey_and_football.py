@@ -89,7 +89,7 @@ def off_the_outlines(places: NDArray[np.float64], outlines: list[NDArray[np.floa
     ],
 )
 def test_a_rink_runs_along_the_edges_that_sportypy_draws(
-    drawings: dict[str, Outlines], rink: str, feature: str, class_names: list[str]
+    drawings, rink, feature, class_names
 ) -> None:
     for name in class_names:
         places = outline_of(element(rink, name).geometry)[:, :2]
@@ -113,7 +113,7 @@ def test_a_rink_runs_along_the_edges_that_sportypy_draws(
     ],
 )
 def test_a_line_is_the_middle_of_the_paint_that_sportypy_draws(
-    drawings: dict[str, Outlines], field: str, feature: str, class_name: str
+    drawings, field, feature, class_name
 ) -> None:
     own = line(field, class_name)
     middles = {
@@ -135,21 +135,20 @@ def test_a_line_is_the_middle_of_the_paint_that_sportypy_draws(
     ],
 )
 def test_a_football_field_is_measured_to_the_edges_that_sportypy_draws(
-    drawings: dict[str, Outlines], feature: str, class_names: list[str]
+    drawings, feature, class_names
 ) -> None:
     for name in class_names:
         own = element("american_football", name)
         places = outline_of(own.geometry)[:, :2]
         drawn = drawings["american_football"][feature]
         assert off_the_outlines(places, drawn) < CENTIMETRE
-        assert own.inside is not None
         towards_paint = np.sign(np.array(own.inside[:2]) - places.mean(axis=0))
         middle = places.mean(axis=0) + towards_paint * own.line_width / 2
         inside = [(o.min(axis=0) < middle).all() and (middle < o.max(axis=0)).all() for o in drawn]
         assert any(inside), f"the paint of {name} lies on the wrong side"
 
 
-def test_rows_of_hash_marks_face_the_middle(drawings: dict[str, Outlines]) -> None:
+def test_rows_of_hash_marks_face_the_middle(drawings) -> None:
     """The rows lie at the inner ends of the short lines between the yard lines."""
     short = [np.abs(o[:, 1]).min() for o in drawings["american_football"]["MinorYardLine"]]
     inner = [y for y in short if y < 10]
@@ -160,7 +159,7 @@ def test_rows_of_hash_marks_face_the_middle(drawings: dict[str, Outlines]) -> No
 
 
 @pytest.mark.parametrize("rink", RINKS)
-def test_goal_lines_end_at_the_boards(rink: str) -> None:
+def test_goal_lines_end_at_the_boards(rink) -> None:
     boards = [
         outline_of(e.geometry)[:, :2] for e in nominal(rink).elements if e.name.startswith("Board")
     ]
@@ -217,7 +216,7 @@ def spot(field: str, class_name: str) -> tuple[float, float, float]:
         ("american_football", lambda f: math.dist(*ends(f, "Goal right upright left")), 35 * FOOT),
     ],
 )
-def test_measures_are_those_of_the_rule_books(field: str, found: Any, expected: float) -> None:
+def test_measures_are_those_of_the_rule_books(field, found, expected) -> None:
     assert found(field) == pytest.approx(expected, abs=CENTIMETRE)
 
 
@@ -234,12 +233,9 @@ def ends(field: str, class_name: str) -> tuple[Any, Any]:
         ("ice_hockey_nhl", "board_height", 40 * INCH, 48 * INCH),
     ],
 )
-def test_what_the_rules_leave_open_may_be_chosen(
-    field: str, dimension: str, least: float, most: float
-) -> None:
+def test_what_the_rules_leave_open_may_be_chosen(field, dimension, least, most) -> None:
     for value in (least, most):
         own = load_field(field, **{dimension: value}).dimension(dimension)
-        assert own is not None
         assert (own.value, own.is_open) == (value, True)
 
 

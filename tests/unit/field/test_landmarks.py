@@ -21,7 +21,6 @@ BALL = (
 def test_a_landmark_with_a_position_is_an_optional_spot_of_the_field() -> None:
     field = with_landmarks(load_field(), [SEAT])
     element = field.element("Seat 12")
-    assert element is not None
     assert element.optional
     assert element.is_spot
     assert element.geometry == Spot((10.0, -45.0, -6.5))
@@ -42,7 +41,6 @@ def test_a_moving_object_is_where_it_was_at_the_instant() -> None:
     assert field.knows("Ball")
     for instant, x in (("17", 1.0), ("18", 4.0)):
         ball = field_at(field, instant).element("Ball")
-        assert ball is not None
         assert isinstance(ball.geometry, Spot)
         assert ball.geometry.position[0] == x
         assert ball.shortcut == "Ctrl+B"
@@ -83,12 +81,11 @@ def test_the_field_keeps_its_keys() -> None:
     taken = next(e.shortcut for e in load_field().elements if e.shortcut)
     marks = [Landmark("A", position=(0.0, 0.0, 0.0), shortcut=taken)]
     element = with_landmarks(load_field(), marks).element("A")
-    assert element is not None
     assert element.shortcut == ""
 
 
 @pytest.mark.parametrize("name", ["Middle line", "Line unknown", "Goal left crossbar"])
-def test_a_landmark_cannot_have_the_name_of_a_class(name: str) -> None:
+def test_a_landmark_cannot_have_the_name_of_a_class(name) -> None:
     with pytest.raises(FieldError, match="has the name of a class of the field"):
         with_landmarks(load_field(), [Landmark(name)])
 

@@ -31,7 +31,6 @@ SIDES = (("left", -1.0), ("right", 1.0))
 
 def geometry(field: Field, name: str) -> Geometry:
     element = field.element(name)
-    assert element is not None
     return element.geometry
 
 
@@ -48,15 +47,13 @@ def places(field: Field, name: str, spacing_m: float = 0.1) -> FloatArray:
 def painted_towards(field: Field, name: str, x: float, y: float) -> bool:
     """Whether the paint of an element lies on the same side of it as a place."""
     element = field.element(name)
-    assert element is not None
-    assert element.inside is not None
     if isinstance(element.geometry, Line):
         (ax, ay, _), (bx, by, _) = element.geometry.start, element.geometry.end
         mine, other = (
             (bx - ax) * (v - ay) - (by - ay) * (u - ax) for u, v in ((x, y), element.inside[:2])
         )
         return mine * other > 0
-    centre, radius = element.geometry.centre, element.geometry.radius  # type: ignore[union-attr]
+    centre, radius = element.geometry.centre, element.geometry.radius
     mine, other = (math.dist(centre[:2], p) < radius for p in ((x, y), element.inside[:2]))
     return mine == other
 
@@ -92,12 +89,10 @@ class TestSoccer:
         assert painted_towards(self.field, "Side line bottom", 0.0, 0.0)
         assert painted_towards(self.field, "Circle central", 0.0, 0.0)
         halfway = self.field.element("Middle line")
-        assert halfway is not None
         assert halfway.inside is None  # both halves have half of it
 
     def test_lines_are_at_most_twelve_centimetres_wide(self) -> None:
         width = self.field.dimension("line_width")
-        assert width is not None
         assert (width.nominal, width.maximum) == (0.12, 0.12)
 
 
@@ -161,7 +156,7 @@ class TestHandball:
     @pytest.mark.parametrize(
         ("name", "radius"), [("Goal-area line", 6.0), ("Free-throw line", 9.0)]
     )
-    def test_curves_keep_their_distance_from_the_posts(self, name: str, radius: float) -> None:
+    def test_curves_keep_their_distance_from_the_posts(self, name, radius) -> None:
         for side, sign in SIDES:
             chain = geometry(self.field, f"{name} {side}")
             straight = parts_of(chain)[1]
@@ -246,7 +241,7 @@ class TestAthletics:
         assert not painted_towards(self.field, "Finish line", 0.0, finish[1])
 
     @pytest.mark.parametrize(("race", "bends"), [(200, 1), (400, 2)])
-    def test_starts_in_lanes_are_that_far_from_the_finish(self, race: int, bends: int) -> None:
+    def test_starts_in_lanes_are_that_far_from_the_finish(self, race, bends) -> None:
         for lane in range(1 if race == 200 else 2, 9):
             angle = self.angle_of_start(race, lane)
             run = run_radius(lane) * (angle + (bends - 1) * math.pi) + bends * STRAIGHT
@@ -299,8 +294,6 @@ class TestAthletics:
 def painted_beyond(field: Field, name: str) -> bool:
     """Whether the paint of a start line lies ahead of it, within the way that is run."""
     element = field.element(name)
-    assert element is not None
-    assert element.inside is not None
     centre = math.copysign(STRAIGHT / 2, element.inside[0])
     ahead = math.atan2(element.inside[1], element.inside[0] - centre)
     x, y, _ = middle_of(element.geometry)

@@ -73,8 +73,6 @@ def sizes(name: str) -> tuple[Field, ...]:
 
 def sides(field: Field) -> tuple[float, float]:
     length, width = field.dimension("length"), field.dimension("width")
-    assert length is not None
-    assert width is not None
     return length.value, width.value
 
 
@@ -99,7 +97,7 @@ def test_the_default_field_is_shipped() -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_a_field_says_what_it_is_and_where_it_comes_from(name: str) -> None:
+def test_a_field_says_what_it_is_and_where_it_comes_from(name) -> None:
     field = load_field(name)
     assert field.name == name
     assert field.title.strip()
@@ -110,7 +108,7 @@ def test_a_field_says_what_it_is_and_where_it_comes_from(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_people_can_tell_elements_apart(name: str) -> None:
+def test_people_can_tell_elements_apart(name) -> None:
     """Names, titles and keys are unique; so are the colours of a group."""
     field = load_field(name)
     for texts in (
@@ -126,7 +124,7 @@ def test_people_can_tell_elements_apart(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_colours_are_seen_on_the_floor(name: str) -> None:
+def test_colours_are_seen_on_the_floor(name) -> None:
     floor = FLOORS.get(name, WOOD)
     for element in load_field(name).elements:
         if element.on_ground:
@@ -134,14 +132,14 @@ def test_colours_are_seen_on_the_floor(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_keys_reach_what_a_set_has_to_have(name: str) -> None:
+def test_keys_reach_what_a_set_has_to_have(name) -> None:
     field = load_field(name)
     needed = [e for e in field.elements if not e.optional]
     assert sum(bool(e.shortcut) for e in needed) >= min(len(needed), 20)
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_every_legal_size_loads_centred_on_the_field(name: str) -> None:
+def test_every_legal_size_loads_centred_on_the_field(name) -> None:
     for field in sizes(name):
         length, width = sides(field)
         assert length >= width
@@ -160,7 +158,7 @@ def test_every_legal_size_loads_centred_on_the_field(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_nothing_lies_below_the_ground_or_in_the_clouds(name: str) -> None:
+def test_nothing_lies_below_the_ground_or_in_the_clouds(name) -> None:
     for field in sizes(name):
         for element in field.elements:
             z = outline_of(element.geometry)[:, 2]
@@ -169,7 +167,7 @@ def test_nothing_lies_below_the_ground_or_in_the_clouds(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_every_symmetry_maps_the_geometry_onto_itself(name: str) -> None:
+def test_every_symmetry_maps_the_geometry_onto_itself(name) -> None:
     for field in sizes(name):
         samples = sample_evenly(field, 1.0)
         for symmetry in field.symmetries:
@@ -184,7 +182,7 @@ def test_every_symmetry_maps_the_geometry_onto_itself(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_a_field_lists_the_symmetries_it_has(name: str) -> None:
+def test_a_field_lists_the_symmetries_it_has(name) -> None:
     field = load_field(name)
     listed = {round(math.degrees(s.turn_rad)) for s in field.symmetries}
     needed = [e for e in field.elements if not e.optional]
@@ -199,7 +197,7 @@ def test_a_field_lists_the_symmetries_it_has(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_partners_are_alike(name: str) -> None:
+def test_partners_are_alike(name) -> None:
     """An element and what it becomes: the same paint on the same side, both optional or neither."""
     field = load_field(name)
     for symmetry in field.symmetries:
@@ -216,7 +214,7 @@ def test_partners_are_alike(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_paint_lies_on_one_side_of_what_is_measured_at_its_edge(name: str) -> None:
+def test_paint_lies_on_one_side_of_what_is_measured_at_its_edge(name) -> None:
     for element in load_field(name).elements:
         if element.inside is not None:
             assert side_of(element.geometry, np.array(element.inside)) != 0, element.name
@@ -225,11 +223,10 @@ def test_paint_lies_on_one_side_of_what_is_measured_at_its_edge(name: str) -> No
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_the_lines_follow_the_width_that_is_chosen(name: str) -> None:
+def test_the_lines_follow_the_width_that_is_chosen(name) -> None:
     """A line width that the rules leave open moves no element, it only changes the paint."""
     field = load_field(name)
     width = field.dimension("line_width")
-    assert width is not None
     painted = [e for e in field.elements if e.line_width > 0]
     assert any(e.line_width == width.value for e in painted)
     assert all(e.on_ground and not e.is_spot for e in painted)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import math
 import re
-from pathlib import Path
 from typing import Any
 
 import cv2
@@ -78,7 +77,7 @@ def encoded(value: Any) -> bytes:
 
 @pytest.mark.parametrize("camera", [PINHOLE, BENT, FISHEYE])
 @pytest.mark.parametrize("fmt", ["krt", "auto"])
-def test_k_r_t_as_written_here(camera: PinholeCamera | FisheyeCamera, fmt: str) -> None:
+def test_k_r_t_as_written_here(camera, fmt) -> None:
     loaded = read_camera_file(write_krt(camera, SIZE), path="1.json", fmt=fmt)
     agree(loaded, camera)
     assert loaded.size == SIZE
@@ -117,10 +116,8 @@ MIRRORED = (np.diag([1.0, 1.0, -1.0]) @ PINHOLE.rotation_cam_from_world).tolist(
     [
         (krt(K=...), "the key 'K' or 'camera_matrix' or 'cameraMatrix' is missing"),
         (krt(R=...), "the key 'R' or 'rotation_matrix' or 'rvec' is missing"),
-        (krt(t=...), "the key 't' or 'T' or 'tvec' is missing"),
         (krt(K=[[1, 2], [3, 4]]), "K: expected 3 x 3 numbers, found 4"),
         (krt(C=[0, 0, 1]), "C: says something else than t, expected the same"),
-        (krt(K=[[1, 2, 3, 4], [5], [6, 7, 8, 9]]), "K: expected 3 x 3 numbers, found 9 in uneven"),
         (krt(K=[0] * 9), "K: K is not of the form"),
         (krt(K=[[1500, 9, 600], [0, 1500, 300], [0, 0, 1]]), "K: K has a skew"),
         (krt(K=[[1e400, 0, 0]]), "K[0][0]: expected a finite number"),
@@ -133,15 +130,11 @@ MIRRORED = (np.diag([1.0, 1.0, -1.0]) @ PINHOLE.rotation_cam_from_world).tolist(
         (krt(t=[1.7e308, -1.7e308, 1.7e308]), "t: t is without bounds"),
         (krt(dist=[0.1]), "dist: the distortion has 1 entries"),
         (krt(dist=[0.0] * 12 + [0.1, 0.0]), "dist: the distortion tilts the sensor"),
-        (krt(dist=[0.1, 0, math.nan, 0]), "dist[2]: expected a finite number"),
         (krt(dist={"k1": 1}), "dist: expected a list of numbers, found an object"),
         (krt(model="omnidirectional"), "model: expected 'pinhole' or 'fisheye'"),
-        (krt(model=["pinhole"]), "model: expected 'pinhole' or 'fisheye'"),
         (krt(model="fisheye", dist=[0.0] * 5), "dist: a fisheye distortion has 4 entries, found 5"),
         (krt(width=0), "width and height: expected whole pixels"),
         (krt(width=..., height=540), "height: tells 'height' without 'width', expected both"),
-        (krt(width=..., height=..., image_width=960), "tells 'image_width' without 'image_height'"),
-        (krt(width=1e300), "width and height: expected whole pixels"),
         (b"[]", "expected an object with the keys of a K, R, t camera, found a list"),
         (krt()[:-20], "may be cut off"),
         (b"", "is empty"),
@@ -150,7 +143,7 @@ MIRRORED = (np.diag([1.0, 1.0, -1.0]) @ PINHOLE.rotation_cam_from_world).tolist(
         (b'{"K":' + b"[" * 70 + b"]" * 70 + b"}", "is nested too deeply"),
     ],
 )  # fmt: skip
-def test_damage_in_k_r_t(data: bytes, expected: str) -> None:
+def test_damage_in_k_r_t(data, expected) -> None:
     assert expected in problem(data, "krt")
 
 
@@ -182,7 +175,7 @@ def storage(suffix: str, camera: PinholeCamera, **more: Any) -> bytes:
 
 @pytest.mark.parametrize("suffix", [".yml", ".xml"])
 @pytest.mark.parametrize("fmt", ["opencv", "auto"])
-def test_what_opencv_writes(suffix: str, fmt: str) -> None:
+def test_what_opencv_writes(suffix, fmt) -> None:
     loaded = read_camera_file(storage(suffix, BENT), path=f"1{suffix}", fmt=fmt)
     agree(loaded, BENT, 1e-7)
     assert (loaded.model, loaded.size) == ("pinhole", SIZE)
@@ -194,7 +187,7 @@ VECTORS = {"tvec": [1.0, 50.0, 20.0], "distortion_coefficients": [0.1, 0.0, 0.0,
 
 
 @pytest.mark.parametrize("suffix", [".yml", ".xml"])
-def test_vectors_as_opencv_5_writes_them(suffix: str) -> None:
+def test_vectors_as_opencv_5_writes_them(suffix) -> None:
     own = read_camera_file(storage(suffix, BENT), path=f"1{suffix}").camera
     assert isinstance(own, PinholeCamera)
     columns = {key: np.array([numbers]).T for key, numbers in VECTORS.items()}
@@ -219,9 +212,7 @@ def test_vectors_as_opencv_5_writes_them(suffix: str) -> None:
 
 
 @pytest.mark.parametrize("camera", [PINHOLE, BENT, FISHEYE])
-def test_yaml_written_here_is_read_here_and_by_opencv(
-    camera: PinholeCamera | FisheyeCamera,
-) -> None:
+def test_yaml_written_here_is_read_here_and_by_opencv(camera) -> None:
     data = write_opencv(camera, SIZE)
     loaded = read_camera_file(data, path="1.yml")
     agree(loaded, camera)
@@ -243,13 +234,10 @@ def yaml(old: bytes = b"", new: bytes = b"") -> bytes:
     [
         (b"", "is empty"),
         (b"hello", "is not a readable OpenCV FileStorage"),
-        (yaml()[:400], "OpenCV FileStorage"),
         (yaml(b"camera_matrix", b"matrix"), "the key 'K' or 'camera_matrix' or "),
         (yaml(b"tvec:", b"wherever:"), "the key 't' or 'T' or 'tvec' "),
         (yaml(b"rows: 3\n   cols: 3", b"rows: 2\n   cols: 3"), "announces 2 x 3 numbers, found 9"),
-        (yaml(b"rows: 3\n   cols: 3", b"rows: 300000000\n   cols: 300000000"), "announces 3e+08"),
         (yaml(b"2592.3", b".Nan"), "camera_matrix[0][0]: expected a finite number"),
-        (yaml(b"2592.3", b"-.Inf"), "camera_matrix[0][0]: expected a finite number"),
         (yaml(b"2592.3", b'"wide"'), "camera_matrix[0]: expected a number"),
         (yaml(b"model: pinhole", b"model: mirror"), "model: expected 'pinhole' or 'fisheye'"),
         (yaml(b"image_width: 1280", b"image_width: 0"), "image_width and image_height: expected"),
@@ -257,17 +245,13 @@ def yaml(old: bytes = b"", new: bytes = b"") -> bytes:
         (b"%YAML:1.0\n---\ncamera_matrix: [" + b"1., " * 99 + b"1.]\n", "has 100 entries"),
         (b"%YAML:1.0\n---\ncamera_matrix: { a: 1 }\n", "camera_matrix: expected a matrix"),
         (b"%YAML:1.0\n---\n- 1\n- 2\n", "is not a readable OpenCV FileStorage"),
-        (b"%YAML:1.0\n---\na: " + b"[" * 100_000, "is nested too deeply"),
-        (b"%YAML:1.0\n---\n" + b"a: {" * 100_000, "is nested too deeply"),
-        (b"%YAML:1.0\n---\na:\n  " + b"- " * 100_000 + b"1", "is nested too deeply"),
-        (b"%YAML:1.0\n---\n" + b"".join(b" " * i + b"a:\n" for i in range(900)), "nested too"),
         (b'<?xml version="1.0"?><opencv_storage>' + b"<a>" * 100_000, "is nested too deeply"),
         (yaml().decode().encode("utf-16"), "is not UTF-8 text"),
         (b"\xff\xfe\xff", "is not UTF-8 text"),
         (b"%YAML:1.0\n---\n" + b"# x\n" * 2_000_000, "is larger than 5 MB"),
     ],
 )  # fmt: skip
-def test_damage_in_opencvs_files(data: bytes, expected: str) -> None:
+def test_damage_in_opencvs_files(data, expected) -> None:
     assert expected in problem(data, "opencv")
 
 
@@ -284,7 +268,7 @@ def tvcalib_line(name: str, camera: PinholeCamera, **changes: Any) -> bytes:
 WORLD_FROM_IMAGE = [[0.05, 0.001, -32.0], [0.002, 0.06, -18.0], [0.0, 1e-4, 1.0]]
 
 
-def test_tvcalib_records_and_homographies(tmp_path: Path) -> None:
+def test_tvcalib_records_and_homographies(tmp_path) -> None:
     file = tmp_path / "per_sample_output.json"
     sized = {"image_width": 1280, "image_height": 720}
     file.write_bytes(
@@ -311,7 +295,7 @@ def test_tvcalib_records_and_homographies(tmp_path: Path) -> None:
             assert cameras.display("10") == f"{file}: line 2"
 
 
-def test_one_bad_tvcalib_record_spoils_no_other(tmp_path: Path) -> None:
+def test_one_bad_tvcalib_record_spoils_no_other(tmp_path) -> None:
     file = tmp_path / "per_sample_output.json"
     file.write_bytes(
         tvcalib_line("1.jpg", PINHOLE)
@@ -368,7 +352,7 @@ SQUARE = PinholeCamera(
 
 
 @pytest.mark.parametrize("fmt", ["broadtrack", "auto"])
-def test_broadtracks_cameras(tmp_path: Path, fmt: str) -> None:
+def test_broadtracks_cameras(tmp_path, fmt) -> None:
     file = tmp_path / "half1.json"
     damaged = broadtrack_entry(SQUARE)
     damaged["cp"]["tiltDegrees"] = None
@@ -410,7 +394,7 @@ def test_broadtracks_cameras(tmp_path: Path, fmt: str) -> None:
         (b'{"1.jpg": {}, "1.jpg": {}}', "occurs twice"),
     ],
 )
-def test_damage_to_all_of_a_broadtrack_file(tmp_path: Path, data: bytes, expected: str) -> None:
+def test_damage_to_all_of_a_broadtrack_file(tmp_path, data, expected) -> None:
     (tmp_path / "1.json").write_bytes(data)
     with pytest.raises(CameraError, match=expected):
         CameraCollection.open(tmp_path / "1.json", "broadtrack")
@@ -419,7 +403,7 @@ def test_damage_to_all_of_a_broadtrack_file(tmp_path: Path, data: bytes, expecte
 # --------------------------------------------------------------------------------- deepsportradar
 
 
-def test_the_real_basketball_cameras_project_as_their_own_matrices(shared_data: Path) -> None:
+def test_the_real_basketball_cameras_project_as_their_own_matrices(shared_data) -> None:
     worst = count = 0.0
     for name in ("val", "test"):
         file = shared_data / "deepsportradar" / f"ground_truth_{name}.json"
@@ -462,7 +446,7 @@ def deepsportradar(**changes: Any) -> dict[str, Any]:
     return {k: v for k, v in (entry | changes).items() if v is not ...}
 
 
-def test_a_basketball_list_with_distortion_and_damage(tmp_path: Path) -> None:
+def test_a_basketball_list_with_distortion_and_damage(tmp_path) -> None:
     file = tmp_path / "predictions.json"
     placeholder = {"K": [1] * 9, "R": [1] * 9, "T": [0, 0, 1],
                    "P": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1]}  # fmt: skip
@@ -512,7 +496,7 @@ def test_a_basketball_list_with_distortion_and_damage(tmp_path: Path) -> None:
         (b'[{"K": [1', "may be cut off"),
     ],
 )
-def test_damage_to_all_of_a_basketball_list(tmp_path: Path, data: bytes, expected: str) -> None:
+def test_damage_to_all_of_a_basketball_list(tmp_path, data, expected) -> None:
     (tmp_path / "1.json").write_bytes(data)
     with pytest.raises(CameraError, match=expected):
         CameraCollection.open(tmp_path / "1.json", "deepsportradar")
@@ -549,16 +533,13 @@ def test_polylines_belong_to_any_picture_size() -> None:
         ([], "expected an object with the keys of projected polylines"),
         ({"Middle line": 5}, "Middle line: expected a list of points, found a number"),
         ({"Middle line": [1, 2]}, 'Middle line[0]: expected a point {"x": ..., "y": ...}, found 1'),
-        ({"Middle line": [{"x": 1}]}, 'Middle line[0]: expected a point {"x": ..., "y": ...}'),
         ({"Middle line": [[{"x": 1, "y": None}]]}, "Middle line[0][0].y: expected a finite"),
         ({"Middle line": [{"x": math.nan, "y": 0}]}, "Middle line[0].x: expected a finite number"),
-        ({"Middle line": [{"x": True, "y": 0}]}, "Middle line[0].x: expected a finite number"),
-        ({"Middle line": [LINE, {"x": 0, "y": 0}]}, "Middle line[0]: expected a point"),
         ({"Goal left post left ": LINE, "Goal left post left": LINE}, "a class that is there"),
         ({"Middle line": [{"x": 480, "y": 270}]}, "no point is near the picture, expected shares"),
     ],
 )
-def test_damage_in_polylines(content: Any, expected: str) -> None:
+def test_damage_in_polylines(content, expected) -> None:
     assert expected in problem(encoded(content), "polylines")
 
 
@@ -574,13 +555,13 @@ def test_damage_in_polylines(content: Any, expected: str) -> None:
         {"00001": {"Middle line": LINE}, "00002": {"Circle left": []}},
     ],
 )
-def test_an_annotation_is_never_taken_for_a_camera(content: Any) -> None:
+def test_an_annotation_is_never_taken_for_a_camera(content) -> None:
     said = problem(encoded(content), "auto")
     assert "holds points of classes, not a camera (annotations are no cameras" in said
     assert "camera format polylines" in said
 
 
-def test_what_is_in_a_json_file_decides_what_it_is(tmp_path: Path) -> None:
+def test_what_is_in_a_json_file_decides_what_it_is(tmp_path) -> None:
     krt_camera = json.loads(write_krt(PINHOLE, SIZE))
     soccernet = json.loads(write_camera(PINHOLE))
     files: dict[str, tuple[Any, list[str]]] = {

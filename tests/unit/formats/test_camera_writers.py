@@ -69,7 +69,7 @@ def agree(found: object, expected: Camera, points: np.ndarray) -> None:
 
 @pytest.mark.parametrize("target", CAMERA_TARGETS)
 @pytest.mark.parametrize("name", MODELS)
-def test_what_a_format_holds_comes_back_and_the_rest_is_refused(target: str, name: str) -> None:
+def test_what_a_format_holds_comes_back_and_the_rest_is_refused(target, name) -> None:
     if name not in HOLDS[target]:
         with pytest.raises(ValueError, match=r"cannot hold (a |lens )"):
             encode_camera(loaded(name), target)
@@ -160,7 +160,7 @@ def test_what_cannot_be_written_says_why() -> None:
         encode_camera(loaded("plain"), "mat")
 
 
-def test_a_set_is_written_to_a_folder_and_to_an_archive(tmp_path: Path) -> None:
+def test_a_set_is_written_to_a_folder_and_to_an_archive(tmp_path) -> None:
     cameras = [
         ("00001", loaded("plain")),
         ("00002", loaded("flat")),
@@ -194,7 +194,7 @@ def test_a_set_is_written_to_a_folder_and_to_an_archive(tmp_path: Path) -> None:
         agree(collection.read("00004").camera, BENT, POINTS)
 
 
-def test_nothing_is_written_where_it_must_not_be(tmp_path: Path) -> None:
+def test_nothing_is_written_where_it_must_not_be(tmp_path) -> None:
     with pytest.raises(UsageError, match=r"must end in \.zip"):
         write_cameras([("1", loaded("plain"))], tmp_path / "out", "submission")
     for split in ("", "..", "a/b", "a\\b"):
@@ -217,7 +217,7 @@ def test_nothing_is_written_where_it_must_not_be(tmp_path: Path) -> None:
             export_cameras(collection, source, "soccernet")
 
 
-def test_a_collection_is_converted(tmp_path: Path) -> None:
+def test_a_collection_is_converted(tmp_path) -> None:
     source = tmp_path / "cameras"
     source.mkdir()
     (source / "camera_1.json").write_bytes(write_camera(PLAIN))

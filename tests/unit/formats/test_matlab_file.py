@@ -5,7 +5,6 @@ from __future__ import annotations
 import io
 import struct
 import zlib
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -50,7 +49,7 @@ def plain(value: Any) -> Any:
 
 
 @pytest.mark.parametrize("compressed", [False, True])
-def test_it_reads_what_scipy_reads(compressed: bool) -> None:
+def test_it_reads_what_scipy_reads(compressed) -> None:
     data = written(CONTENT, compressed=compressed)
     found = matlab_content(data, "1.mat")
     theirs = scipy.io.loadmat(io.BytesIO(data), simplify_cells=True)
@@ -80,7 +79,7 @@ def test_files_of_the_other_byte_order() -> None:
 
 
 @pytest.mark.parametrize("compressed", [False, True])
-def test_a_file_cut_off_anywhere_is_one_line(compressed: bool) -> None:
+def test_a_file_cut_off_anywhere_is_one_line(compressed) -> None:
     data = written({"K": np.eye(3), "one": STRUCTURE}, compressed=compressed)
     whole = matlab_content(data, "1.mat")
     for length in range(len(data)):
@@ -103,7 +102,7 @@ def test_a_part_that_grows_without_end_is_refused() -> None:
 
 @pytest.mark.parametrize("numbers", [False, True])
 @pytest.mark.parametrize("shape", [(2**31 - 1, 0), (2**31 - 1, 3), (0, 2**31 - 1), (1,) * 70])
-def test_dimensions_of_no_bounds_take_no_memory(shape: tuple[int, ...], numbers: bool) -> None:
+def test_dimensions_of_no_bounds_take_no_memory(shape, numbers) -> None:
     """Texts of so many lines, or so many empty lists, were more than any machine holds."""
 
     def part(kind: int, data: bytes) -> bytes:
@@ -126,7 +125,7 @@ def test_dimensions_of_no_bounds_take_no_memory(shape: tuple[int, ...], numbers:
 
 
 @pytest.mark.laps
-def test_damaged_bytes_are_an_error_or_another_value(shared_data: Path, lap: int) -> None:
+def test_damaged_bytes_are_an_error_or_another_value(shared_data, lap) -> None:
     """Uncompressed, so that a changed byte is a changed type, length or number."""
     rng = np.random.default_rng(3 + lap)
     seeds = [written(CONTENT)]

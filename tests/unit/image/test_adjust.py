@@ -2,14 +2,26 @@
 
 from __future__ import annotations
 
+import threading
+import time
+from collections.abc import Iterator
 from pathlib import Path
 
 import cv2
 import numpy as np
 import pytest
 
-from procc_annotator.image.decoding import decode_bgra
-from procc_annotator.image.pixels import DisplayAdjustment, PixelArray, adjust_image, tone_curve
+from procc_annotator.errors import ImageError
+from procc_annotator.image import decoding as cache_module
+from procc_annotator.image.decoding import FrameCache, decode_bgra
+from procc_annotator.image.pixels import (
+    DisplayAdjustment,
+    DownscaledImages,
+    PixelArray,
+    adjust_image,
+    downscaled,
+    tone_curve,
+)
 
 GRASS = (60, 110, 70)  # b, g, r
 LOOKS = [
@@ -60,7 +72,7 @@ def test_a_plain_look_gives_the_very_array() -> None:
 
 
 @pytest.mark.parametrize("look", LOOKS)
-def test_the_array_given_stays_as_it_was(look: DisplayAdjustment) -> None:
+def test_the_array_given_stays_as_it_was(look) -> None:
     pixels = _noise((90, 160))
     before = pixels.copy()
     shown = adjust_image(pixels, look)
@@ -76,11 +88,11 @@ def test_the_array_given_stays_as_it_was(look: DisplayAdjustment) -> None:
 
 @pytest.mark.parametrize("look", LOOKS)
 @pytest.mark.parametrize("shape", [(1, 1), (2, 1), (3, 200)])
-def test_pictures_of_any_size(look: DisplayAdjustment, shape: tuple[int, int]) -> None:
+def test_pictures_of_any_size(look, shape) -> None:
     assert adjust_image(_noise(shape), look).shape == (*shape, 4)
 
 
-def test_a_file_is_not_touched(tmp_path: Path) -> None:
+def test_a_file_is_not_touched(tmp_path) -> None:
     path = tmp_path / "frame.png"
     cv2.imwrite(str(path), _noise((20, 30))[..., :3])
     before = path.read_bytes()
@@ -125,14 +137,14 @@ def test_gamma_lightens_the_dark_and_keeps_black_and_white() -> None:
 
 
 @pytest.mark.parametrize("look", LOOKS)
-def test_order_of_values_is_kept(look: DisplayAdjustment) -> None:
+def test_order_of_values_is_kept(look) -> None:
     assert (np.diff(tone_curve(look).astype(int)) >= 0).all()
 
 
 @pytest.mark.parametrize("grass", [GRASS, (20, 38, 24), (110, 170, 120)])
 @pytest.mark.parametrize("strength", [8, 14, 22])
 @pytest.mark.parametrize("width", [2, 3, 6])
-def test_a_faint_line_becomes_clear(grass: tuple[int, int, int], strength: int, width: int) -> None:
+def test_a_faint_line_becomes_clear(grass, strength, width) -> None:
     picture = _faint_line(grass, strength, width)
     assert (
         _contrast(adjust_image(picture, DisplayAdjustment(enhance=True)))
@@ -187,6 +199,186 @@ def test_what_differs_much_already_is_left_almost_alone() -> None:
         {"brightness": float("nan")},
     ],
 )
-def test_values_beyond_their_range_are_refused(values: dict[str, float]) -> None:
+def test_values_beyond_their_range_are_refused(values) -> None:
     with pytest.raises(ValueError, match="expected"):
-        DisplayAdjustment(**values)  # type: ignore[arg-type]
+        DisplayAdjustment(**values)
+
+
+# Pictures made smaller: as they are when made at once, and ready when they were foreseen.
+
+
+def picture(seed: int) -> PixelArray:
+    return np.random.default_rng(seed).integers(0, 255, (90, 160, 4), dtype=np.uint8)
+
+
+def test_what_was_foreseen_is_there_and_is_what_would_be_made() -> None:
+    pictures, first, second = DownscaledImages(), picture(1), picture(2)
+    pictures.foresee(first)  # nobody knows how small yet
+    assert pictures.of(first, 0.4).shape == (36, 64, 4)
+    pictures.foresee(second)
+    small = pictures.of(second, 0.4)
+    assert pictures.of(second, 0.4) is small
+    np.testing.assert_array_equal(small, downscaled(second, (64, 36)))
+
+
+def test_another_size_or_picture_is_made_anew() -> None:
+    pictures, first = DownscaledImages(), picture(1)
+    assert pictures.of(first, 0.4).shape == (36, 64, 4)
+    assert pictures.of(first, 0.7).shape == (63, 112, 4)
+    np.testing.assert_array_equal(pictures.of(picture(3), 0.7), downscaled(picture(3), (112, 63)))
+
+
+def test_only_a_few_are_kept() -> None:
+    pictures, first = DownscaledImages(), picture(1)
+    small = pictures.of(first, 0.4)
+    others = [picture(seed) for seed in range(2, 8)]
+    for other in others:
+        pictures.of(other, 0.4)
+    assert pictures.of(first, 0.4) is not small
+
+
+def test_thin_lines_stay_below_a_half() -> None:
+    line = np.zeros((90, 160, 4), dtype=np.uint8)
+    line[:, 77] = 255
+    assert downscaled(line, (40, 22))[..., 0].max(axis=1).min() > 40
+
+
+def test_what_is_looked_at_stays_while_others_are_foreseen() -> None:
+    pictures, first = DownscaledImages(), picture(1)
+    small = pictures.of(first, 0.4)
+    for seed in range(2, 9):
+        pictures.foresee(picture(seed))
+    np.testing.assert_array_equal(small, downscaled(first, (64, 36)))
+    later = picture(9)
+    np.testing.assert_array_equal(pictures.of(later, 0.4), downscaled(later, (64, 36)))
+
+
+# Going back is instant, memory stays bounded, and threads do not trip over each other.
+
+PICTURE_BYTES = 20 * 10 * 4
+
+
+@pytest.fixture
+def pictures(tmp_path) -> list[Path]:
+    paths = []
+    for i in range(5):
+        path = tmp_path / f"{i}.png"
+        cv2.imwrite(str(path), np.full((10, 20, 3), i, dtype=np.uint8))
+        paths.append(path)
+    return paths
+
+
+@pytest.fixture
+def cache() -> Iterator[FrameCache]:
+    cache = FrameCache(3 * PICTURE_BYTES, kept_at_least=1)
+    yield cache
+    cache.close()
+
+
+@pytest.fixture
+def decoded(monkeypatch) -> list[Path]:
+    """The paths that were decoded, in order."""
+    paths: list[Path] = []
+
+    def decode(path: Path) -> PixelArray:
+        paths.append(path)
+        return decode_bgra(path)
+
+    monkeypatch.setattr(cache_module, "decode_bgra", decode)
+    return paths
+
+
+def _wait_for(cache: FrameCache, path: Path) -> None:
+    deadline = time.monotonic() + 5
+    while cache.peek(path) is None:
+        assert time.monotonic() < deadline, f"{path.name} was not prefetched"
+        threading.Event().wait(0.001)
+
+
+def test_a_picture_is_decoded_once(cache, pictures, decoded) -> None:
+    assert cache.peek(pictures[0]) is None
+    first = cache.get(pictures[0])
+    assert cache.get(pictures[0]) is first
+    assert cache.peek(pictures[0]) is first
+    assert decoded == pictures[:1]
+
+
+def test_the_least_recently_used_picture_leaves_first(cache, pictures) -> None:
+    for path in pictures[:3]:
+        cache.get(path)
+    cache.get(pictures[0])
+    cache.get(pictures[3])
+    assert cache.peek(pictures[1]) is None
+    assert cache.peek(pictures[0]) is not None
+    assert cache.used_bytes == 3 * PICTURE_BYTES
+
+
+def test_the_newest_pictures_are_kept_even_if_they_exceed_the_limit(pictures) -> None:
+    cache = FrameCache(10, kept_at_least=2)
+    for path in pictures[:3]:
+        cache.get(path)
+    assert cache.peek(pictures[0]) is None
+    assert cache.peek(pictures[1]) is not None
+    assert cache.peek(pictures[2]) is not None
+    assert cache.used_bytes == 2 * PICTURE_BYTES
+    cache.close()
+
+
+def test_prefetched_pictures_are_there_without_asking(cache, pictures, decoded) -> None:
+    cache.prefetch([pictures[1], pictures[1], pictures[2]])
+    _wait_for(cache, pictures[2])
+    assert decoded == [pictures[1], pictures[2]]
+    cache.get(pictures[1])
+    assert decoded == [pictures[1], pictures[2]]
+
+
+def test_prefetching_passes_over_damaged_pictures(cache, pictures, tmp_path) -> None:
+    broken = tmp_path / "broken.png"
+    broken.write_bytes(b"nothing")
+    cache.prefetch([broken, pictures[0]])
+    _wait_for(cache, pictures[0])
+    with pytest.raises(ImageError):
+        cache.get(broken)
+    cv2.imwrite(str(broken), np.zeros((4, 4, 3), dtype=np.uint8))
+    assert cache.get(broken).shape == (4, 4, 4)
+
+
+def test_asking_for_a_picture_on_its_way_waits_for_it(cache, pictures, monkeypatch) -> None:
+    started, go_on = threading.Event(), threading.Event()
+    decoded: list[Path] = []
+
+    def slow(path: Path) -> PixelArray:
+        decoded.append(path)
+        started.set()
+        assert go_on.wait(5)
+        return decode_bgra(path)
+
+    monkeypatch.setattr(cache_module, "decode_bgra", slow)
+    cache.prefetch(pictures[:1])
+    assert started.wait(5)
+    results: list[PixelArray] = []
+    thread = threading.Thread(target=lambda: results.append(cache.get(pictures[0])))
+    thread.start()
+    go_on.set()
+    thread.join(5)
+    assert results[0].shape == (10, 20, 4)
+    assert decoded == pictures[:1]
+
+
+def test_a_closed_cache_holds_nothing_but_still_reads(cache, pictures) -> None:
+    cache.prefetch(pictures)
+    cache.close()
+    cache.prefetch(pictures)
+    assert cache.used_bytes == 0
+    assert cache.get(pictures[0]).shape == (10, 20, 4)
+    assert cache.used_bytes == 0
+
+
+def test_a_picture_that_was_replaced_is_read_again(cache, pictures, decoded) -> None:
+    cache.get(pictures[0])
+    cv2.imwrite(str(pictures[0]), np.zeros((4, 6, 3), dtype=np.uint8))
+    assert cache.get(pictures[0]).shape == (4, 6, 4)
+    assert cache.used_bytes == 4 * 6 * 4
+    pictures[0].unlink()  # or out of reach
+    assert cache.get(pictures[0]).shape == (4, 6, 4)
+    assert decoded == [pictures[0]] * 2

@@ -51,7 +51,7 @@ class State:
 
     def say(self) -> str:
         return status_hint(
-            self.mode,  # type: ignore[arg-type]
+            self.mode,
             self.draw,
             self.edit,
             self.context,
@@ -90,7 +90,7 @@ every_state = pytest.mark.parametrize("name", STATES)
 
 
 @every_state
-def test_click_enter_and_escape_are_answered(name: str) -> None:
+def test_click_enter_and_escape_are_answered(name) -> None:
     text = STATES[name].say()
     assert "Enter" in text
     assert "Esc" in text
@@ -98,7 +98,7 @@ def test_click_enter_and_escape_are_answered(name: str) -> None:
 
 
 @every_state
-def test_the_three_answers_come_before_further_keys(name: str) -> None:
+def test_the_three_answers_come_before_further_keys(name) -> None:
     words = STATES[name].say().split(SEPARATOR)
     extras = ("Backspace", "Delete", "arrows", "Ctrl+Enter")
     answers = [i for i, w in enumerate(words) if w.startswith(("Enter", "Esc", "click"))]
@@ -107,7 +107,7 @@ def test_the_three_answers_come_before_further_keys(name: str) -> None:
 
 
 @every_state
-def test_enter_and_escape_do_something_exactly_if_announced(name: str) -> None:
+def test_enter_and_escape_do_something_exactly_if_announced(name) -> None:
     state = STATES[name]
     if state.context is None or state.blocked:
         assert "click, Enter and Esc do nothing" in state.say()
@@ -122,7 +122,7 @@ def test_enter_and_escape_do_something_exactly_if_announced(name: str) -> None:
 
 
 @every_state
-def test_delete_is_announced_only_where_it_works(name: str) -> None:
+def test_delete_is_announced_only_where_it_works(name) -> None:
     state = STATES[name]
     if "Delete removes" in state.say():
         assert state.context is not None
@@ -166,7 +166,7 @@ class TestGhosts:
         return State(mode, FREE, ghosts=replace(self.LOOKED_AT, points=points)).say()
 
     @pytest.mark.parametrize("mode", ["draw", "edit"])
-    def test_of_the_current_one_click_enter_and_escape_come_first(self, mode: str) -> None:
+    def test_of_the_current_one_click_enter_and_escape_come_first(self, mode) -> None:
         first, click, enter, escape, *_ = self.say(mode, 9).split(SEPARATOR)
         assert first == f"GHOST {FIELD.title_of(NAME)}"
         assert "click" in click
@@ -193,9 +193,7 @@ class TestGhosts:
         assert "Tab: next of 7 ghosts" in text
 
     @pytest.mark.parametrize("context", [FREE, CHOSEN])
-    def test_while_the_next_one_is_worked_out_escape_ends_the_walk(
-        self, context: ToolContext
-    ) -> None:
+    def test_while_the_next_one_is_worked_out_escape_ends_the_walk(self, context) -> None:
         text = State("draw", context, ghosts=GhostHint(7, coming=True)).say()
         assert text.startswith("GHOST the next one comes in a moment")
         assert "Enter does nothing yet" in text

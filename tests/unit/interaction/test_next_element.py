@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import pytest
+
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.field.load import load_field
 from procc_annotator.field.sampling import touching_elements
-from procc_annotator.interaction.class_choice import next_element
+from procc_annotator.interaction.class_choice import loose_rank, match_rank, misspelt, next_element
 
 FIELD = load_field()
 
@@ -104,3 +106,43 @@ def test_a_rectangle_is_gone_through_in_order_unless_much_more_is_to_be_had_else
     gains["Middle line"] = 2.0
     assert next_element(FIELD, annotated(group[1]), group[1], gains=gains) == "Middle line"
     assert next_element(FIELD, annotated(), None, gains=gains) == "Middle line"
+
+
+# A few letters find what is meant, and little else.
+
+
+@pytest.mark.parametrize(
+    ("query", "name", "found"),
+    [
+        ("regall", "Regularise all elements", True),
+        ("expover", "Export overview…", True),
+        ("egall", "Regularise all elements", False),  # begins within a word
+        ("rz", "Regularise all elements", False),
+        ("open", "Zoom in", False),
+    ],
+)
+def test_letters_in_order(query, name, found) -> None:
+    assert (loose_rank(query, name) is not None) is found
+    assert match_rank(query, name) is None
+
+
+def test_what_fits_closer_comes_first() -> None:
+    names = ["Snap", "Snap to lines", "Do snap", "Unsnap", "Send map"]
+    ranks = [loose_rank("snap", name) for name in names]
+    assert all(rank is not None for rank in ranks)
+    assert ranks == sorted(ranks, key=lambda rank: -1 if rank is None else rank)
+    assert len(set(ranks)) == len(names)
+
+
+@pytest.mark.parametrize(
+    ("query", "name", "found"),
+    [
+        ("regulraise", "Regularise all elements", True),
+        ("dissagreement", "Next by disagreement", True),
+        ("zoom", "Boom", False),
+        ("undo", "Redo", False),
+        ("regulraise qq", "Regularise all elements", False),
+    ],
+)
+def test_misspelt_words(query, name, found) -> None:
+    assert misspelt(query, name) is found

@@ -6,14 +6,28 @@ import math
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
-from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px
-from procc_annotator.camera.models import PinholeCamera
+from procc_annotator.annotation import FrameAnnotation, Point, Polyline, point_from_px
+from procc_annotator.calibration.label_check.finding import Finding, Rule, Severity
+from procc_annotator.calibration.prediction.ghosts import Ghost, GhostPiece
+from procc_annotator.calibration.result import FitResult
+from procc_annotator.camera.models import HomographyCamera, PinholeCamera
+from procc_annotator.dataset.review import StoredFinding, store_check
 from procc_annotator.field.load import load_field
 from procc_annotator.interaction import palette as tones
-from procc_annotator.interaction.overlay import OverlayBuilder, OverlayContent
-from procc_annotator.interaction.overlay_primitives import Draft, Overlay
+from procc_annotator.interaction.overlay import LastCallCache, OverlayBuilder, OverlayContent
+from procc_annotator.interaction.overlay_figure import place_apart
+from procc_annotator.interaction.overlay_lines import build_wireframes
+from procc_annotator.interaction.overlay_predictions import (
+    build_ghosts,
+    ghost_extent,
+    nearest_ghost,
+)
+from procc_annotator.interaction.overlay_primitives import Box, Draft, Labels, Overlay
 from procc_annotator.metrics.measurement import measure
+from procc_annotator.metrics.projection import project_field
 from procc_annotator.metrics.score import score
 from procc_annotator.metrics.setup import EvaluationSetup
 
@@ -143,7 +157,7 @@ def test_mirrored_labels_colour_what_the_annotator_drew() -> None:
 
 
 @pytest.mark.parametrize("colour_by", ["criterion", "class"])
-def test_an_unknown_class_is_drawn_too(colour_by: str) -> None:
+def test_an_unknown_class_is_drawn_too(colour_by) -> None:
     flag = Polyline("Corner flag", (point_from_px(10, 10, SIZE), point_from_px(60, 9, SIZE)))
     found = OverlayBuilder().build(
         OverlayContent(
@@ -153,7 +167,7 @@ def test_an_unknown_class_is_drawn_too(colour_by: str) -> None:
             picture_size=SIZE,
             colour_by=colour_by,
         )
-    )  # type: ignore[arg-type]
+    )
     assert len(segments(found, "annotation", tones.UNKNOWN_CLASS)) == 1
     assert len(marks(found, "handle", tones.UNKNOWN_CLASS)) == 2
 
@@ -188,3 +202,253 @@ def test_what_stays_is_the_very_same_in_the_next_overlay() -> None:
     for a, b in zip(two.strokes, fresh.strokes, strict=True):
         np.testing.assert_array_equal(a.segments, b.segments)
         assert (a.colour, a.width, a.dash) == (b.colour, b.width, b.dash)
+
+
+# Findings over a picture: which signs, where, and with which names.
+
+SMALL = (101, 51)
+FRAME = FrameAnnotation(
+    (
+        Polyline("Middle line", (Point(0.5, 0.0), Point(0.5, 0.5), Point(0.5, 1.0))),
+        Polyline("Side line top", (Point(0.0, 0.2), Point(1.0, 0.2))),
+    )
+)
+
+
+def found(*findings: Finding) -> tuple[StoredFinding, ...]:
+    return store_check(FRAME, findings, FitResult("R", SMALL, None)).found
+
+
+def finding(name: str, severity: Severity, point: int | None = None) -> Finding:
+    return Finding(Rule.POINT, severity, (name,), "it is off", (), point)
+
+
+def drawn(*findings: Finding, **more: object) -> Overlay:
+    annotation = more.pop("annotation", FRAME)
+    assert isinstance(annotation, FrameAnnotation)
+    return OverlayBuilder().build(
+        OverlayContent(
+            annotation=annotation,
+            size=SMALL,
+            field=FIELD,
+            picture_size=SMALL,
+            found=found(*findings),
+            **more,
+        )
+    )
+
+
+def signs(overlay: Overlay) -> dict[str, Labels]:
+    return {labels.sign: labels for labels in overlay.labels if labels.sign}
+
+
+def test_an_element_bears_the_sign_of_its_surest_finding() -> None:
+    shown = signs(
+        drawn(
+            finding("Middle line", Severity.WARNING, 0),
+            finding("Middle line", Severity.ERROR, 2),
+            finding("Side line top", Severity.WARNING),
+        )
+    )
+    assert shown["error"].texts == ("Halfway line",)
+    np.testing.assert_allclose(shown["error"].positions, [[50, 50]])
+    assert shown["warning"].texts == ("Far touchline",)
+    assert shown["hint"].texts == ()
+
+
+def test_a_hint_is_named_only_where_somebody_looks() -> None:
+    hint = finding("Middle line", Severity.HINT)
+    assert signs(drawn(hint))["hint"].texts == ("",)
+    assert signs(drawn(hint, selection="Middle line"))["hint"].texts == ("Halfway line",)
+
+
+def test_a_sign_beside_the_picture_is_brought_to_its_edge() -> None:
+    beside = FRAME.with_polyline(Polyline("Side line top", (Point(1.4, 0.2),)))
+    overlay = drawn(finding("Side line top", Severity.ERROR, 0), annotation=beside)
+    np.testing.assert_allclose(signs(overlay)["error"].positions, [[100, 10]])
+    np.testing.assert_allclose(overlay.marks[-1].centres, [[140, 10]])  # the point itself
+
+
+def test_only_a_point_that_is_wrong_by_itself_is_ringed() -> None:
+    ring = drawn(
+        finding("Middle line", Severity.ERROR, 1), finding("Side line top", Severity.ERROR)
+    ).marks[-1]
+    assert (ring.shape, ring.colour) == ("ring", tones.FINDING)
+    np.testing.assert_allclose(ring.centres, [[50, 25]])
+
+
+def test_overlays_have_the_same_groups_whatever_was_found() -> None:
+    bare, full = drawn(), drawn(finding("Middle line", Severity.ERROR, 1))
+    for groups in ("strokes", "marks", "labels"):
+        assert len(getattr(bare, groups)) == len(getattr(full, groups))
+
+
+def test_a_point_that_a_gesture_takes_away_loses_its_sign() -> None:
+    shorter = FRAME.with_polyline(Polyline("Middle line", (Point(0.5, 0.0),)))
+    overlay = drawn(finding("Middle line", Severity.ERROR, 2), annotation=shorter)
+    assert signs(overlay)["error"].texts == ()
+    assert not len(overlay.marks[-1].centres)
+
+
+# Ghosts as curves in their bands; the current one stands out and says what it is.
+
+ACROSS = np.column_stack((np.linspace(100, 300, 21), np.full(21, 50.0)))
+LEVEL = Ghost("Side line top", (GhostPiece(ACROSS, np.full(21, 1.5)),))
+PARTS = Ghost(
+    "Middle line",
+    (
+        GhostPiece(np.array([[10.0, 10], [10, 20]]), np.array([0.5, 1.0])),
+        GhostPiece(np.array([[10.0, 40], [10, 80], [10, 120]]), np.array([1.0, 1.0, 2.0])),
+    ),
+)
+
+
+def test_the_curve_is_dash_dot_on_a_rim_and_pieces_are_not_joined() -> None:
+    overlay = build_ghosts([LEVEL, PARTS])
+    rim, line = overlay.strokes
+    assert (line.colour, line.dash) == (tones.GHOST, tones.GHOST_DASH)
+    assert len(line.dash) == 4
+    assert rim.width > line.width
+    assert len(line.segments) == 20 + 1 + 2
+    lengths = np.hypot(*(line.segments[:, 2:] - line.segments[:, :2]).T)
+    assert lengths.max() == pytest.approx(40.0)
+    assert not overlay.marks
+    assert not overlay.labels
+
+
+def test_the_band_reaches_two_standard_deviations_to_both_sides() -> None:
+    (patch,) = build_ghosts([LEVEL]).patches
+    assert set(np.round(patch.outline[:, 1], 9)) == {47.0, 53.0}
+    assert patch.outline[:, 0].min() == 100
+    assert patch.outline[:, 0].max() == 300
+    first, second = build_ghosts([PARTS]).patches
+    assert np.ptp(first.outline[[1, 2], 0]) == pytest.approx(4 * 1.0)
+    assert np.ptp(second.outline[[2, 3], 0]) == pytest.approx(4 * 2.0)
+
+
+def test_the_current_one_is_stronger_named_and_shows_its_points() -> None:
+    points = np.array([[110.0, 50.0], [200.0, 50.0]])
+    overlay = build_ghosts(
+        [LEVEL, PARTS], current=PARTS, label="Halfway line  ±2.0 px", points_px=points
+    )
+    _, faint, _, strong = overlay.strokes
+    assert strong.width > faint.width
+    assert strong.colour == faint.colour
+    assert len(strong.segments) == 3
+    assert len(faint.segments) == 20
+    (marks,) = overlay.marks
+    assert np.array_equal(marks.centres, points)
+    (labels,) = overlay.labels
+    assert labels.texts == ("Halfway line  ±2.0 px",)
+    assert labels.positions[0].tolist() == [10.0, 80.0]  # of the longest stretch
+    assert overlay.patches[-1].opacity > overlay.patches[0].opacity
+
+
+def test_a_course_with_a_point_twice_has_a_band_all_the_same() -> None:
+    course = np.array([[0.0, 0], [5, 0], [5, 0], [5, 0], [9, 0]])
+    (patch,) = build_ghosts([Ghost("x", (GhostPiece(course, np.ones(5)),))]).patches
+    assert np.isfinite(patch.outline).all()
+
+
+def test_extent_is_that_of_all_pieces() -> None:
+    assert ghost_extent(PARTS) == (10, 10, 10, 120)
+
+
+@pytest.mark.parametrize(
+    ("position", "found"),
+    [
+        ((205.0, 53.0), "Side line top"),  # between two points of the course
+        ((12.0, 60.0), "Middle line"),
+        ((12.0, 30.0), None),  # in the gap
+        ((205.0, 70.0), None),
+    ],
+)
+def test_what_lies_under_the_cursor(position, found) -> None:
+    assert nearest_ghost([LEVEL, PARTS], position, 5.0) == found
+
+
+def test_a_dense_curve_is_drawn_with_few_points_and_hardly_off() -> None:
+    angle = np.linspace(0, np.pi, 4000)
+    course = 30 * np.column_stack((np.cos(angle), np.sin(angle)))
+    overlay = build_ghosts([Ghost("Circle left", (GhostPiece(course, np.ones(4000)),))])
+    segments = overlay.strokes[-1].segments
+    assert len(segments) < 40
+    assert np.allclose(segments[[0, -1]][[0, 1], [0, 2]], course[[0, -1], 0])
+    middles = (segments[:, :2] + segments[:, 2:]) / 2
+    assert np.abs(np.hypot(*middles.T) - 30).max() < 0.1
+
+
+# What further sources show of the field, as lines in their colours.
+
+FRAME_SETUP = EvaluationSetup(load_field())
+# The field from straight above, 8 px a metre, its centre in the middle of the picture.
+ABOVE = HomographyCamera(np.array([[8.0, 0, 479.5], [0, 7.0, 269.5], [0, 0, 1.0]]))
+
+
+def test_lines_lie_where_the_camera_shows_the_elements() -> None:
+    projected = project_field(ABOVE, FRAME_SETUP)
+    overlay = build_wireframes([(projected, "#e4572e")], FRAME_SETUP.size, (1919, 1079))
+    rim, line = overlay.strokes
+    assert (line.colour, line.dash) == ("#e4572e", ())
+    assert rim.width > line.width
+    assert np.array_equal(rim.segments, line.segments)
+    # Centres of the corner pixels coincide: 1918 steps between them where there were 959.
+    pieces = [p for parts in projected.pieces.values() for p in parts]
+    ends = np.concatenate([np.hstack([p[:-1], p[1:]]) for p in pieces]) * 2
+    assert np.allclose(line.segments, ends)
+    halfway = line.segments[np.abs(line.segments[:, 0] - 959).argmin()]
+    assert np.isclose(halfway[0], 959.0, atol=1e-6)
+
+
+def test_every_source_has_its_own_lines_the_last_on_top() -> None:
+    projected = project_field(ABOVE, FRAME_SETUP)
+    overlay = build_wireframes(
+        [(projected, "#111111"), (projected, "#222222")], FRAME_SETUP.size, (960, 540)
+    )
+    assert [s.colour for s in overlay.strokes][1::2] == ["#111111", "#222222"]
+    assert not overlay.marks
+    assert build_wireframes([], FRAME_SETUP.size, (960, 540)).strokes == ()
+
+
+# Texts on a picture do not cover each other as long as there is room.
+
+ROOM = (0.0, 0.0, 400.0, 300.0)
+
+
+def covers(a: Box, b: Box) -> bool:
+    return a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]
+
+
+def test_what_is_free_stays_where_it_would_go() -> None:
+    assert place_apart((10, 10, 50, 22), [(60, 10, 90, 22)], ROOM) == (10, 10, 50, 22)
+
+
+@given(st.lists(st.tuples(st.floats(0, 360), st.floats(0, 280)), min_size=2, max_size=12))
+def test_none_covers_another(points) -> None:
+    taken: list[Box] = []
+    for x, y in points:
+        taken.append(place_apart((x, y, x + 30, y + 12), taken, ROOM))
+    for number, box in enumerate(taken):
+        assert all(not covers(box, other) for other in taken[:number])
+
+
+def test_without_room_it_stays() -> None:
+    box = (0.0, 0.0, 10.0, 10.0)
+    assert place_apart(box, [box], box) == box
+
+
+# A result is given again only for the same arguments.
+
+
+def test_the_same_arguments_give_the_very_same_result() -> None:
+    join = LastCallCache(lambda *parts, end="": [*parts, end])
+    first = join("a", (1, 2), end=".")
+    assert join("a", (1, 2), end=".") is first
+    assert join("a", (1, 3), end=".") == ["a", (1, 3), "."]
+    assert join("a", (1, 2), end=".") is not first  # only the last one is kept
+
+
+def test_other_keywords_are_other_arguments() -> None:
+    join = LastCallCache(lambda *parts, end="": [*parts, end])
+    assert join("a", end="!") == ["a", "!"]
+    assert join("a") == ["a", ""]

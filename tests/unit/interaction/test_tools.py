@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from procc_annotator.annotation import FrameAnnotation, Polyline, point_from_px, points_px
+from procc_annotator.annotation import FrameAnnotation, Point, Polyline, point_from_px, points_px
 from procc_annotator.field.load import load_field
 from procc_annotator.interaction.draw_tool import DrawTool
 from procc_annotator.interaction.edit_tool import EditTool
@@ -51,7 +52,6 @@ class TestDrawing:
         for position in ((10.25, 20.5), (30.0, 40.0)):
             assert tool.press(position, PLAIN, context).edit is None
         edit = tool.key("Enter", context).edit
-        assert edit is not None
         assert edit.label == "draw Circle left"
         assert px(edit.annotation, "Circle left") == [[10.25, 20.5], [30, 40]]
         assert not tool.busy
@@ -61,7 +61,6 @@ class TestDrawing:
         tool.press((10, 20), PLAIN, context)
         tool.press((30, 40), PLAIN, context)
         edit = tool.double_click((30, 40), PLAIN, context).edit
-        assert edit is not None
         assert px(edit.annotation, "Circle left") == [[10, 20], [30, 40]]
 
     def test_backspace_takes_back_and_escape_cancels_then_deselects(self) -> None:
@@ -83,7 +82,6 @@ class TestDrawing:
         )
         tool.press((500, 500), PLAIN, context)
         edit = tool.key("Enter", context).edit
-        assert edit is not None
         assert px(edit.annotation) == [[100, 100], [300, 100], [300, 300], [500, 500]]
         assert edit.annotation.unconfirmed == ()
 
@@ -93,12 +91,10 @@ class TestDrawing:
         for tool in (DrawTool(), EditTool()):
             context = ToolContext(waiting, SIZE, 1.0, "Middle line")
             first = tool.key("Enter", context)
-            assert first.edit is not None
             assert first.edit.annotation.annotated == ("Middle line",)
             assert first.select == Selection("Circle left")
             context = ToolContext(first.edit.annotation, SIZE, 1.0, "Circle left")
             second = tool.key("Enter", context)
-            assert second.edit is not None
             assert second.edit.annotation.unconfirmed == ()
             assert second.finished
 
@@ -140,7 +136,6 @@ class TestDrawing:
         tool, context = DrawTool(), ToolContext(LINE, SIZE, 1.0, "Middle line", continues=True)
         tool.press((500, 500), PLAIN, context)
         edit = tool.finish(context).edit
-        assert edit is not None
         assert edit.label == "continue Middle line"
         assert px(edit.annotation) == [*px(LINE), [500, 500]]
 
@@ -153,7 +148,6 @@ class TestDrawing:
         tool, context = DrawTool(), ToolContext(FrameAnnotation(), SIZE, 1.0, "Circle left")
         tool.press((10, 20), PLAIN, context)
         edit = tool.finish(replace(context, selected_class="Circle right")).edit
-        assert edit is not None
         assert edit.annotation.annotated == ("Circle left",)
 
 
@@ -167,7 +161,6 @@ class TestEditing:
         assert preview is not None
         assert px(preview)[1] == [310, 100]
         edit = tool.release((323, 99), PLAIN, self.context).edit
-        assert edit is not None
         assert px(edit.annotation) == [[100, 100], [320, 101], [300, 300]]
         assert edit.label == "move Middle line"
 
@@ -185,7 +178,6 @@ class TestEditing:
         tool.press((100, 100), PLAIN, self.context)
         tool.move((-20, -30), PLAIN, self.context)
         edit = tool.release((-20, -30), PLAIN, self.context).edit
-        assert edit is not None
         assert px(edit.annotation)[0] == [-20, -30]
 
     def test_escape_puts_a_held_point_back(self) -> None:
@@ -200,11 +192,10 @@ class TestEditing:
         tool.press((100, 100), PLAIN, self.context)
         tool.move((200, 200), PLAIN, self.context)
         edit = tool.finish(self.context).edit
-        assert edit is not None
         assert px(edit.annotation)[0] == [200, 200]
 
     @pytest.mark.parametrize("alt", [False, True])
-    def test_undo_during_a_drag_is_not_taken_back_by_the_release(self, alt: bool) -> None:
+    def test_undo_during_a_drag_is_not_taken_back_by_the_release(self, alt) -> None:
         tool = EditTool()
         tool.press((200, 100) if alt else (100, 100), Modifiers(alt=alt), self.context)
         tool.move((240, 240), PLAIN, self.context)
@@ -218,7 +209,6 @@ class TestEditing:
         tool.press((100, 100), PLAIN, self.context)
         tool.move((120, 120), PLAIN, self.context)
         edit = tool.release((120, 120), PLAIN, self.context).edit
-        assert edit is not None
         assert edit.label == "move Middle line"
         assert px(edit.annotation) == [[120, 120], [300, 100], [300, 300]]
 
@@ -227,38 +217,32 @@ class TestEditing:
         reaction = tool.press((200, 104), Modifiers(alt=True), self.context)
         assert reaction.select == Selection("Middle line", 1)
         edit = tool.release((200, 104), PLAIN, self.context).edit
-        assert edit is not None
         assert px(edit.annotation) == [[100, 100], [200, 100], [300, 100], [300, 300]]
         assert edit.label == "insert a point in Middle line"
 
     def test_alt_shift_click_removes_and_the_last_point_takes_the_class(self) -> None:
         both = Modifiers(alt=True, shift=True)
         edit = EditTool().press((300, 101), both, self.context).edit
-        assert edit is not None
         assert px(edit.annotation) == [[100, 100], [300, 300]]
         single = ToolContext(annotated(Middle_line=[(5, 5)]), SIZE)
         edit = EditTool().press((5, 5), both, single).edit
-        assert edit is not None
         assert edit.annotation.annotated == ()
 
     @pytest.mark.parametrize(
         ("key", "step", "expected"),
         [("Left", 1.0, [299, 100]), ("Down", 0.1, [300, 100.1]), ("Up", 10.0, [300, 90])],
     )
-    def test_arrows_nudge(self, key: str, step: float, expected: list[float]) -> None:
+    def test_arrows_nudge(self, key, step, expected) -> None:
         context = replace(self.context, selected_point=("Middle line", 1))
         edit = EditTool().nudge(key, step, context).edit
-        assert edit is not None
         assert px(edit.annotation)[1] == expected
 
     def test_delete_removes_the_point_or_else_the_element(self) -> None:
         chosen = replace(self.context, selected_point=("Middle line", 2))
         reaction = EditTool().key("Delete", chosen)
-        assert reaction.edit is not None
         assert px(reaction.edit.annotation) == [[100, 100], [300, 100]]
         assert reaction.select == Selection("Middle line", 1)
         edit = EditTool().key("Delete", self.context).edit
-        assert edit is not None
         assert edit.annotation.annotated == ()
         assert not EditTool().key("Delete", ToolContext(LINE, SIZE)).handled
 
@@ -281,7 +265,6 @@ class TestDraggingBack:
         for place in way:
             tool.move(place, PLAIN, context)
         edit = tool.release(way[-1], PLAIN, context).edit
-        assert edit is not None
         return px(edit.annotation)[0], bool(edit.snapped)
 
     def test_across_the_line_it_stays_where_the_hand_puts_it(self) -> None:
@@ -301,35 +284,30 @@ class TestDraggingBack:
         tool.press((300.0, 100.0), Modifiers(alt=True), context)
         tool.move((300.0, 96.0), PLAIN, context)
         edit = tool.release((300.0, 97.0), PLAIN, context).edit
-        assert edit is not None
         assert px(edit.annotation)[1] == [300.0, 104.0]
 
 
 class TestHitting:
     @pytest.mark.parametrize("scale", [0.25, 1.0, 8.0, 64.0])
-    def test_the_radius_is_ten_pixels_of_the_screen(self, scale: float) -> None:
+    def test_the_radius_is_ten_pixels_of_the_screen(self, scale) -> None:
         near = (100 - 9.9 / scale, 100.0)
         far = (100 - 10.1 / scale, 100.0)
         hit = hit_test(LINE, SIZE, near, scale)
-        assert hit is not None
         assert (hit.kind, hit.index) == ("point", 0)
         assert hit_test(LINE, SIZE, far, scale) is None
 
     def test_points_win_over_segments_and_the_selected_class_over_others(self) -> None:
         hit = hit_test(LINE, SIZE, (108, 100), 1.0)
-        assert hit is not None
         assert hit.kind == "point"
         crossing = annotated(Middle_line=[(100, 100), (300, 100)], Circle_left=[(100, 100)])
         for name in ("Circle left", "Middle line"):
             hit = hit_test(crossing, SIZE, (101, 101), 1.0, prefer=name)
-            assert hit is not None
             assert hit.class_name == name
 
 
 @given(x=st.floats(-50, 1400), y=st.floats(-50, 800))
-def test_the_foot_is_on_the_polyline_and_no_farther_than_said(x: float, y: float) -> None:
+def test_the_foot_is_on_the_polyline_and_no_farther_than_said(x, y) -> None:
     hit = hit_test(LINE, SIZE, (x, y), 0.001)
-    assert hit is not None
     away = np.hypot(hit.foot[0] - x, hit.foot[1] - y) * 0.001
     assert away == pytest.approx(hit.distance_screen, abs=1e-6)
 
@@ -337,7 +315,7 @@ def test_the_foot_is_on_the_polyline_and_no_farther_than_said(x: float, y: float
 class TestHints:
     def say(self, mode: str, context: ToolContext | None, **options: object) -> str:
         draw, edit = options.pop("draw", DrawTool()), options.pop("edit", EditTool())
-        return status_hint(mode, draw, edit, context, FIELD, **options)  # type: ignore[arg-type]
+        return status_hint(mode, draw, edit, context, FIELD, **options)
 
     def test_every_state_says_what_comes_next(self) -> None:
         empty = ToolContext(FrameAnnotation(), SIZE)
@@ -381,7 +359,6 @@ class TestSpots:
         tool = DrawTool()
         assert "click marks it" in status_hint("draw", tool, EditTool(), self.context(), FIELD)
         reaction = tool.press((10.25, 20.5), PLAIN, self.context())
-        assert reaction.edit is not None
         assert px(reaction.edit.annotation, self.MARK) == [[10.25, 20.5]]  # and no line is near
         assert reaction.finished
         assert not tool.busy
@@ -403,7 +380,6 @@ class TestSpots:
         again = replace(self.context(there), continues=True)
         assert "click moves it here" in status_hint("draw", tool, EditTool(), again, FIELD)
         edit = tool.press((30, 40), PLAIN, again).edit
-        assert edit is not None
         assert edit.label.startswith("move ")
         assert px(edit.annotation, self.MARK) == [[30, 40]]
 
@@ -412,5 +388,96 @@ class TestSpots:
         tool.press((100, 100), PLAIN, context)
         tool.move((140, 120), PLAIN, context)
         edit = tool.release((140, 120), PLAIN, context).edit
-        assert edit is not None
         assert px(edit.annotation, self.MARK) == [[140, 120]]
+
+
+# What is under the cursor, against a search by plain arithmetic.
+
+HIT_SIZE = (640, 360)
+
+coordinates = st.integers(-20, 660)
+positions = st.tuples(coordinates, coordinates)
+frames = st.lists(st.lists(positions, max_size=5), max_size=4).map(
+    lambda polylines: FrameAnnotation(
+        tuple(
+            Polyline(f"class {i}", tuple(point_from_px(x, y, HIT_SIZE) for x, y in points))
+            for i, points in enumerate(polylines)
+        )
+    )
+)
+
+
+def to_segment(at: tuple[float, float], a: list[float], b: list[float]) -> float:
+    dx, dy = b[0] - a[0], b[1] - a[1]
+    squared = dx * dx + dy * dy
+    t = 0.0 if squared == 0 else ((at[0] - a[0]) * dx + (at[1] - a[1]) * dy) / squared
+    t = min(1.0, max(0.0, t))
+    return math.hypot(at[0] - a[0] - t * dx, at[1] - a[1] - t * dy)
+
+
+def targets(
+    annotation: FrameAnnotation, at: tuple[float, float]
+) -> dict[str, dict[tuple[str, int], float]]:
+    """Distance to every target, picture px."""
+    found: dict[str, dict[tuple[str, int], float]] = {"point": {}, "segment": {}}
+    for polyline in annotation:
+        points = points_px(polyline, HIT_SIZE).tolist()
+        for i, point in enumerate(points):
+            found["point"][polyline.class_name, i] = math.dist(at, point)
+        for i in range(len(points) - 1):
+            found["segment"][polyline.class_name, i] = to_segment(at, points[i], points[i + 1])
+    return found
+
+
+@settings(max_examples=150)
+@given(frames, positions, st.sampled_from([0.25, 1.0, 8.0]))
+def test_the_nearest_point_in_reach_else_the_nearest_segment(annotation, at, scale) -> None:
+    hit = hit_test(annotation, HIT_SIZE, at, scale)
+    found = targets(annotation, at)
+    for kind in ("point", "segment"):
+        nearest = min(found[kind].values(), default=math.inf) * scale
+        if nearest == pytest.approx(10.0, abs=1e-6):
+            return  # on the rim of the radius rounding decides
+        if nearest < 10.0:
+            assert hit.kind == kind
+            assert hit.distance_screen == pytest.approx(nearest, abs=1e-6)
+            own = found[kind][hit.class_name, hit.index] * scale
+            assert own == pytest.approx(nearest, abs=1e-6)
+            assert math.dist(hit.foot, at) * scale == pytest.approx(nearest, abs=1e-6)
+            return
+    assert hit is None
+
+
+def test_the_selected_class_out_of_reach_does_not_hide_another_in_reach() -> None:
+    annotation = FrameAnnotation(
+        (
+            Polyline("near", (point_from_px(109.9, 100, HIT_SIZE),)),
+            Polyline("selected", (point_from_px(89.8, 100, HIT_SIZE),)),
+        )
+    )
+    hit = hit_test(annotation, HIT_SIZE, (100, 100), 1.0, prefer="selected")
+    assert hit.class_name == "near"
+
+
+def test_nothing_lies_between_two_polylines() -> None:
+    annotation = FrameAnnotation(
+        (
+            Polyline("left", (point_from_px(0, 0, HIT_SIZE), point_from_px(100, 0, HIT_SIZE))),
+            Polyline("empty", ()),
+            Polyline("right", (point_from_px(300, 0, HIT_SIZE), point_from_px(400, 0, HIT_SIZE))),
+        )
+    )
+    assert hit_test(annotation, HIT_SIZE, (200, 0), 1.0) is None
+    hit = hit_test(annotation, HIT_SIZE, (350, 3), 1.0)
+    assert (hit.class_name, hit.kind, hit.index) == ("right", "segment", 0)
+
+
+def test_points_that_coincide_can_be_hit() -> None:
+    twice = FrameAnnotation((Polyline("spot", (Point(0.5, 0.5), Point(0.5, 0.5))),))
+    x, y = points_px(twice.polylines[0], HIT_SIZE)[0].tolist()
+    hit = hit_test(twice, HIT_SIZE, (x + 1, y), 1.0)
+    assert hit.kind == "point"
+
+
+def test_an_empty_frame_has_nothing_to_hit() -> None:
+    assert hit_test(FrameAnnotation(), HIT_SIZE, (5, 5), 1.0, prefer="Middle line") is None

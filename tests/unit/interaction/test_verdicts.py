@@ -77,7 +77,7 @@ def layer(found: Overlay, name: str, colour: str) -> np.ndarray:
 
 @pytest.mark.parametrize("protocol", ["soccernet", "procc"])
 @pytest.mark.parametrize("camera", CAMERAS)
-def test_every_visible_piece_is_drawn_and_no_gap_is_bridged(camera: str, protocol: str) -> None:
+def test_every_visible_piece_is_drawn_and_no_gap_is_bridged(camera, protocol) -> None:
     measurement = measure(FrameAnnotation(), CAMERAS[camera], setup(protocol))
     found = scored_frame(measurement, score(measurement, 5.0), SIZE)
     pieces = measurement.projected.pieces
@@ -193,7 +193,6 @@ def test_a_draft_continues_where_the_element_ends() -> None:
     np.testing.assert_allclose(band, [[end.u * 1279, end.v * 719, 50, 60]])
     one = Draft("Side line right", ((70.0, 80.0),), (50.0, 60.0))
     element = FIELD.element("Side line right")
-    assert element is not None
     drawn = layer(judged(annotation, draft=one), "draft", element.colour)
     np.testing.assert_allclose(drawn, [[end.u * 1279, end.v * 719, 70, 80], [70, 80, 50, 60]])
 

@@ -21,7 +21,7 @@ HD = (960, 540)
 
 
 def projected(field: Field, camera: object, size: tuple[int, int]) -> Polylines:
-    return project_curves(camera, field, ElementCurves.of(field), size).in_sight  # type: ignore[arg-type]
+    return project_curves(camera, field, ElementCurves.of(field), size).in_sight
 
 
 def test_the_centre_circle_is_closed(one_line, map_camera):
@@ -89,7 +89,7 @@ def level_camera(**changes: object) -> PinholeCamera:
         "focal_px": (500.0, 500.0),
         "principal_point_px": (480.0, 270.0),
     }
-    return PinholeCamera(**(values | changes))  # type: ignore[arg-type]
+    return PinholeCamera(**(values | changes))
 
 
 def test_a_line_passing_below_the_camera_reaches_the_border(one_line):
@@ -130,7 +130,7 @@ def test_pixels_that_are_not_finite_count_as_not_seen(one_line):
         def project(self, points_world: FloatArray) -> tuple[FloatArray, FloatArray]:
             px = points_world[:, :2].copy()
             px[px[:, 0] > 30] = np.nan
-            return px, np.ones(len(px), bool)  # type: ignore[return-value]
+            return px, np.ones(len(px), bool)
 
     field = one_line(Line((10.0, 10.0, 0.0), (90.0, 10.0, 0.0)))
     (piece,) = projected(field, Holed(), SIZE).pieces_of(0)
@@ -143,7 +143,7 @@ def test_a_camera_of_coarse_numbers_still_gives_one_piece(one_line):
     class Single:
         def project(self, points_world: FloatArray) -> tuple[FloatArray, FloatArray]:
             px = (points_world[:, :2] * 7.3 + 411.7).astype(np.float32).astype(float)
-            return px, np.ones(len(px), bool)  # type: ignore[return-value]
+            return px, np.ones(len(px), bool)
 
     field = one_line(Line((-100.0, -31.0, 0.0), (200.0, 17.0, 0.0)))
     (piece,) = projected(field, Single(), HD).pieces_of(0)

@@ -242,15 +242,13 @@ def world_cup(shared_data: Path, method: str):
     references = CameraSet.open(wc14 / "homographies_carwc")
     for frame in cameras.frames:
         camera, reference = (s.camera(frame, SIZE) for s in (cameras, references))
-        assert camera is not None
-        assert reference is not None
         yield frame, camera.camera, reference.camera
 
 
 @pytest.mark.parametrize(
     ("method", "whole", "part"), [("pnlcalib", 0.919, 0.977), ("nbjw", 0.915, 0.975)]
 )
-def test_published_methods_on_the_world_cup(shared_data: Path, soccer, method, whole, part):
+def test_published_methods_on_the_world_cup(shared_data, soccer, method, whole, part):
     """Within what is published for methods of this class: 96-98 % in part, 91-93 % as a whole."""
     frames = list(world_cup(shared_data, method))
     found = {name: legacy_metrics(c, r, soccer, SIZE) for name, c, r in frames}

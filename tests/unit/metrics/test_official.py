@@ -178,9 +178,7 @@ sample = st.one_of(st.none(), st.tuples(coordinate, coordinate))
 
 @settings(derandomize=True, deadline=None)
 @given(st.lists(st.lists(sample, min_size=1, max_size=12), min_size=1, max_size=4))
-def test_all_elements_at_once_agree_with_the_plain_walk(
-    elements: list[list[tuple[float, float] | None]],
-):
+def test_all_elements_at_once_agree_with_the_plain_walk(elements):
     flat = [s for samples in elements for s in samples]
     px = np.array([s or (0.0, 0.0) for s in flat], dtype=float)
     valid = np.array([s is not None for s in flat])

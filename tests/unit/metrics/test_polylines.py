@@ -81,9 +81,7 @@ polyline = st.lists(place, min_size=1, max_size=15, unique=True)
 
 @settings(derandomize=True, deadline=None)
 @given(st.lists(polyline, min_size=1, max_size=4), st.lists(place, min_size=1, max_size=6))
-def test_distances_agree_with_brute_force_and_feet_lie_there(
-    elements: list[list[tuple[float, float]]], points: list[tuple[float, float]]
-):
+def test_distances_agree_with_brute_force_and_feet_lie_there(elements, points):
     counts = [len(e) for e in elements]
     owner = np.repeat(np.arange(len(elements)), counts)
     is_end = np.zeros(len(owner), dtype=bool)

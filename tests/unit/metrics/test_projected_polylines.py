@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -35,9 +34,7 @@ def given(**pieces: list[list[tuple[float, float]]]) -> ElementProjections:
 
 
 @pytest.mark.parametrize("protocol", ["soccernet", "procc"])
-def test_the_polylines_of_a_camera_score_as_the_camera_does(
-    protocol: str, sample_data: Path
-) -> None:
+def test_the_polylines_of_a_camera_score_as_the_camera_does(protocol, sample_data) -> None:
     setup = SETUPS[protocol]
     compared = 0
     for file in sorted(sample_data.glob("*.json")):

@@ -17,7 +17,7 @@ def luminance(colour: str) -> float:
 
 @pytest.mark.parametrize("page", PAGES)
 @pytest.mark.parametrize("colour", [*SOURCE_COLOURS, "#000000", "#ffffff", "#16181b"])
-def test_every_line_stands_out_from_the_page(colour: str, page: str) -> None:
+def test_every_line_stands_out_from_the_page(colour, page) -> None:
     dark, light = sorted((luminance(readable_on_both_themes(colour)), luminance(page)))
     assert (light + 0.05) / (dark + 0.05) >= 3.0
 

@@ -30,7 +30,7 @@ TAU = 5.03  # the curves have no such place
 
 
 @pytest.fixture
-def drawn(monkeypatch: pytest.MonkeyPatch) -> dict[str, Figure]:
+def drawn(monkeypatch) -> dict[str, Figure]:
     """The figures that were drawn, by title, as matplotlib has them."""
     from matplotlib.figure import Figure  # only where charts are drawn: it is large
 
@@ -69,7 +69,7 @@ def report_of(*sources: list[ReportedFrame]) -> AuditReport:
     setup = EvaluationSetup(load_field("soccer"))
     named = [
         # Whoever has a summary has figures; what they are is of no interest here.
-        ReportedSource(f"source {at}", "folder", "auto", {TAU: None}, "", frames=tuple(frames))  # type: ignore[dict-item]
+        ReportedSource(f"source {at}", "folder", "auto", {TAU: None}, "", frames=tuple(frames))
         for at, frames in enumerate(sources)
     ]
     return AuditReport("set", setup, (TAU,), tuple(named))
@@ -84,7 +84,7 @@ B: list[float | None] = [0.5, 0.8, 0.75, 0.1, 1.0, None]
 BOTH = [(50, 50), (100, 80), (25, 75), (100, 100)]
 
 
-def test_the_ordered_curve_has_the_frames_values(drawn: dict[str, Figure]) -> None:
+def test_the_ordered_curve_has_the_frames_values(drawn) -> None:
     report = report_of(several(A), several(B))
     charts.frame_charts(report, charted_sources(report, COLOURS))
     violins, curves = drawn["How the JaC of frames is distributed"].axes
@@ -99,9 +99,7 @@ def test_the_ordered_curve_has_the_frames_values(drawn: dict[str, Figure]) -> No
     np.testing.assert_allclose(medians, [75, 75], atol=1e-4)
 
 
-def test_the_scatter_has_the_pairs_and_the_curve_their_differences(
-    drawn: dict[str, Figure],
-) -> None:
+def test_the_scatter_has_the_pairs_and_the_curve_their_differences(drawn) -> None:
     report = report_of(several(A), several(B))
     charts.frame_charts(report, charted_sources(report, COLOURS))
     scatter, ordered = drawn["Two sources, frame by frame"].axes
@@ -115,7 +113,7 @@ def test_the_scatter_has_the_pairs_and_the_curve_their_differences(
 
 
 @pytest.mark.parametrize("copies", [1, 10, 400])
-def test_marks_of_many_frames_do_not_hide_each_other(drawn: dict[str, Figure], copies: int) -> None:
+def test_marks_of_many_frames_do_not_hide_each_other(drawn, copies) -> None:
     report = report_of(several(copies * A + [0.9]), several(copies * B + [0.9]))
     charts.frame_charts(report, charted_sources(report, COLOURS))
     (marks,) = drawn["Two sources, frame by frame"].axes[0].collections
@@ -127,7 +125,7 @@ def test_marks_of_many_frames_do_not_hide_each_other(drawn: dict[str, Figure], c
 
 @pytest.mark.parametrize(("frames", "beside_each_other"), [(300, True), (301, False)])
 def test_frames_are_beside_each_other_only_where_they_can_be_told_apart(
-    drawn: dict[str, Figure], frames: int, beside_each_other: bool
+    drawn, frames, beside_each_other
 ) -> None:
     rng = np.random.default_rng(1)
     values = rng.integers(0, 11, frames) / 10
@@ -143,7 +141,7 @@ def test_frames_are_beside_each_other_only_where_they_can_be_told_apart(
     assert len(pan.get_xdata()) == (frames if beside_each_other else 100)
 
 
-def test_no_outlier_is_lost_in_a_stretch(drawn: dict[str, Figure]) -> None:
+def test_no_outlier_is_lost_in_a_stretch(drawn) -> None:
     frames = several([1.0] * 1454)
     frames[700] = reported("00700", 1.0, pan=-90.0)
     charts.draw_charts(report_of(frames), COLOURS)
@@ -153,7 +151,7 @@ def test_no_outlier_is_lost_in_a_stretch(drawn: dict[str, Figure]) -> None:
     assert corners[:, 1].max() == pytest.approx(6)
 
 
-def test_frames_have_the_score_of_the_threshold_that_is_named(drawn: dict[str, Figure]) -> None:
+def test_frames_have_the_score_of_the_threshold_that_is_named(drawn) -> None:
     frames = several(A)
     exact = [
         replace(f, figures={TAU: replace(f.figures[TAU], jac=0.125)}) if f.figures else f

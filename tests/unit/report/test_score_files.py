@@ -60,7 +60,7 @@ def written(setup: EvaluationSetup, results: list[FrameResult], *, ground_only: 
 
 
 @pytest.mark.parametrize("count", [0, 1, 3])
-def test_json_of_any_length_is_valid(setup: EvaluationSetup, count: int) -> None:
+def test_json_of_any_length_is_valid(setup, count) -> None:
     scores = json.loads(written(setup, [result(setup, 5.0)] * count, ground_only=False))
     assert len(scores["images"]) == count
     assert scores["field"] == scores["field_name"] == setup.field.name
@@ -68,11 +68,11 @@ def test_json_of_any_length_is_valid(setup: EvaluationSetup, count: int) -> None
     assert "off_plane" not in scores
 
 
-def test_off_plane_choice_is_reported_where_it_matters(setup: EvaluationSetup) -> None:
+def test_off_plane_choice_is_reported_where_it_matters(setup) -> None:
     assert json.loads(written(setup, [], ground_only=True))["off_plane"] == "missed"
 
 
-def test_elements_carry_verdict_and_distances(setup: EvaluationSetup) -> None:
+def test_elements_carry_verdict_and_distances(setup) -> None:
     entry = json.loads(json_fragment(result(setup, 5.0, 2.5)))
     assert entry["name"] == 'a "quoted", name'
     elements = entry["results"]["5"]["elements"]
@@ -84,7 +84,7 @@ def test_elements_carry_verdict_and_distances(setup: EvaluationSetup) -> None:
     assert entry["results"]["2.5"]["elements"].keys() == elements.keys()
 
 
-def test_undefined_distances_become_null(setup: EvaluationSetup) -> None:
+def test_undefined_distances_become_null(setup) -> None:
     measurement = measure(ANNOTATION, CAMERA, setup)
     measurement.plain.all_distances[:] = np.nan
     (mirrored,) = measurement.mirrored
@@ -96,7 +96,7 @@ def test_undefined_distances_become_null(setup: EvaluationSetup) -> None:
     assert entry["elements"]["Middle line"]["distances"] == [None, None]
 
 
-def test_csv_rows_survive_any_name(setup: EvaluationSetup) -> None:
+def test_csv_rows_survive_any_name(setup) -> None:
     stream = io.BytesIO()
     scores = CsvScores(stream)
     scores.begin()
@@ -108,7 +108,7 @@ def test_csv_rows_survive_any_name(setup: EvaluationSetup) -> None:
 
 
 @pytest.mark.parametrize(("threshold", "key"), [(5.0, "5"), (2.5, "2.5"), (20, "20"), (0.1, "0.1")])
-def test_shortests(threshold: float, key: str) -> None:
+def test_shortests(threshold, key) -> None:
     assert shortest_number(threshold) == key
 
 
@@ -118,7 +118,7 @@ def test_only_known_endings() -> None:
         score_format(Path("scores.txt"))
 
 
-def test_elements_in_the_file_are_those_of_the_score(setup: EvaluationSetup) -> None:
+def test_elements_in_the_file_are_those_of_the_score(setup) -> None:
     """The file is written from arrays; the window shows `FrameScore.elements`."""
     frame = result(setup, 0.5, 3.0, 30.0)
     entry = json.loads(json_fragment(frame))

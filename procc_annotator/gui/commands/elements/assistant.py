@@ -16,10 +16,9 @@ from procc_annotator.dataset.frames import Frame
 from procc_annotator.dataset.records import OriginKind, PointKey
 from procc_annotator.field.geometry import Arc, Circle, Line
 from procc_annotator.field.model import BAR
-from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.background import JobControl, LatestOnlyTask, Priority
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.worker import JobControl
 from procc_annotator.image.decoding import decode_bgra
 from procc_annotator.image.line_snapping import snap_points_to_lines
 from procc_annotator.image.pixels import PixelArray
@@ -68,7 +67,9 @@ class Assistant(QObject):
     def __init__(self, document: Document, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._document = document
-        self._work = Latest(self, lambda text: document.say(text, "warning"), urgent=True)
+        self._work = LatestOnlyTask(
+            self, lambda text: document.say(text, "warning"), priority=Priority.URGENT
+        )
         self._doing = _REGULARISING  # what is worked out
         document.store.watch(select.frame, self._leave)
 

@@ -13,11 +13,10 @@ from procc_annotator.assist.frame_analysis import FrameAnalysis
 from procc_annotator.assist.ghost_points import GhostPoints, accept, accept_all, find_points
 from procc_annotator.calibration.prediction.ghosts import Ghost
 from procc_annotator.dataset.records import OriginKind
-from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.settings import GHOST_SUPPORT, Settings
+from procc_annotator.gui.state.background import JobControl, LatestOnlyTask, Priority
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.messages import Level
-from procc_annotator.gui.worker import JobControl
 from procc_annotator.translation import (
     TranslatableText,
     tr,
@@ -64,7 +63,9 @@ class GhostAccepting(QObject):
         self._document = document
         self._window = window
         self._settings = settings
-        self._looking = Latest(self, lambda text: self.drop(text, "warning"), urgent=True)
+        self._looking = LatestOnlyTask(
+            self, lambda text: self.drop(text, "warning"), priority=Priority.URGENT
+        )
         self._asked: _Accepting | None = None  # what is looked for
         self._where = ""  # the frame that is being left
         document.ghosts.changed.connect(self._look)

@@ -21,9 +21,9 @@ from procc_annotator.gui.commands.elements.element_edits import ElementEdits
 from procc_annotator.gui.digit_row import keys_by_place
 from procc_annotator.gui.element_keys import element_keys
 from procc_annotator.gui.keymap import NATIVE
-from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.panels.states import class_swatch
 from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.background import LatestOnlyTask, Priority
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interaction.class_choice import next_element, rank_classes
 from procc_annotator.translation import tr
@@ -65,7 +65,9 @@ class Naming(QObject):
         self._document, self._canvas, self._edits = document, canvas, edits
         self.menu: QMenu | None = None
         self._fit: FitResult | None = None  # the last camera of this frame
-        self._looking = Latest(self, lambda text: document.say(text, "error"), urgent=True)
+        self._looking = LatestOnlyTask(
+            self, lambda text: document.say(text, "error"), priority=Priority.URGENT
+        )
         canvas.editor.lineFinished.connect(self._ask_soon)
         document.store.watch(select.frame, self._forget)
         document.foresight.changed.connect(self._learn)

@@ -19,8 +19,8 @@ from procc_annotator.gui.commands.dialog_task import DialogTask
 from procc_annotator.gui.commands.field.dimensions_dialog import FieldDimensionsDialog
 from procc_annotator.gui.messages import as_sentence
 from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.background import JobControl
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.worker import JobControl
 from procc_annotator.gui.writing import opened_frame
 from procc_annotator.translation import tr, tr_count
 

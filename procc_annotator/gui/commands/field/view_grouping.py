@@ -16,8 +16,8 @@ from procc_annotator.dataset.layout import VIEWS_FILE
 from procc_annotator.errors import UsageError
 from procc_annotator.gui.commands.dialog_task import DialogTask
 from procc_annotator.gui.commands.field.view_dialog import Preview, ViewDialog
-from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.messages import as_sentence, ask_to_replace
+from procc_annotator.gui.state.background import LatestOnlyTask, Priority
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.writing import opened_frame
 from procc_annotator.translation import tr, tr_count, word
@@ -32,9 +32,11 @@ class ViewGrouping(DialogTask):
     dialog: ViewDialog | None
 
     def __init__(self, document: Document, parent: QWidget) -> None:
-        super().__init__(document, parent, urgent=True)
+        super().__init__(document, parent, priority=Priority.URGENT)
         self._names: tuple[str, ...] = ()
-        self._writing = Latest(self, lambda text: self._fail(as_sentence(text)), urgent=True)
+        self._writing = LatestOnlyTask(
+            self, lambda text: self._fail(as_sentence(text)), priority=Priority.URGENT
+        )
         self._settled = QTimer(self, singleShot=True, interval=_SETTLED_MS)
         self._settled.timeout.connect(self._look)
 

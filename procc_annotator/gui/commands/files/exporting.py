@@ -10,8 +10,8 @@ from PySide6.QtWidgets import QWidget
 from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.dataset.workspace import Workspace, dataset_frames
 from procc_annotator.formats.atomic import write_atomic
+from procc_annotator.gui.state.background import JobControl, run_in_background
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.worker import JobControl, run_in_background
 from procc_annotator.gui.writing import ask_where, opened_frame, write
 from procc_annotator.report.export import Exported, Scoring, export_dataset, export_scores
 from procc_annotator.report.provenance import export_provenance

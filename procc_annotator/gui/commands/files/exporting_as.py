@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QTimer
 
 from procc_annotator.gui.commands.dialog_task import DialogTask
-from procc_annotator.gui.worker import JobControl
+from procc_annotator.gui.state.background import JobControl
 from procc_annotator.gui.writing import opened_frame
 from procc_annotator.translation import tr, tr_count
 

@@ -12,9 +12,9 @@ from procc_annotator.batch.calibration import fitted_folder, save_fit
 from procc_annotator.calibration.result import ill_conditioned_reason
 from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.errors import ProccError
+from procc_annotator.gui.state.background import JobControl, Priority, run_in_background
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.worker import JobControl, run_in_background
 from procc_annotator.gui.writing import opened_frame
 from procc_annotator.translation import tr
 
@@ -91,7 +91,7 @@ class FitSaving(QObject):
             on_result=self._tell,
             on_error=lambda text: document.say(text, "error"),
             owner=self,
-            writes=True,
+            priority=Priority.IMMEDIATE,
         )
 
     def _tell(self, saved: _Saved) -> None:

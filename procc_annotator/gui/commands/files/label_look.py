@@ -19,8 +19,8 @@ from procc_annotator.formats.annotations.label_map import (
     label_map_text,
 )
 from procc_annotator.formats.atomic import write_atomic
+from procc_annotator.gui.state.background import JobControl
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.worker import JobControl
 
 if TYPE_CHECKING:
     from procc_annotator.assist.label_proposal import LabelProposal

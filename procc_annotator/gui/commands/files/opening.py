@@ -12,8 +12,8 @@ from procc_annotator.dataset.layout import copy_sample, has_pictures
 from procc_annotator.errors import InputError
 from procc_annotator.field.model import Field
 from procc_annotator.gui.commands.files.video_opening import VideoOpening, keep_video_frame
-from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.settings import CAMERAS, FOLDER, RECENT, SECOND, Setting, Settings
+from procc_annotator.gui.state.background import LatestOnlyTask
 from procc_annotator.gui.state.document import Document
 from procc_annotator.image.headers import PICTURE_SUFFIXES, VIDEO_SUFFIXES
 from procc_annotator.translation import tr
@@ -38,7 +38,7 @@ class OpeningTask(QObject):
         self._document = document
         self._settings = settings
         self._window = window
-        self._copying = Latest(self, lambda why: document.say(why, "warning"))
+        self._copying = LatestOnlyTask(self, lambda why: document.say(why, "warning"))
         self.video = VideoOpening(document, window, self._remember)
 
     def open_path(

@@ -14,8 +14,8 @@ from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.errors import ProccError
 from procc_annotator.gui.settings import SOURCES, Settings
 from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.background import JobControl, run_in_background
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.worker import JobControl, run_in_background
 from procc_annotator.translation import tr
 
 

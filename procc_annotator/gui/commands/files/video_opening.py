@@ -27,11 +27,10 @@ from procc_annotator.errors import FieldError
 from procc_annotator.field.load import field_titles, load_field
 from procc_annotator.field.model import Field
 from procc_annotator.gui.decimal_box import DecimalBox
-from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.panels.parts import choice
 from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.worker import JobControl
 from procc_annotator.gui.writing import write
 from procc_annotator.image.video import Video, frames_at_interval, open_shared_video, scene_cuts
 from procc_annotator.translation import tr, tr_count
@@ -99,7 +98,7 @@ class VideoOpening:
         self._document = document
         self._parent = parent
         self._opened = opened
-        self._work = Latest(document, self._fail)
+        self._work = LatestOnlyTask(document, self._fail)
         self._progress: QProgressDialog | None = None
         # Anyone who opened something else meanwhile does not want the video any more.
         document.store.watch(select.dataset, self.cancel)

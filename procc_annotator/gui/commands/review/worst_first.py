@@ -16,11 +16,10 @@ from procc_annotator.batch.triage import (
     set_disagreement,
     worst_frames_first,
 )
-from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.worker import JobControl
 from procc_annotator.translation import tr, word
 
 Order = Literal["jac", "error", "disagreement"]
@@ -61,8 +60,8 @@ class WorstFirst(QObject):
         self._document = document
         self._walk: _Walk | None = None
         self._kept: dict[tuple[object, ...], SetDisagreement] = {}
-        self._ranking = Latest(self, lambda text: document.say(text, "error"))
-        self._comparing = Latest(self, self._not_compared)
+        self._ranking = LatestOnlyTask(self, lambda text: document.say(text, "error"))
+        self._comparing = LatestOnlyTask(self, self._not_compared)
         document.store.watch(select.dataset, self._forget)
         document.store.watch(select.cameras, self._forget_removed)
 

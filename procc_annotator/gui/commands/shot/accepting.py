@@ -20,11 +20,10 @@ from procc_annotator.dataset.sequence import FrameSequence
 from procc_annotator.errors import ImageError
 from procc_annotator.field.load import field_for_frame
 from procc_annotator.field.model import Field
-from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.editing.batch_edits import EditedFrames, ManyEdits, edit_frame
-from procc_annotator.gui.worker import JobControl
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.translation import tr, tr_count, translatable, word
 
@@ -91,7 +90,7 @@ class StretchAccepting(QObject):
         super().__init__(parent)
         self._document, self._least_support = document, least_support
         self.marked: Callable[[], tuple[int, int] | None] = lambda: None
-        self._looking = Latest(self, self._fail)
+        self._looking = LatestOnlyTask(self, self._fail)
         self._far = (0, 0)
         self._found: dict[int, FrameAnnotation] = {}
         self._put: dict[int, FrameAnnotation] = {}  # what frames held once they were edited

@@ -26,10 +26,9 @@ from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import CameraError
 from procc_annotator.field.load import field_for_frame, field_for_stadium, stadium_of
 from procc_annotator.field.model import Field
-from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.background import JobControl, LatestOnlyTask, Stopped
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.worker import JobControl, Stopped
 from procc_annotator.translation import tr, tr_count
 
 
@@ -71,7 +70,7 @@ class ShotFollowing(QObject):
         super().__init__(parent)
         self._document = document
         self.marked: Callable[[], tuple[int, int] | None] = lambda: None
-        self._work = Latest(self, self._fail)
+        self._work = LatestOnlyTask(self, self._fail)
         self._far = (0, 0)
         self._corrected: dict[int, None] = {}  # numbers of anchors, in the order of their edits
         self._skipped_frames = (
@@ -119,7 +118,7 @@ class ShotFollowing(QObject):
 
     def stop(self) -> None:
         """Follow no further; the frames that came stay."""
-        if self._work.cut_short():
+        if self._work.stop_keep_partial():
             self.changed.emit()
             self._document.shot_track.keep()
             self._document.say(
@@ -180,7 +179,7 @@ class ShotFollowing(QObject):
             lambda control: _follow(asked, control),
             lambda track: self._take(track, is_shot=within is None),
             progress=self._advance,
-            parts=document.shot_track.put,
+            partial=document.shot_track.put,
         )
         self.changed.emit()
 
@@ -298,7 +297,7 @@ def _follow(asked: _Asked, control: JobControl) -> Track:
     def on_frame(frame: TrackedFrame) -> None:
         nonlocal done
         done += 1
-        control.hand_over(frame)
+        control.emit_partial(frame)
         control.progress(done, total)
 
     sequence = asked.sequence

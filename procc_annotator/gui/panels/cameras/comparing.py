@@ -65,7 +65,7 @@ class ComparingSection(QWidget):
                 self.other.addItem(icon, source.name, source)
             self.other.setCurrentIndex(others.index(compared) if compared is not None else -1)
         self.other.setEnabled(compared is not None)
-        wanted = compared is not None or document.disagreement.wanted
+        wanted = compared is not None or document.disagreement.enabled
         self.setVisible(wanted and bool(document.state.sources))
         found = document.disagreement.value
         self.figures.show_found(found)

@@ -27,8 +27,8 @@ from procc_annotator.gui.panels.parts import (
     scrolling,
     show_note,
 )
-from procc_annotator.gui.panels.refresher import Refresher, judged
 from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.selectors import judged
 from procc_annotator.metrics.setup import OFF_PLANE, PROTOCOLS
 from procc_annotator.translation import tr, word
 
@@ -49,9 +49,9 @@ class CamerasPanel(QWidget):
         self.setObjectName("cameras_panel")
         self._document = document
         self._build()
-        self._refresher = Refresher(self, self._refresh, interval_ms=60)
-        self._refresher.follow(
-            document.store,
+        self._refresher = document.store.watch_visible(
+            self,
+            self._refresh,
             lambda s: (judged(s), s.looks, s.compared, s.blind),
             document.store.events.sourceAuditsChanged,
             document.source_frames.changed,

@@ -33,7 +33,6 @@ from procc_annotator.gui.panels.field_map.placement import MapView, Placement, n
 from procc_annotator.gui.panels.field_map.shape import FieldShape
 from procc_annotator.gui.panels.field_map.signs import paint_badge, paint_spot
 from procc_annotator.gui.panels.findings.signs import findings_by_element, reasons_of
-from procc_annotator.gui.panels.refresher import Refresher, judged
 from procc_annotator.gui.panels.states import (
     EXPLANATIONS,
     ElementState,
@@ -43,6 +42,7 @@ from procc_annotator.gui.panels.states import (
 )
 from procc_annotator.gui.roles import give_role
 from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.selectors import judged
 from procc_annotator.gui.theme import muted
 from procc_annotator.interaction import palette as tones
 from procc_annotator.translation import tr
@@ -88,17 +88,18 @@ class FieldMapPanel(QWidget):
         self._findings: Mapping[str, tuple[StoredFinding, ...]] = {}
         self._view = MapView()
         self._drawn: tuple[tuple[object, ...], Placement] | None = None
-        self._refresher = Refresher(self, self._refresh, interval_ms=30)
-        self._refresher.follow(
-            document.store,
+        self._refresher = document.store.watch_visible(
+            self,
+            self._refresh,
             judged,
             document.review.notVisibleChanged,
             document.label_check.changed,
             document.ghosts.changed,
         )
         # After the canvas was painted, too: no one looks at the map first.
-        Refresher(self, self.update).follow(
-            document.store,
+        document.store.watch_visible(
+            self,
+            self.update,
             lambda s: (s.selection, s.hovered_class, s.projection_visible),
             document.disagreement.changed,
             document.uncertainty.changed,

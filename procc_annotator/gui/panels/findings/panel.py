@@ -29,7 +29,6 @@ from procc_annotator.gui.panels.findings.rows import (
 )
 from procc_annotator.gui.panels.findings.words import frame_words, set_words, so_many
 from procc_annotator.gui.panels.parts import empty_state, note_label, show_note
-from procc_annotator.gui.panels.refresher import Refresher
 from procc_annotator.gui.state.document import Document
 from procc_annotator.translation import tr, tr_count
 
@@ -55,9 +54,9 @@ class FindingsPanel(QWidget):
         self._check = document.label_check
         self._following = False
         self._build()
-        self._refresher = Refresher(self, self._refresh, interval_ms=60)
-        self._refresher.follow(
-            document.store,
+        self._refresher = document.store.watch_visible(
+            self,
+            self._refresh,
             lambda s: (s.workspace, s.frame_index, s.field, s.projection_visible),
             self._check.changed,
             self._check.framesChanged,

@@ -12,11 +12,10 @@ from procc_annotator.dataset.filter_query import FrameFacts, FrameQuery, parse_q
 from procc_annotator.dataset.records import FrameRecord, Status, Verdict
 from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import InputError, UsageError
-from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.scoring.dataset_scores import FrameScores
-from procc_annotator.gui.worker import JobControl
 
 _MANY = 500  # frames that are asked on the interface thread at most
 
@@ -33,7 +32,7 @@ class FrameFilter(QObject):
         self._text = ""
         self._query = parse_query("", document.state.field)
         document.store.watch(select.field, lambda: self.set_text(self._text))
-        self._searching = Latest(self, self.problem.emit)
+        self._searching = LatestOnlyTask(self, self.problem.emit)
 
     @property
     def depends_on_work(self) -> bool:

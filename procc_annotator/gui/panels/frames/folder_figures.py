@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from procc_annotator.dataset.frames import Folder
 from procc_annotator.dataset.records import Status
-from procc_annotator.gui.soon import soon
+from procc_annotator.gui.state.background import after_paint
 from procc_annotator.gui.state.document import Document
 
 _BUDGET_S = 0.003
@@ -32,7 +32,7 @@ class FolderFigures(QObject):
         self._at = 0
         self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
         self._soon.timeout.connect(self._begin)
-        self._go_on = soon(self, self._count)
+        self._go_on = after_paint(self, self._count)
 
     def reset(self, names: list[str]) -> None:
         """Other frames; none, where no folder is shown."""

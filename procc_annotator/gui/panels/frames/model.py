@@ -24,7 +24,7 @@ from procc_annotator.errors import InputError
 from procc_annotator.gui.panels.frames.folder_figures import FolderFigures
 from procc_annotator.gui.panels.frames.thumbnails import Thumbnails
 from procc_annotator.gui.panels.rows import Index
-from procc_annotator.gui.soon import soon
+from procc_annotator.gui.state.background import after_paint
 from procc_annotator.gui.state.document import Document
 from procc_annotator.image.decoding import FrameCache
 from procc_annotator.translation import tr, tr_count
@@ -85,7 +85,7 @@ class FramesModel(QAbstractListModel):
         self._thumbnails = Thumbnails(cache, self)
         self._thumbnails.arrived.connect(self._show_thumbnails)
         self._without_thumbnail: dict[Path, int] = {}  # frames
-        self._count_soon = soon(self, self._count_some)
+        self._count_soon = after_paint(self, self._count_some)
         self.scores = document.auditing.frame_scores
 
     # --- rows and frames -----------------------------------------------------------------------

@@ -22,8 +22,8 @@ from procc_annotator.gui.panels.frames.filter import FrameFilter
 from procc_annotator.gui.panels.frames.model import FramesModel
 from procc_annotator.gui.panels.parts import SEARCH_KEYS, empty_state, note_label, show_note
 from procc_annotator.gui.panels.rows import list_rows
-from procc_annotator.gui.soon import soon
 from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.background import after_paint
 from procc_annotator.gui.state.document import Document
 from procc_annotator.image.decoding import FrameCache
 from procc_annotator.translation import tr, tr_count
@@ -54,7 +54,7 @@ class FramesPanel(QWidget):
         self._build()
         document.store.watch(select.dataset, self._take_dataset)
         # After the canvas was painted: no one looks at the list first.
-        self._soon = soon(self, self._follow_frames)
+        self._soon = after_paint(self, self._follow_frames)
         self._revealed = -1  # the frame whose folders were unfolded last
         self._due: set[int] = set()  # frames on screen since the list was brought up to date
         document.store.watch(select.annotation, self._follow_soon)

@@ -16,8 +16,7 @@ from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication
 
 from procc_annotator.errors import ImageError
-from procc_annotator.gui.latest import Latest
-from procc_annotator.gui.worker import JobControl
+from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
 from procc_annotator.image.decoding import FrameCache, decode_thumbnail, downscale_to
 from procc_annotator.image.pixels import PixelArray
 
@@ -43,7 +42,7 @@ class Thumbnails(QObject):
         self._asked = itertools.count()
         self._looks = 0
         self._look_over = QTimer(self, singleShot=True, interval=0)
-        self._work = Latest(self, None)  # unreadable pictures are part of the outcome
+        self._work = LatestOnlyTask(self, None)  # unreadable pictures are part of the outcome
         self._start_soon = QTimer(self, singleShot=True, interval=_SOON_MS)
         self._start_soon.timeout.connect(self._start)
 

@@ -42,12 +42,12 @@ from procc_annotator.gui.panels.parts import (
     scrolling,
     show_note,
 )
-from procc_annotator.gui.panels.refresher import Refresher, judged
 from procc_annotator.gui.panels.rows import ElementTable
 from procc_annotator.gui.panels.states import ElementState
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.prediction.live_fit import MODELS
 from procc_annotator.gui.state.scoring.frame_score import SecondOpinion
+from procc_annotator.gui.state.selectors import judged
 from procc_annotator.gui.theme import fixed_width
 from procc_annotator.metrics.score import FrameScore
 from procc_annotator.translation import tr, tr_count, word
@@ -77,9 +77,9 @@ class FitPanel(QWidget):
         self._build()
         self._slow = QTimer(self, singleShot=True, interval=_GREY_AFTER_MS)
         self._slow.timeout.connect(self._say_working)
-        self._refresher = Refresher(self, self._refresh, interval_ms=60)
-        self._refresher.follow(
-            document.store,
+        self._refresher = document.store.watch_visible(
+            self,
+            self._refresh,
             lambda s: (judged(s), s.selection, s.looks, s.blind_lock),
             document.live_fit.changed,
         )

@@ -33,9 +33,9 @@ from procc_annotator.gui.panels.parts import (
     scrolling,
     show_note,
 )
-from procc_annotator.gui.panels.refresher import Refresher, judged
 from procc_annotator.gui.panels.states import ElementState, symbol_icon
 from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.selectors import judged
 from procc_annotator.gui.theme import fixed_width
 from procc_annotator.metrics.score import FrameScore, ScoreExplanation
 from procc_annotator.translation import tr, word
@@ -67,9 +67,9 @@ class ScoresPanel(QWidget):
         self._figures: dict[str, QLabel] = {}
         self._counts: dict[str, QLabel] = {}
         self._build()
-        self._refresher = Refresher(self, self._refresh, interval_ms=60)
-        self._refresher.follow(
-            document.store,
+        self._refresher = document.store.watch_visible(
+            self,
+            self._refresh,
             lambda s: (judged(s), s.selection, s.noise_floor, s.look_of(s.active)),
             document.review.statusChanged,
             document.source_frames.changed,

@@ -13,9 +13,9 @@ from procc_annotator.dataset.layout import FRAMES_FILE
 from procc_annotator.errors import InputError
 from procc_annotator.field.landmarks import element_titles
 from procc_annotator.formats.cameras.fit_record import NOT_FITTED, FitCounts
-from procc_annotator.gui.panels.refresher import judged
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.selectors import judged
 from procc_annotator.translation import tr
 
 Scope = Literal["frame", "set"]

@@ -21,18 +21,16 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.field.landmarks import element_titles
-from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.panels.parts import choice, empty_state
 from procc_annotator.gui.panels.plots.data import PlotRequest, PlotSources, Restrict
 from procc_annotator.gui.panels.plots.export import TakingAlong
 from procc_annotator.gui.panels.plots.page import PlotPage
-from procc_annotator.gui.panels.refresher import Refresher, judged
 from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.worker import JobControl
+from procc_annotator.gui.state.selectors import judged
 from procc_annotator.translation import tr, word
 
-_INTERVAL_MS = 60
 _SCOPES = {"frame": word("This frame"), "set": word("Whole set")}
 _ALL_CLASSES = -1
 _WIDE = 34  # lines of text: then what is chosen stands in one row
@@ -64,14 +62,14 @@ class PlotsPanel(TakingAlong):
         self._kinds: tuple[_Kind, ...] = ()
         self._made: dict[_Kind, PlotPage[Any]] = {}
         self._elements: tuple[str, ...] = ()  # of the field, by row
-        self._computing = Latest(self, self._fail)
+        self._computing = LatestOnlyTask(self, self._fail)
         self._again = False
         self._drawn: tuple[object, ...] | None = None
         self._in_sight = False
         self._build()
-        self._refresher = Refresher(self, self._refresh, interval_ms=_INTERVAL_MS)
-        self._refresher.follow(
-            document.store,
+        self._refresher = document.store.watch_visible(
+            self,
+            self._refresh,
             lambda s: (judged(s), s.looks, s.compared, s.blind, s.committed),
             document.store.events.sourceAuditsChanged,
             document.review.statusChanged,

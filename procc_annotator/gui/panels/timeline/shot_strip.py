@@ -20,7 +20,6 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from procc_annotator.dataset.sequence import FrameSequence
-from procc_annotator.gui.panels.refresher import Refresher
 from procc_annotator.gui.panels.timeline.axis import Axis
 from procc_annotator.gui.panels.timeline.content import StripContent
 from procc_annotator.gui.panels.timeline.painting import Rows, paint_here, paint_strip, strip_rows
@@ -82,9 +81,9 @@ class ShotStrip(QWidget):
         self._painted: QPixmap | None = None
         self._painted_of: tuple[object, ...] = ()
         self.content.changed.connect(self._paint_anew)
-        self._refresher = Refresher(self, self._follow)
-        self._refresher.follow(
-            document.store,
+        self._refresher = document.store.watch_visible(
+            self,
+            self._follow,
             lambda s: (s.workspace, s.frame_index, s.blind, s.committed),
             self.content.changed,
         )

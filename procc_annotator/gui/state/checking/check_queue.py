@@ -16,12 +16,11 @@ from procc_annotator.dataset.review import FrameCheck
 from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import ImageError, InputError
 from procc_annotator.field.model import Field
-from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
 from procc_annotator.gui.state.prediction.live_fit import LiveFit
 from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.store import Store
-from procc_annotator.gui.worker import JobControl
 
 FrameToRead = tuple[int, bool]  # a frame's place in the dataset, and whether to fit a camera
 _Answer = tuple[int, dict[str, FrameCheck]]  # frames checked; see `told`
@@ -43,7 +42,7 @@ class BackgroundCheck(QObject):
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
-        self._work = Latest(self, self._fail)
+        self._work = LatestOnlyTask(self, self._fail)
 
     @property
     def running(self) -> bool:
@@ -84,12 +83,14 @@ class BackgroundCheck(QObject):
             set_tells = together and not control.cancelled
             return walk.checked, walk.told_by_set(field) if set_tells else {}
 
-        self._work.start(work, self._finish, progress=self.progressed.emit, parts=self.arrived.emit)
+        self._work.start(
+            work, self._finish, progress=self.progressed.emit, partial=self.arrived.emit
+        )
         self.progressed.emit(0, len(frames))
 
     def stop(self) -> None:
         """Check no more; what was found so far arrives."""
-        if self._work.cut_short():
+        if self._work.stop_keep_partial():
             self.progressed.emit(0, 0)
 
     def close(self) -> None:
@@ -150,13 +151,13 @@ class _Walk:
                 size = picture_size(frame.image_path)
                 return FrameToCheck(frame.name, annotation, size, fitted)
         except (InputError, ImageError) as error:
-            self._control.hand_over((frame.name, str(error)))
+            self._control.emit_partial((frame.name, str(error)))
         return None
 
     def take(self, results: list[Checked]) -> None:
         """Hand over what was found in a chunk, and say how far it is now and then."""
         for result in results:
-            self._control.hand_over(result)
+            self._control.emit_partial(result)
         self._answered += len(results)
         self._checks += results
         self.checked += sum(isinstance(outcome, FrameCheck) for _, outcome in results)

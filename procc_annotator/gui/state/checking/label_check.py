@@ -21,12 +21,11 @@ from procc_annotator.dataset.review import (
     store_check,
 )
 from procc_annotator.field.model import Field
-from procc_annotator.gui.soon import soon
 from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.background import ComputedValue, Inputs, after_paint
 from procc_annotator.gui.state.checking.check_queue import CheckQueue
 from procc_annotator.gui.state.checking.known_checks import IgnoredFindings, KnownChecks
 from procc_annotator.gui.state.checking.line_pixels import Evidence, PaintWatch
-from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.messages import BENT
 from procc_annotator.gui.state.prediction.live_fit import LiveFit
 from procc_annotator.gui.state.review_state import ReviewState
@@ -73,14 +72,16 @@ class LabelCheck(QObject):
         self.known = KnownChecks(store, self.ignored)
         self._current: tuple[str, str] | None = None  # frame and key
         self._queue = CheckQueue(store, live_fit, self)
-        self._without_fit = Derived(self._to_check, _check, Where.BESIDE, self)
-        self._with_fit = Derived(self._fitted, _remembered, Where.AT_ONCE, self, kept=_KEPT)
-        self._content = Derived(self._annotation, content_of, Where.AT_ONCE, self)
+        self._without_fit = ComputedValue(self._to_check, _check, self)
+        self._with_fit = ComputedValue(
+            self._fitted, _remembered, self, background=False, cache_size=_KEPT
+        )
+        self._content = ComputedValue(self._annotation, content_of, self, background=False)
         # Of the frame on screen, remembered already: what its clicks say, what its picture shows.
         self._taken: tuple[FrameAnalysis, Evidence | None] | None = None
         self._committed = store.state.committed
         self._told: tuple[object, ...] = ()
-        self._look_soon = soon(self, self.look)
+        self._look_soon = after_paint(self, self.look)
         self._bent: str | None = None  # the finding that is told as a notice
         self._connect(review)
 
@@ -176,7 +177,7 @@ class LabelCheck(QObject):
                     self._say_bent(before)
             else:
                 self._announce()
-            self._without_fit.look()
+            self._without_fit.invalidate()
             return
         self._taken = None
         content = self._content.value
@@ -187,7 +188,7 @@ class LabelCheck(QObject):
             self.known.keep(name, left)
             if left.found != kept.found:
                 self.framesChanged.emit(name)
-        self._without_fit.look()
+        self._without_fit.invalidate()
         self._announce()
 
     def _waits_for_paint(self, name: str) -> bool:
@@ -238,7 +239,7 @@ class LabelCheck(QObject):
         name, found = self._store.state.frame_name, self._without_fit.value
         if name is not None and found is not None:
             self._take(name, found)
-            self._without_fit.look()
+            self._without_fit.invalidate()
 
     def _warn(self, text: str) -> None:
         say(self._store, text, "warning")
@@ -352,8 +353,8 @@ class LabelCheck(QObject):
 
     def _forget(self) -> None:
         """Nothing of what was found counts any more, as when another dataset was opened."""
-        self._without_fit.forget()
-        self._with_fit.forget()
+        self._without_fit.clear()
+        self._with_fit.clear()
         self._queue.close()
         self.known.forget()
         self.problems.clear()

@@ -8,7 +8,7 @@ from procc_annotator.annotation import FrameAnnotation, Polyline
 from procc_annotator.assist.line_evidence import line_evidence
 from procc_annotator.calibration.label_check.evidence import LineEvidence
 from procc_annotator.field.model import Field
-from procc_annotator.gui.state.derived import Derived, Inputs, Where
+from procc_annotator.gui.state.background import ComputedValue, Inputs
 from procc_annotator.gui.state.state import same
 from procc_annotator.gui.state.store import Store
 from procc_annotator.image.pixels import PixelArray
@@ -18,7 +18,7 @@ _STAYED_MS = 150  # a frame that is left sooner was only passed
 _KEPT = 8
 
 
-class PaintWatch(Derived[Evidence]):
+class PaintWatch(ComputedValue[Evidence]):
     """Of the picture alone, so that blind mode may see it; an element that did not change is not
     examined again.
 
@@ -30,15 +30,14 @@ class PaintWatch(Derived[Evidence]):
         super().__init__(
             self._made_of,
             self._look_for,
-            Where.BESIDE,
             store,
-            kept=_KEPT,
-            kept_within=lambda: store.state.frame_name,  # each holds the frame's picture
+            cache_size=_KEPT,
+            cache_scope=lambda: store.state.frame_name,  # each holds the frame's picture
             stoppable=True,
-            patience=self._wait,
+            delay_ms=self._wait,
         )
         self._store, self.shown = store, False
-        self.follow(store)
+        store.keep_current(self)
         self._frame: str | None = None
         self._before: tuple[tuple[object, ...], Evidence] | None = None  # picture and field
 

@@ -13,7 +13,7 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.dataset.records import OriginKind
 from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import InputError
-from procc_annotator.gui.soon import soon
+from procc_annotator.gui.state.background import after_paint
 from procc_annotator.gui.state.editing.editor import Editing
 from procc_annotator.gui.state.scoring.dataset_scores import Auditing
 from procc_annotator.gui.state.store import Store
@@ -68,7 +68,7 @@ class ManyEdits(QObject):
         self._waiting: list[int] = []
         self._batch: list[int] = []  # edited and not handed over to be written yet
         self._written: list[int] = []  # being written
-        self._next = soon(self, self._take_some)
+        self._next = after_paint(self, self._take_some)
 
     @property
     def running(self) -> bool:

@@ -11,7 +11,7 @@ from PySide6.QtCore import QObject
 from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.dataset.saving import Stamp
 from procc_annotator.errors import ProccError
-from procc_annotator.gui.latest import Latest
+from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.editing.editor import Editing
 from procc_annotator.gui.state.file_watch import FileWatch
@@ -19,7 +19,6 @@ from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.scoring.camera_sources import Sources
 from procc_annotator.gui.state.scoring.dataset_scores import Auditing
 from procc_annotator.gui.state.store import Store
-from procc_annotator.gui.worker import JobControl
 from procc_annotator.translation import tr
 
 
@@ -43,7 +42,7 @@ class OutsideChanges(QObject):
         super().__init__(store)
         self._store = store
         self._editing, self._sources, self._auditing = editing, sources, auditing
-        self._looking = Latest(self, self._say_failed)
+        self._looking = LatestOnlyTask(self, self._say_failed)
         self._again = False
         self._watch = FileWatch(self)
         self._watch.changed.connect(editing.look_at_frame)

@@ -12,8 +12,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 from procc_annotator.dataset.saving import SaveResult
 from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import ChangedOnDiskError, InputError, SaveError
-from procc_annotator.gui.soon import soon
-from procc_annotator.gui.worker import Job, run_in_background
+from procc_annotator.gui.state.background import Job, Priority, after_paint, run_in_background
 from procc_annotator.translation import tr
 
 RETRY_MS = 5000
@@ -50,7 +49,7 @@ class Saver(QObject):
         self._problems: dict[int, SaveError] = {}
         self._writing: _Writing | None = None
         self._again: set[int] = set()  # edited since, or not begun with yet
-        self._soon = soon(self, self._begin)
+        self._soon = after_paint(self, self._begin)
         self.saved_at: datetime | None = None
         self.retry_timer = QTimer(self)
         self.retry_timer.setInterval(RETRY_MS)
@@ -208,7 +207,7 @@ class Saver(QObject):
             on_result=take,
             on_error=give_up,
             owner=self,
-            writes=True,
+            priority=Priority.IMMEDIATE,
         )
         self._writing = _Writing(frozenset(pending.index for pending in batch), job)
         self.begun.emit()

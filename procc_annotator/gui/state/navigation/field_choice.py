@@ -30,12 +30,12 @@ from procc_annotator.field.load import is_builtin_field, load_field, with_dimens
 from procc_annotator.field.model import Field
 from procc_annotator.field.sampling import sample_official
 from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.background import Job, JobControl, Priority, run_in_background
 from procc_annotator.gui.state.file_watch import FileWatch
 from procc_annotator.gui.state.review_state import ReviewState
 from procc_annotator.gui.state.saying import notify, say, withdraw
 from procc_annotator.gui.state.scoring.evaluation_settings import Terms
 from procc_annotator.gui.state.store import Store
-from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.translation import tr
 
 
@@ -279,7 +279,7 @@ class FieldChoice(QObject):
         if self._closed:  # a dialog that goes with its window takes back what was entered
             return
         self._jobs[what] = run_in_background(
-            work, on_result=take, on_error=self._fail, owner=self, urgent=True
+            work, on_result=take, on_error=self._fail, owner=self, priority=Priority.URGENT
         )
 
     def _prepared(self, field: Field) -> Field:

@@ -9,8 +9,7 @@ from PySide6.QtCore import QObject
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import ImageError, InputError
-from procc_annotator.gui.latest import Latest
-from procc_annotator.gui.soon import soon
+from procc_annotator.gui.state.background import LatestOnlyTask, Priority, after_paint
 from procc_annotator.gui.state.editing.editor import Editing, held
 from procc_annotator.gui.state.editing.outside_changes import OutsideChanges
 from procc_annotator.gui.state.saying import say
@@ -41,10 +40,14 @@ class FrameWalk(QObject):
         self._editing, self._auditing = editing, auditing
         self._second, self._outside = second, outside
         # The whole picture, once half its size was painted: who walks on before spares it.
-        self._whole = Latest(self, self._fail_whole, at_once=True, wait_ms=0)
-        self._bringing = Latest(self, self._say, at_once=True)  # the picture of a frame to come to
+        self._whole = LatestOnlyTask(
+            self, self._fail_whole, priority=Priority.IMMEDIATE, delay_ms=0
+        )
+        self._bringing = LatestOnlyTask(
+            self, self._say, priority=Priority.IMMEDIATE
+        )  # the picture of a frame to come to
         self._aim = -1  # the frame that is come to once its picture is there
-        self._soon = soon(self, self._foresee)
+        self._soon = after_paint(self, self._foresee)
 
     def go_to(self, index: int) -> None:
         """Show another frame; what is under way on this one is finished first."""

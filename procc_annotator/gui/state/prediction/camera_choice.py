@@ -15,7 +15,7 @@ from procc_annotator.calibration.result import FitResult
 from procc_annotator.calibration.single_image.proposal import SURE
 from procc_annotator.dataset.computed_cameras import review_reason
 from procc_annotator.gui.state import selectors as select
-from procc_annotator.gui.state.derived import Derived, Inputs, Where
+from procc_annotator.gui.state.background import ComputedValue, Inputs
 from procc_annotator.gui.state.prediction.live_fit import LiveFit
 from procc_annotator.gui.state.prediction.proposals import Corrections, Proposals
 from procc_annotator.gui.state.prediction.shot_track import ShotTrack
@@ -42,11 +42,11 @@ class Foresight(QObject):
         super().__init__(store)
         self._store, self._live_fit, self._review = store, live_fit, review
         self._track, self._proposals, self._corrections = track, proposals, corrections
-        self._stand_in = Derived(
-            self._made_of, ghosts_without_clicks, Where.BESIDE, self, kept=_KEPT, stoppable=True
+        self._stand_in = ComputedValue(
+            self._made_of, ghosts_without_clicks, self, cache_size=_KEPT, stoppable=True
         )
         self._stand_in.changed.connect(self.changed)
-        self._stand_in.follow(store)
+        store.keep_current(self._stand_in)
         store.watch(select.mode, self._look)
         for signal in (
             live_fit.changed,
@@ -129,5 +129,5 @@ class Foresight(QObject):
         return state.annotation, state.sized_field, found, hidden, fitted
 
     def _look(self, *_: object) -> None:
-        self._stand_in.look()
+        self._stand_in.invalidate()
         self.changed.emit()

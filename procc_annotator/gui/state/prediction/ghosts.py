@@ -19,7 +19,7 @@ from procc_annotator.calibration.prediction.ghosts import Ghost
 from procc_annotator.calibration.prediction.suggestions import AnnotationSuggestion
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state import selectors as select
-from procc_annotator.gui.state.derived import Derived, Inputs, Where
+from procc_annotator.gui.state.background import ComputedValue, Inputs
 from procc_annotator.gui.state.prediction.camera_choice import Foresight
 from procc_annotator.gui.state.review_state import ReviewState
 from procc_annotator.gui.state.saying import say
@@ -51,17 +51,16 @@ class Ghosts(QObject):
         self._walking = False
         self._at: str | None = None  # the class where the walk is, or where it was left
         self._told: tuple[object, ...] = ()
-        self._points = Derived(
+        self._points = ComputedValue(
             self._to_find,
             _find_points,
-            Where.BESIDE,
             self,
-            kept=_KEPT,
-            kept_within=lambda: self._frame,  # each holds the picture it was looked for in
+            cache_size=_KEPT,
+            cache_scope=lambda: self._frame,  # each holds the picture it was looked for in
         )
         self._points.changed.connect(self._take_points)
         self._points.failed.connect(self._say_failed)
-        self._points.follow(store)
+        store.keep_current(self._points)
         foresight.changed.connect(self._look)
         store.watch(lambda s: (select.annotation(s), s.selection), self._look)
         review.notVisibleChanged.connect(self._look)
@@ -230,7 +229,7 @@ class Ghosts(QObject):
         """Look at the ghost of a class."""
         if self.named(name) is not None and not (self._walking and name == self._at):
             self._walking, self._at = True, name
-            self._points.try_again()
+            self._points.retry()
             self.changed.emit()
 
     def leave(self, *, at_end: bool = False) -> None:
@@ -247,7 +246,7 @@ class Ghosts(QObject):
         """The points that accepting the ghost of a class would add; None while they are looked
         for."""
         asked = self._search_for(self.named(name))
-        return None if asked is None else self._points.known(*asked)
+        return None if asked is None else self._points.cached(*asked)
 
     def _search_for(self, ghost: Ghost | None) -> Inputs | None:
         """Return what the points of a ghost follow from."""
@@ -265,7 +264,7 @@ class Ghosts(QObject):
         return next(asked, None)
 
     def _take_points(self) -> None:
-        self._points.look()  # there may be the next one to look for
+        self._points.invalidate()  # there may be the next one to look for
         self.changed.emit()
 
     def _say_failed(self, text: str) -> None:
@@ -294,7 +293,7 @@ class Ghosts(QObject):
         waiting = insight is None and self._wanted and self._may_come
         if self._walking and self.current is None and not waiting:
             self._go_on()
-        self._points.try_again()
+        self._points.retry()
         walk, wanted = (self._walking, self._at), (self._wanted, self.suggesting, self._hidden)
         told = insight, here, self._painted, self._suggestion, walk, wanted
         if not same(told, self._told):

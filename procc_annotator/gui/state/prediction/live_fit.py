@@ -13,8 +13,8 @@ from procc_annotator.camera.base import Camera
 from procc_annotator.dataset.computed_cameras import FittedCameras, FittedFrame
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.background import ComputedValue, Inputs
 from procc_annotator.gui.state.blind_lock import BlindLock
-from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.review_state import ReviewState
 from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.scoring.frame_cameras import SourceFrame, look_up
@@ -49,7 +49,7 @@ class _Terms:
     start: Camera | None = None
 
 
-class LiveFit(Derived[Fitted]):
+class LiveFit(ComputedValue[Fitted]):
     """Fits a camera in the background; what is shown always belongs to the annotation on screen.
 
     A gesture is fitted once it has ended: a fit holds the interpreter for milliseconds at a time,
@@ -72,11 +72,10 @@ class LiveFit(Derived[Fitted]):
         super().__init__(
             self._made_of,
             partial(_fit, self._terms),
-            Where.BESIDE,
             store,
-            kept=_KEPT,
+            cache_size=_KEPT,
             stoppable=True,
-            patience=self._get_ready,
+            delay_ms=self._get_ready,
         )
         self._store, self._review = store, review
         self._blind_lock, self._judge = blind_lock, judge
@@ -85,8 +84,8 @@ class LiveFit(Derived[Fitted]):
         self._frame: str | None = None
         self.failed.connect(self._say)
         store.watch(select.dataset, self._begin_anew)
-        store.watch(lambda s: (s.field, select.mode(s), s.committed), self.look)
-        self.follow(store, review.statusChanged, review.notVisibleChanged)
+        store.watch(lambda s: (s.field, select.mode(s), s.committed), self.invalidate)
+        store.keep_current(self, review.statusChanged, review.notVisibleChanged)
 
     @property
     def wanted(self) -> bool:
@@ -126,13 +125,13 @@ class LiveFit(Derived[Fitted]):
             self.changed.emit()  # the switch shows what holds
         elif wanted != self.chosen:
             self.chosen = wanted
-            self.look()
+            self.invalidate()
 
     def set_model(self, model: str) -> None:
         """Fit another model from now on."""
         if model != self.model:
             self.model = model
-            self.look()
+            self.invalidate()
             self.changed.emit()
 
     # --- inside ---
@@ -162,8 +161,8 @@ class LiveFit(Derived[Fitted]):
 
     def _begin_anew(self) -> None:
         self._frame = None
-        self.forget()
-        self.look()
+        self.clear()
+        self.invalidate()
 
     def _say(self, text: str) -> None:
         say(self._store, tr("the fit failed: {why}", why=text), "warning")

@@ -14,8 +14,8 @@ from procc_annotator.dataset.frames import Frame
 from procc_annotator.errors import InputError
 from procc_annotator.field.load import field_for_frame
 from procc_annotator.field.model import Field
+from procc_annotator.gui.state.background import ComputedValue, Inputs, Priority
 from procc_annotator.gui.state.blind_lock import BlindLock
-from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.store import Store
 from procc_annotator.image.decoding import FrameCache
 from procc_annotator.image.pixels import PixelArray
@@ -39,19 +39,18 @@ class Proposals(QObject):
         super().__init__(store)
         self._store, self._blind_lock, self._cache = store, blind_lock, cache
         self._wanted = True
-        self._derived = Derived(
+        self._derived = ComputedValue(
             self._next,
             self._look_at,
-            Where.BESIDE,
             self,
-            kept=_KEPT,
-            kept_within=lambda: store.state.workspace,
+            cache_size=_KEPT,
+            cache_scope=lambda: store.state.workspace,
             stoppable=True,
-            urgent=False,
-            patience=lambda _: _STAYED_MS,
+            priority=Priority.LOW,
+            delay_ms=lambda _: _STAYED_MS,
         )
         self._derived.changed.connect(self._take)
-        self._derived.follow(store)
+        store.keep_current(self._derived)
 
     @property
     def wanted(self) -> bool:
@@ -62,7 +61,7 @@ class Proposals(QObject):
         """Propose cameras, or do not."""
         if wanted != self._wanted:
             self._wanted = wanted
-            self._derived.look()
+            self._derived.invalidate()
             self.changed.emit()
 
     @property
@@ -82,13 +81,13 @@ class Proposals(QObject):
         if not (self._wanted and self.allowed):
             return None
         state = self._store.state
-        return None if state.frame is None else self._derived.known(state.frame, state.field)
+        return None if state.frame is None else self._derived.cached(state.frame, state.field)
 
     @property
     def working(self) -> bool:
         """Return whether the frame on screen is examined, or about to be."""
         state = self._store.state
-        return self._is_asked(state.frame_index) and not self._derived.answered(
+        return self._is_asked(state.frame_index) and not self._derived.is_cached(
             state.frame, state.field
         )
 
@@ -108,7 +107,7 @@ class Proposals(QObject):
             if not self._is_asked(index):
                 if index == state.frame_index:
                     return None  # a hand works here: no search slows it down
-            elif not self._derived.answered(frame, state.field):
+            elif not self._derived.is_cached(frame, state.field):
                 return frame, state.field
         return None
 
@@ -144,7 +143,7 @@ class Proposals(QObject):
 
     def _take(self) -> None:
         self.changed.emit()
-        self._derived.look_later()  # there may be the next one to look at
+        self._derived.invalidate_later()  # there may be the next one to look at
 
 
 class Corrections(QObject):
@@ -158,10 +157,10 @@ class Corrections(QObject):
         super().__init__(store)
         self._store, self._proposals = store, proposals
         self._before: dict[str, list[CameraCorrection | None]] = {}  # steps that can be taken back
-        self._look = Derived(self._to_look_at, _look_at, Where.BESIDE, self, stoppable=True)
+        self._look = ComputedValue(self._to_look_at, _look_at, self, stoppable=True)
         self._look.changed.connect(self._take)
         store.watch(lambda s: (s.workspace, s.field), self._forget)
-        self._look.follow(store)
+        store.keep_current(self._look)
 
     @property
     def here(self) -> CameraCorrection | None:
@@ -210,7 +209,7 @@ class Corrections(QObject):
         if correction is not None:
             others[name] = correction
         self._store.update(corrected=others)
-        self._look.look()
+        self._look.invalidate()
         self.changed.emit(name)
 
     def _to_look_at(self) -> Inputs | None:

@@ -16,15 +16,13 @@ from procc_annotator.dataset.camera_set import FrameCameras
 from procc_annotator.errors import CameraError, InputError
 from procc_annotator.formats.cameras.fit_record import NOT_FITTED, FitCounts
 from procc_annotator.formats.cameras.loaded_camera import NAME_THE_FORMAT, field_mismatch
-from procc_annotator.gui.latest import Latest
-from procc_annotator.gui.soon import soon
+from procc_annotator.gui.state.background import JobControl, LatestOnlyTask, Priority, after_paint
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.scoring.frame_cameras import SourceFrame, SourceFrames
 from procc_annotator.gui.state.scoring.frame_score import Judge
 from procc_annotator.gui.state.state import State, same
 from procc_annotator.gui.state.store import Store
-from procc_annotator.gui.worker import JobControl
 from procc_annotator.metrics.measurement import Measurement, measure_projected
 from procc_annotator.metrics.projection import clipped_projection_error, project_field
 from procc_annotator.metrics.setup import EvaluationSetup
@@ -91,8 +89,8 @@ class SetScores(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._set_work = Latest(self, self._fail)
-        self._frame_work: dict[str, Latest] = {}
+        self._set_work = LatestOnlyTask(self, self._fail)
+        self._frame_work: dict[str, LatestOnlyTask] = {}
         self._touched: set[tuple[CameraSource, str]] = set()  # judged anew since the start
         self._untold: dict[CameraSource, float] = {}  # since when
 
@@ -103,7 +101,7 @@ class SetScores(QObject):
 
     def cancel(self) -> None:
         """Stop auditing; what was found so far stays."""
-        if self._set_work.cut_short():
+        if self._set_work.stop_keep_partial():
             self._end()
 
     def close(self) -> None:
@@ -150,14 +148,14 @@ class SetScores(QObject):
                     if control.cancelled:
                         return
                     audit, problem = _audit(name, readers[name], cameras, setup, tau)
-                    control.hand_over(_Outcome(source, name, audit, problem))
+                    control.emit_partial(_Outcome(source, name, audit, problem))
                     done += 1
                     if monotonic() - told > _TELL_AFTER_S:
                         control.progress(done, total)
                         told = monotonic()
 
         self._set_work.start(
-            work, lambda _: self._end(), progress=self._progressed, parts=self._take
+            work, lambda _: self._end(), progress=self._progressed, partial=self._take
         )
 
     def put(
@@ -216,7 +214,7 @@ class SetScores(QObject):
                 outcome.source.take(frame, outcome.audit, outcome.problem)
                 self.changed.emit(outcome.source, frame)
 
-        self._frame_work[frame] = Latest(self, self.failed.emit, urgent=True)
+        self._frame_work[frame] = LatestOnlyTask(self, self.failed.emit, priority=Priority.URGENT)
         self._frame_work[frame].start(work, done)
 
     # --- inside ---
@@ -301,7 +299,7 @@ class Auditing(QObject):
         self._source_frames, self._set_scores = source_frames, set_scores
         self._edited = False  # the frame on screen, since it was judged
         self._refitted: dict[CameraSource, None] = {}  # to the frame on screen, since then
-        self._soon = soon(self, self.settle)
+        self._soon = after_paint(self, self.settle)
         source_frames.set_setup(store.state.setup)
         set_scores.changed.connect(self._tell)
         set_scores.failed.connect(self._say_failed)

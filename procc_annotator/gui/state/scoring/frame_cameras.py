@@ -12,8 +12,8 @@ from procc_annotator.camera.base import CameraOrProjections
 from procc_annotator.dataset.camera_set import FrameCameras
 from procc_annotator.errors import CameraError
 from procc_annotator.formats.cameras.loaded_camera import NAME_THE_FORMAT, field_mismatch
+from procc_annotator.gui.state.background import ComputedValue, Inputs
 from procc_annotator.gui.state.camera_sources import CameraSource
-from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.metrics.projection import (
     ProjectedField,
     clipped_projection_error,
@@ -85,7 +85,7 @@ class SourceFrames(QObject):
         self._frame: str | None = None
         self._wanted: tuple[_Key, ...] = ()  # of the frame on screen first
         self._complete = True
-        self._next = Derived(self._to_look_up, look_up, Where.BESIDE, self)
+        self._next = ComputedValue(self._to_look_up, look_up, self)
         self._next.changed.connect(self._take)
 
     def of(self, source: CameraSource | None) -> SourceFrame | None:
@@ -143,7 +143,7 @@ class SourceFrames(QObject):
         names = () if frame is None else (frame, *beside)
         self._wanted = tuple((source.camera_set, name) for name in names for source in sources)
         self._complete = self._is_complete()
-        self._next.look()
+        self._next.invalidate()
 
     def _missing(self) -> _Key | None:
         return next((key for key in self._wanted if self.peek(*key) is None), None)
@@ -156,7 +156,7 @@ class SourceFrames(QObject):
         key, shown = self._missing(), self._next.value
         if key is not None and shown is not None:
             self.put(*key, shown)
-        self._next.look()
+        self._next.invalidate()
         if not self._complete and self._is_complete():
             self._complete = True
             self.changed.emit()

@@ -12,7 +12,7 @@ HERE = Path(__file__).parent
 
 
 @pytest.fixture
-def tasks(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
+def tasks(monkeypatch) -> ModuleType:
     """The module `executor_tasks`, under a name that workers find too."""
     monkeypatch.syspath_prepend(HERE)
     return importlib.import_module("executor_tasks")

@@ -90,13 +90,13 @@ class Cluster:
 
 
 @pytest.fixture(scope="module")
-def one_cluster(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Cluster]:
+def one_cluster(tmp_path_factory) -> Iterator[Cluster]:
     with ExitStack() as files:
         yield Cluster(tmp_path_factory.mktemp("cluster"), files)
 
 
 @pytest.fixture
-def cluster(one_cluster: Cluster) -> Cluster:
+def cluster(one_cluster) -> Cluster:
     """Its scheduler lives, whatever the test before has done."""
     if one_cluster.scheduler is None or one_cluster.scheduler.poll() is not None:
         one_cluster.start()
@@ -104,16 +104,16 @@ def cluster(one_cluster: Cluster) -> Cluster:
 
 
 @pytest.fixture
-def two_workers(cluster: Cluster) -> Iterator[Executor]:
+def two_workers(cluster) -> Iterator[Executor]:
     """Of which a test may kill one."""
     cluster.add_workers(2)
     with make_executor(dask=cluster.address) as executor:
-        executor._client.wait_for_workers(2, timeout=PATIENCE_S)  # type: ignore[attr-defined]
+        executor._client.wait_for_workers(2, timeout=PATIENCE_S)
         yield executor
 
 
 @pytest.fixture
-def workers(cluster: Cluster) -> Iterator[Executor]:
+def workers(cluster) -> Iterator[Executor]:
     """Whoever lives; starting another one takes long."""
     cluster.add_workers(1)
     with make_executor(dask=cluster.address) as executor:
@@ -121,7 +121,7 @@ def workers(cluster: Cluster) -> Iterator[Executor]:
 
 
 @pytest.fixture
-def marks(tmp_path: Path) -> Path:
+def marks(tmp_path) -> Path:
     folder = tmp_path / "marks"
     folder.mkdir()
     return folder
@@ -152,7 +152,7 @@ def evaluate(set_: Path, executor: Executor) -> tuple[list[FrameResult], Any]:
 
 
 @pytest.fixture
-def set_(sample_data: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def set_(sample_data, tmp_path, monkeypatch) -> Path:
     """Sixty frames, some without a good camera, by a path relative to here and not to workers."""
     annotations = sorted(sample_data.glob("*.json"))
     cameras = sample_data / "cameras/bad"
@@ -185,12 +185,12 @@ def same(a: tuple[list[FrameResult], Any], b: tuple[list[FrameResult], Any]) -> 
             assert distances == other.labelling.all_distances.tobytes()
 
 
-def test_a_cluster_without_workers_is_said_so(cluster: Cluster, monkeypatch) -> None:
+def test_a_cluster_without_workers_is_said_so(cluster, monkeypatch) -> None:
     if cluster.workers:
         with make_executor(dask=cluster.address) as executor:
             cluster.remove_workers()
             until = time.monotonic() + PATIENCE_S
-            while executor._client.nthreads():  # type: ignore[attr-defined]
+            while executor._client.nthreads():
                 assert time.monotonic() < until
                 time.sleep(0.05)
     monkeypatch.setattr(dask_cluster, "WORKERS_S", 0.2)
@@ -246,7 +246,7 @@ def test_errors_travel_and_what_is_queued_is_given_up(tasks, workers) -> None:
         next(results)
     results = workers.map(tasks.with_pid, range(100))
     next(results)
-    results.close()  # type: ignore[attr-defined]
+    results.close()
     assert [chunk for chunk, _ in workers.map(tasks.with_pid, range(3))] == [0, 1, 2]
 
 
@@ -299,13 +299,13 @@ def test_a_scheduler_that_does_not_answer_is_one_line(monkeypatch) -> None:
 
 
 @pytest.mark.parametrize("address", ["nonsense", "", "gopher://host:1", "tcp://host"])
-def test_what_is_no_address_is_one_line(address: str) -> None:
+def test_what_is_no_address_is_one_line(address) -> None:
     with pytest.raises(UsageError, match="HOST:PORT"), make_executor(dask=address):
         pass
 
 
-def test_a_worker_is_no_scheduler(cluster: Cluster, workers: Executor) -> None:
-    (address, *_) = workers._client.nthreads()  # type: ignore[attr-defined]
+def test_a_worker_is_no_scheduler(cluster, workers) -> None:
+    (address, *_) = workers._client.nthreads()
     with pytest.raises(UsageError, match="not a Dask scheduler"), make_executor(dask=address):
         pass
 
@@ -320,12 +320,11 @@ def test_without_the_library_the_extra_is_advised(monkeypatch) -> None:
 
 
 def test_a_scheduler_that_is_lost_midway_is_one_line(
-    tasks, cluster: Cluster, workers: Executor, tmp_path: Path, capfd
+    tasks, cluster, workers, tmp_path, capfd
 ) -> None:
     gate = tmp_path / "gate"
     results = workers.map(tasks.Waiting(gate), range(12))
     next(results)
-    assert cluster.scheduler is not None
     cluster.scheduler.kill()
     cluster.scheduler.wait()
     with pytest.raises(ProccError, match=r"the connection to the Dask scheduler .* was lost"):

@@ -9,7 +9,7 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from pathlib import Path
@@ -32,13 +32,13 @@ def pool() -> Iterator[ProcessPool]:
 
 
 @pytest.fixture
-def marks(tmp_path: Path) -> Path:
+def marks(tmp_path) -> Path:
     folder = tmp_path / "marks"
     folder.mkdir()
     return folder
 
 
-def test_how_many_processes_suit_the_work(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_how_many_processes_suit_the_work(monkeypatch) -> None:
     monkeypatch.setattr(executors, "usable_cpus", lambda: 3)
     with make_executor(frames=1999) as few:
         assert isinstance(few, InProcess)
@@ -59,7 +59,7 @@ def test_results_come_in_the_order_of_the_chunks(tasks, pool) -> None:
 
 
 @pytest.mark.parametrize("make", [InProcess, None], ids=["in process", "pool"])
-def test_chunks_are_taken_as_results_are(tasks, pool, make: Callable[[], InProcess] | None) -> None:
+def test_chunks_are_taken_as_results_are(tasks, pool, make) -> None:
     taken = []
 
     def endless() -> Iterator[int]:
@@ -200,7 +200,6 @@ def test_an_interrupt_ends_all_processes_without_a_word(tmp_path, when, how, par
         env={**os.environ, "PYTHONPATH": paths},
     )  # fmt: skip
     with running:
-        assert running.stdout is not None
         assert running.stdout.readline() == "now\n"
         if how == signal.SIGINT:
             os.killpg(running.pid, how)

@@ -59,7 +59,7 @@ def stadium(views_of, field, request) -> StadiumFit:
     return fitted(make_frames(views_of, load_field("soccer", **TRUE), pans, 7), field)
 
 
-def test_the_dimensions_of_a_made_up_stadium_are_found(stadium: StadiumFit, request) -> None:
+def test_the_dimensions_of_a_made_up_stadium_are_found(stadium, request) -> None:
     for found in stadium.dimensions:
         off = abs(found.dimension.value - TRUE[found.dimension.name])
         assert off < 0.3

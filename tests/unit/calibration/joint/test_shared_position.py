@@ -7,13 +7,18 @@ import pytest
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.calibration.fitting import fit_camera
-from procc_annotator.calibration.joint.position_clusters import cluster_positions
+from procc_annotator.calibration.joint.position_clusters import (
+    OppositeSideFrames,
+    cluster_positions,
+    find_opposite_side_frames,
+)
 from procc_annotator.calibration.joint.shared_position import (
     SharedPositionResult,
     fit_at_known_position,
     fit_shared_position,
 )
 from procc_annotator.calibration.label_check.candidate_classes import relabelled
+from procc_annotator.calibration.optimization.camera_placement import camera_placement_prior
 from procc_annotator.calibration.result import FitResult
 from procc_annotator.camera.models import PinholeCamera
 
@@ -59,7 +64,7 @@ def shared(frames, alone, field) -> SharedPositionResult:
     return fit_shared_position(frames, alone, field)
 
 
-def test_positions_are_told_apart_and_found(shared: SharedPositionResult) -> None:
+def test_positions_are_told_apart_and_found(shared) -> None:
     assert [set(t.frames) for t in shared.groups] == [
         {f"t{i}" for i in range(10)}, {f"o{i}" for i in range(4)},
     ]  # fmt: skip
@@ -81,7 +86,7 @@ def test_turned_labels_are_no_tripod_of_their_own(frames, alone, field) -> None:
     assert all("turned" in found.apart[name] for name in turned)
 
 
-def test_the_scatter_before_is_that_of_the_own_fits(shared: SharedPositionResult, alone) -> None:
+def test_the_scatter_before_is_that_of_the_own_fits(shared, alone) -> None:
     tripod = shared.groups[0]
     own = np.array([alone[name].camera.position_world for name in tripod.frames])
     assert tripod.scatter_m == pytest.approx(own.std(axis=0, ddof=1))
@@ -91,7 +96,7 @@ def test_the_scatter_before_is_that_of_the_own_fits(shared: SharedPositionResult
     assert (tripod.predicted_m < tripod.scatter_m * 4).all()
 
 
-def test_all_frames_of_a_place_have_exactly_its_position(shared: SharedPositionResult) -> None:
+def test_all_frames_of_a_place_have_exactly_its_position(shared) -> None:
     for name, index in shared.group_of.items():
         fit = shared.fits[name]
         assert fit.camera.position_world == tuple(shared.groups[index].position_m)
@@ -99,7 +104,7 @@ def test_all_frames_of_a_place_have_exactly_its_position(shared: SharedPositionR
 
 
 def test_few_elements_predict_the_others_better(
-    shared: SharedPositionResult, frames, cameras, field, median_error
+    shared, frames, cameras, field, median_error
 ) -> None:
     rng = np.random.default_rng(1)
     apart = []
@@ -120,7 +125,7 @@ def test_few_elements_predict_the_others_better(
 
 
 def test_two_elements_are_enough_where_they_say_enough(
-    shared: SharedPositionResult, frames, alone, cameras, field, median_error
+    shared, frames, alone, cameras, field, median_error
 ) -> None:
     group = {name: frames[name] for name in shared.groups[0].frames}
     two = ("Middle line", "Circle central")
@@ -179,3 +184,64 @@ def test_no_agreement_is_no_place() -> None:
     small = np.tile(np.eye(3) * 0.1, (4, 1, 1))
     assert cluster_positions(far, small, 62.0) == ()
     assert cluster_positions(np.empty((0, 3)), np.empty((0, 3, 3)), 62.0) == ()
+
+
+# Which cameras stand on the other side from the rest, told from their positions.
+
+STAND, HIGH, REVERSE, GOAL = (
+    (1.0, 70.0, -16.0),
+    (0.0, 90.0, -22.0),
+    (4.0, -60.0, -5.0),
+    (66, 0, -8),
+)
+TURN = np.array([-1.0, -1.0, 1.0])
+
+
+def told(field, positions, sd=(0.5, 1.5, 0.3)) -> OppositeSideFrames:
+    covariances = np.tile(np.diag(np.square(sd)), (len(positions), 1, 1))
+    return find_opposite_side_frames(
+        np.array(positions), covariances, camera_placement_prior(field)
+    )
+
+
+def around(position, count: int, seed: int = 0) -> list[np.ndarray]:
+    return list(position + np.random.default_rng(seed).normal(0, (0.5, 1.5, 0.3), (count, 3)))
+
+
+def test_a_turned_frame_stands_opposite_the_others(field) -> None:
+    frames = [*around(STAND, 8), *around(HIGH, 5), *(around(STAND, 2, 1) * TURN)]
+    found = told(field, frames)
+    assert set(found.turned) == {13, 14}
+    assert all(count >= 6 for count in found.turned.values())
+    assert not found.minority
+
+
+def test_most_of_a_place_may_be_turned_where_most_of_the_set_is_not(field) -> None:
+    frames = [*around(STAND, 4), *(around(STAND, 7, 1) * TURN), *around(HIGH, 9)]
+    assert set(told(field, frames).turned) == set(range(4, 11))
+
+
+def test_a_camera_of_its_own_on_the_far_side_is_only_worth_a_look(field) -> None:
+    found = told(field, [*around(STAND, 20), np.array(REVERSE)])
+    assert not found.turned
+    assert found.minority == {20}
+
+
+def test_several_frames_of_a_camera_on_the_far_side_are_a_camera(field) -> None:
+    found = told(field, [*around(STAND, 40), *around(REVERSE, 3)])
+    assert found == OppositeSideFrames()
+
+
+def test_cameras_behind_both_goals_are_two_cameras(field) -> None:
+    behind = [*around(GOAL, 6), *(around(GOAL, 3, 1) * TURN)]
+    assert not told(field, [*around(STAND, 12), *behind]).turned
+
+
+def test_the_main_camera_may_stand_behind_an_end(field) -> None:
+    found = told(field, [*around(GOAL, 9), *(around(GOAL, 2, 1) * TURN)])
+    assert set(found.turned) == {9, 10}
+
+
+def test_nothing_is_told_of_few_or_no_frames(field) -> None:
+    assert told(field, [*around(STAND, 2), *(around(STAND, 1) * TURN)]) == OppositeSideFrames()
+    assert told(field, np.zeros((0, 3))) == OppositeSideFrames()

@@ -2,21 +2,33 @@
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 
-from procc_annotator.annotation import FrameAnnotation
+from procc_annotator import load_annotation
+from procc_annotator.annotation import FrameAnnotation, Point, Polyline
+from procc_annotator.assist.frame_analysis import apply_remedy, rename_classes
+from procc_annotator.calibration.fitting import fit_camera
 from procc_annotator.calibration.label_check.candidate_classes import (
     MIRROR_X,
     MIRROR_Y,
     mirrored_names,
     relabelled,
 )
-from procc_annotator.calibration.label_check.check import check_labels
+from procc_annotator.calibration.label_check.check import (
+    FittedPosition,
+    OppositeSideFrame,
+    check_labels,
+    find_opposite_frames,
+    fitted_position,
+    opposite_side_finding,
+)
 from procc_annotator.calibration.label_check.evidence import annotated_elements
-from procc_annotator.calibration.label_check.finding import RemedyKind, Rule, Severity
+from procc_annotator.calibration.label_check.finding import Finding, RemedyKind, Rule, Severity
 from procc_annotator.calibration.label_check.side_rules import (
     contradictions,
     orientation_relations,
@@ -24,7 +36,13 @@ from procc_annotator.calibration.label_check.side_rules import (
 )
 from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.calibration.result import FitResult
+from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.dataset.editing import swap_classes
+from procc_annotator.dataset.review import check_without_fit
+from procc_annotator.field.load import load_field
+from procc_annotator.metrics.measurement import measure
+from procc_annotator.metrics.score import score
+from procc_annotator.metrics.setup import EvaluationSetup
 
 SIZE = (960, 540)
 FRAME = ImageFrame(SIZE)
@@ -126,3 +144,151 @@ def test_sides_are_told_where_there_is_no_camera(views, field) -> None:
     assert set(found.elements) == {"Big rect. left main", "Middle line"}
     assert found.remedies[0].kind is RemedyKind.SWAP
     assert dict(found.remedies[0].renamed)["Middle line"] == "Big rect. left main"
+
+
+# Turned labels are found in a set, told with a remedy, and only where they can be turned.
+
+STAND = FittedPosition((0.0, -70.0, -16.0), ((0.1, 0, 0), (0, 1.0, 0), (0, 0, 0.1)), "R", True)
+FOUND = OppositeSideFrame(5, 9, STAND)
+
+
+@pytest.fixture(scope="module")
+def frames(views) -> dict[str, FrameAnnotation]:
+    rng = np.random.default_rng(8)
+    made = {}
+    for i, pan in enumerate(np.deg2rad([-28, -15, 4, 17, 30])):
+        tilt = float(np.arctan2(np.hypot(70, 60 * np.tan(pan)), 16))
+        camera = PinholeCamera(pan, tilt, 0.0, (0, 70, -16), (1700, 1700), (479.5, 269.5))
+        made[f"f{i}"] = views.clicks(camera, rng)
+    return made
+
+
+def test_turned_frames_are_found_and_turned_back(frames, field) -> None:
+    turned = {name: field.half_turn.name_of(name) for name in field.index}
+    given = {n: relabelled(a, turned) if n == "f3" else a for n, a in frames.items()}
+    stands = {name: fitted_position(fit_camera(a, field)) for name, a in given.items()}
+    found = find_opposite_frames(stands, field)
+    assert set(found) == {"f3"}
+    finding = opposite_side_finding(given["f3"], field, found["f3"])
+    assert (finding.rule, finding.severity) == (Rule.OTHER_SIDE, Severity.ERROR)
+    (remedy,) = finding.remedies
+    assert remedy.kind is RemedyKind.RELABEL
+    mended = rename_classes(given["f3"], dict(remedy.renamed), field)
+    assert mended == frames["f3"]
+
+
+def test_a_homography_and_a_failed_fit_stand_nowhere(frames, field) -> None:
+    assert fitted_position(fit_camera(frames["f1"], field, model="H")) is None
+    assert fitted_position(fit_camera(FrameAnnotation(()), field)) is None
+
+
+def test_a_field_whose_sides_differ_tells_by_itself(frames, field) -> None:
+    stands = {name: fitted_position(fit_camera(a, field)) for name, a in frames.items()}
+    stands["f0"] = replace(stands["f0"], position_m=(0.0, -70.0, -16.0))
+    assert find_opposite_frames(stands, replace(field, symmetries=())) == {}
+
+
+def test_labels_that_half_a_turn_leaves_as_they_are_say_nothing(field) -> None:
+    middle = FrameAnnotation((Polyline("Middle line", (Point(0.2, 0.2), Point(0.3, 0.6))),))
+    assert opposite_side_finding(middle, field, FOUND) is None
+
+
+@pytest.mark.parametrize(
+    ("found", "severity"),
+    [
+        (replace(FOUND, stand=replace(STAND, is_sure=False)), Severity.WARNING),
+        (replace(FOUND, opposite=0), Severity.HINT),
+    ],
+)
+def test_how_sure_it_is(frames, field, found, severity) -> None:
+    finding = opposite_side_finding(frames["f2"], field, found)
+    assert finding.severity is severity
+    assert RemedyKind.RELABEL in {remedy.kind for remedy in finding.remedies}
+
+
+# Class names the field does not know, and pixels where normalised coordinates belong.
+
+FIELD = load_field()
+SAMPLE = load_annotation(Path(__file__).parents[4] / "sample_data" / "00002.json")
+
+
+def check(annotation: FrameAnnotation) -> tuple[Finding, ...]:
+    fit = fit_camera(annotation, FIELD, size=SIZE)
+    return check_labels(annotation, FIELD, size=SIZE, fit=fit)
+
+
+def renamed(old: str, new: str) -> FrameAnnotation:
+    return FrameAnnotation(
+        tuple(
+            replace(p, class_name=new) if p.class_name.strip() == old else p
+            for p in SAMPLE.polylines
+        )
+    )
+
+
+def of_rule(found: tuple[Finding, ...], rule: Rule) -> list[Finding]:
+    return [f for f in found if f.rule is rule]
+
+
+@pytest.mark.parametrize("slip", ["Side line tpo", "side line top", "Far touch line"])
+def test_a_slip_in_a_name_is_an_error_with_the_right_name(slip) -> None:
+    wrong = renamed("Side line top", slip)
+    assert slip in wrong.annotated
+    (found,) = of_rule(check(wrong), Rule.UNKNOWN_CLASS)
+    assert (found.severity, found.elements) == (Severity.ERROR, (slip,))
+    assert found.reason == (f"no such class: {slip!r}, did you mean Far touchline (Side line top)?")
+    assert found.remedies[0].kind is RemedyKind.RELABEL
+    mended = apply_remedy(wrong, found, found.remedies[0], FIELD)
+    assert mended == SAMPLE
+    assert of_rule(check(mended), Rule.UNKNOWN_CLASS) == []
+
+
+def test_a_name_that_is_taken_is_not_offered() -> None:
+    line = SAMPLE.get("Side line top")
+    both = SAMPLE.with_polyline(Polyline("Side line tpo", line.points))
+    (found,) = of_rule(check(both), Rule.UNKNOWN_CLASS)
+    assert "annotated already" in found.reason
+    assert [r.kind for r in found.remedies] == [RemedyKind.LOOK]
+
+
+def test_names_like_no_other_are_a_warning_and_known_ones_nothing() -> None:
+    points = (Point(0.1, 0.2), Point(0.3, 0.2))
+    more = SAMPLE.with_polyline(Polyline("Advertising board", points))
+    more = more.with_polyline(Polyline("Line unknown", points))
+    more = more.with_polyline(Polyline("Corner flag", ()))  # absent
+    found = of_rule(check(more), Rule.UNKNOWN_CLASS)
+    assert [(f.elements, f.severity) for f in found] == [(("Advertising board",), Severity.WARNING)]
+    assert "counts as missed where it is scored" in found[0].reason
+    fit = fit_camera(more, FIELD, size=SIZE)
+    assert fit.camera is not None
+    scores = [
+        score(measure(annotation, fit.camera, EvaluationSetup(FIELD, SIZE)), 5.0)
+        for annotation in (SAMPLE, more)
+    ]
+    assert scores[1].fn > scores[0].fn
+    without_fit = check_without_fit(more, FIELD, size=SIZE)
+    assert Rule.UNKNOWN_CLASS in {f.finding.rule for f in without_fit.found}
+
+
+def test_pixels_are_the_one_thing_that_is_told() -> None:
+    pixels = FrameAnnotation(
+        tuple(
+            replace(p, points=tuple(Point(q.u * 959, q.v * 539) for q in p.points))
+            for p in SAMPLE.polylines
+        )
+    )
+    (found,) = check(pixels)
+    assert (found.rule, found.severity) == (Rule.PIXELS, Severity.ERROR)
+    assert "look like pixels, expected 0 to 1" in found.reason
+    (alone,) = check_without_fit(pixels, FIELD, size=SIZE).found
+    assert alone.finding == found
+
+
+def test_points_in_one_place_or_on_one_line_make_no_noise() -> None:
+    names = ("Middle line", "Side line top", "Side line bottom", "Big rect. left main")
+    one_place = tuple(Polyline(n, (Point(0.4, 0.4),) * 2) for n in names)
+    one_line = tuple(Polyline(n, (Point(0.1, 0.5), Point(0.9, 0.5))) for n in names)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for polylines in (one_place, one_line):
+            check(FrameAnnotation(polylines))

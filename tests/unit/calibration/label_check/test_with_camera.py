@@ -67,7 +67,6 @@ def test_the_reason_tells_what_the_others_say(clean, field) -> None:
     told = re.search(
         r"without Halfway line the others drop from ([\d.]+) to ([\d.]+) px", found.reason
     )
-    assert told is not None
     assert float(told[1]) > 10 * float(told[2])
     assert float(told[2]) < 4
 

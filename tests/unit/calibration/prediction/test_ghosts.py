@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -53,7 +52,7 @@ def distances(points: np.ndarray, courses: list[np.ndarray]) -> np.ndarray:
 
 @pytest.mark.parametrize("k1", [0.0, 0.4])
 @pytest.mark.parametrize("pan", [-45.0, -20.0, 0.0, 30.0])
-def test_in_sight_is_what_the_camera_projects_and_nothing_else(pan: float, k1: float) -> None:
+def test_in_sight_is_what_the_camera_projects_and_nothing_else(pan, k1) -> None:
     camera = looking(pan, 78.0, 1300.0, k1)
     expected = project_field(camera, EvaluationSetup(FIELD, SIZE, "procc")).pieces
     found: dict[str, list[np.ndarray]] = {}
@@ -73,7 +72,6 @@ def test_an_element_cut_off_ends_at_the_edge_and_keeps_its_direction() -> None:
     camera = looking(-20.0, 78.0, 1300.0)
     (top,) = [s for s in visible_stretches(FIELD, camera, SIZE) if s.name == "Side line top"]
     element = FIELD.element("Side line top")
-    assert element is not None
     way = np.array(element.geometry.end) - np.array(element.geometry.start)
     assert (np.diff(top.points_world @ way) > 0).all()
     cut = min(top.points_px.min(), (LIMITS - top.points_px).min())
@@ -137,7 +135,6 @@ def test_what_is_there_or_not_wanted_is_not_offered(clicked) -> None:
 def relabelled(annotation: FrameAnnotation, name: str, other: str) -> FrameAnnotation:
     """The points of one class under another one."""
     polyline = annotation.get(name)
-    assert polyline is not None
     return annotation.without(name).with_polyline(Polyline(other, polyline.points))
 
 
@@ -149,7 +146,7 @@ def relabelled(annotation: FrameAnnotation, name: str, other: str) -> FrameAnnot
     ],
 )
 def test_a_line_annotated_under_a_wrong_class_is_offered_no_second_label(
-    clicked, right: str, wrong: str
+    clicked, right, wrong
 ) -> None:
     without = clicked.without(right)
     assert right in [g.name for g in find_ghosts(without, FIELD, _fitted(without))]
@@ -163,7 +160,6 @@ def test_a_line_annotated_under_a_wrong_class_is_offered_no_second_label(
 def test_an_element_that_is_merely_off_takes_no_ghost_away(clicked) -> None:
     some = clicked.without("Small rect. left main")
     polyline = some.get("Side line left")
-    assert polyline is not None
     off = tuple(Point(p.u + 0.02, p.v + 0.1) for p in polyline.points)
     moved = some.with_polyline(Polyline("Side line left", off))
     fit = _fitted(moved)
@@ -224,9 +220,7 @@ def _exact(camera: PinholeCamera) -> FrameAnnotation:
 
 
 @pytest.mark.parametrize("every", [12, pytest.param(3, marks=pytest.mark.soak)])
-def test_offered_elements_of_real_frames_are_where_they_are_annotated(
-    shared_data: Path, every: int
-) -> None:
+def test_offered_elements_of_real_frames_are_where_they_are_annotated(shared_data, every) -> None:
     """Fits to 3 to 6 random elements: what is offered is within 5 px (whole set: 99 %)."""
     rng = np.random.default_rng(0)
     paths = sorted((shared_data / "wc14" / "annotations").glob("*.json"))

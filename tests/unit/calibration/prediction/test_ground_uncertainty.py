@@ -84,9 +84,7 @@ def test_a_click_comes_on_top() -> None:
 # With R+ tilt and principal point may change together by so much that to draw them from a normal
 # distribution is not what the fit says: a tenth of it is.
 @pytest.mark.parametrize(("model", "part"), [("H", 1.0), ("P", 1.0), ("R", 1.0), ("R+", 0.1)])
-def test_as_cameras_drawn_from_the_covariance_scatter(
-    views, field, model: str, part: float
-) -> None:
+def test_as_cameras_drawn_from_the_covariance_scatter(views, field, model, part) -> None:
     fit = fit_camera(views.main(np.random.default_rng(5)).annotation, field, model=model)
     pixels = np.array([(120.0, 300.0), (500.0, 180.0), (700.0, 450.0), (300.0, 440.0)])
     meant = ground_from_px(fit.camera, pixels)
@@ -135,7 +133,7 @@ def found(views, field) -> GroundUncertainty:
 
 
 class TestMap:
-    def test_samples_are_where_they_say(self, found: GroundUncertainty) -> None:
+    def test_samples_are_where_they_say(self, found) -> None:
         row, column = np.argwhere(found.in_sight)[100]
         ground = (found.xs_m[column], found.ys_m[row])
         px, _ = found.fit.camera.project(np.array([[*ground, 0.0]]))
@@ -143,7 +141,7 @@ class TestMap:
         alone = ground_sd(found.fit, np.array([ground]))[0]
         assert found.sd_m[row, column] == pytest.approx(alone)
 
-    def test_only_the_field_in_sight_counts(self, found: GroundUncertainty, field) -> None:
+    def test_only_the_field_in_sight_counts(self, found, field) -> None:
         rectangle = field_rectangle(field)
         assert rectangle.left <= found.xs_m[0] < found.xs_m[-1] <= rectangle.right
         assert rectangle.top <= found.ys_m[0] < found.ys_m[-1] <= rectangle.bottom
@@ -154,7 +152,7 @@ class TestMap:
         assert np.isfinite(found.sd_m[found.in_sight]).all()
         assert ((found.distance_to_border_px >= 0) == found.in_sight).all()
 
-    def test_figures(self, found: GroundUncertainty) -> None:
+    def test_figures(self, found) -> None:
         values = found.sd_m[found.in_sight]
         spread = found.statistics
         assert (spread.minimum, spread.maximum) == (values.min(), values.max())

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from pathlib import Path
+import json
 
 import numpy as np
 import pytest
@@ -11,9 +11,10 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.calibration.fitting import fit_camera
 from procc_annotator.calibration.prediction.suggestions import (
     AnnotationSuggestion,
+    likely_classes,
     suggest_annotations,
 )
-from procc_annotator.field.load import load_field
+from procc_annotator.field.load import field_names, load_field
 from procc_annotator.formats.annotations.soccernet import read_annotation
 from procc_annotator.metrics.measurement import measure
 from procc_annotator.metrics.setup import EvaluationSetup
@@ -53,7 +54,6 @@ def test_without_a_camera_there_is_nothing_to_say(clicked) -> None:
 def test_the_place_is_what_is_in_sight_of_it(clicked) -> None:
     some = only(clicked, {"Big rect. left main", "Big rect. left top", "Circle left"})
     fit = fit_camera(some, FIELD, size=SIZE)
-    assert fit.camera is not None
     found = suggest_annotations(some, FIELD, fit)
     px, shown = fit.camera.project(np.array([s.place_world for s in found]))
     assert shown.all()
@@ -75,7 +75,7 @@ def test_what_cannot_be_seen_is_not_suggested(clicked) -> None:
 
 
 @pytest.mark.parametrize("model", ["H", "P", "R", "R+"])
-def test_the_promise_is_kept_by_the_next_fit(clicked, model: str) -> None:
+def test_the_promise_is_kept_by_the_next_fit(clicked, model) -> None:
     """With the best element annotated the projection is as sure as promised, and the more so the
     better it is; as far as the points' own error is the same."""
     names = {"Big rect. left main", "Big rect. left top", "Big rect. left bottom", "Circle left"}
@@ -101,7 +101,7 @@ def test_the_promise_is_kept_by_the_next_fit(clicked, model: str) -> None:
     ("every", "enough"), [(6, 15), pytest.param(3, 30, marks=pytest.mark.soak)]
 )
 def test_following_it_helps_more_than_another_element_on_real_frames(
-    shared_data: Path, every: int, enough: int
+    shared_data, every, enough
 ) -> None:
     rng = np.random.default_rng(2)
     better, before, followed, others = [], [], [], []
@@ -135,3 +135,49 @@ def _error(annotation: FrameAnnotation, fit) -> float:
         return 50.0
     found = measure(annotation, fit.camera, SETUP).plain.distances
     return float(np.mean([50.0 if d is None else min(d.mean(), 50.0) for d in found]))
+
+
+# Lines get their likeliest names without a camera.
+
+HD_SIZE = (1280, 720)
+
+
+@pytest.fixture(scope="module")
+def frames(sample_data) -> list[dict[str, np.ndarray]]:
+    """The elements of the sample's annotated frames, px."""
+    field = load_field("soccer")
+    found = []
+    for path in sorted(sample_data.glob("0*.json")):
+        entries = json.loads(path.read_text())
+        found.append(
+            {
+                name: np.array([(p["x"], p["y"]) for p in points])
+                * (HD_SIZE[0] - 1, HD_SIZE[1] - 1)
+                for name, points in entries.items()
+                if field.element(name) is not None and len(points) > 1
+            }
+        )
+    return found
+
+
+def test_with_two_neighbours_most_lines_are_among_the_first_three(frames) -> None:
+    field, rng = load_field("soccer"), np.random.default_rng(0)
+    asked = right = 0
+    for lines in frames:
+        for name, line in lines.items():
+            others = [other for other in lines if other != name]
+            known = {other: lines[other] for other in rng.permutation(others)[:2]}
+            found = likely_classes(field, line, HD_SIZE, known)
+            assert not set(found) & set(known)
+            asked += 1
+            right += name in found[:3]
+    assert right / asked > 0.7  # of 26 elements; the first three at random would be 12 %
+
+
+@pytest.mark.parametrize("name", field_names())
+def test_every_field_has_an_answer(name) -> None:
+    field = load_field(name)
+    for line in (np.array([(100.0, 300), (1000, 330)]), np.array([(640.0, 360.0)])):
+        found = likely_classes(field, line, HD_SIZE, {})
+        assert len(found) == len(set(found))
+        assert all(field.element(one) is not None for one in found)

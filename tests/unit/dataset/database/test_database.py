@@ -27,7 +27,7 @@ ODD_NAMES = ["", "a b", "Ä" * 300, "fr\udcff.1", "\ud800", "nul\0nul", "'; DROP
 
 
 @pytest.fixture(autouse=True)
-def own_data(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch) -> Path:
+def own_data(tmp_path_factory, monkeypatch) -> Path:
     """The user's data folder, out of the way."""
     folder = tmp_path_factory.mktemp("own")
     monkeypatch.setenv("XDG_DATA_HOME", str(folder))
@@ -37,7 +37,7 @@ def own_data(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.Monke
 
 
 @pytest.fixture(autouse=True)
-def quick_disk(monkeypatch: pytest.MonkeyPatch) -> None:
+def quick_disk(monkeypatch) -> None:
     """Do not wait for the disk; the processes that are killed do."""
     connect = database_file.connect
 
@@ -50,7 +50,7 @@ def quick_disk(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.fixture
-def opened(tmp_path: Path) -> Iterator[Open]:
+def opened(tmp_path) -> Iterator[Open]:
     """Opens databases and closes them in the end."""
     all_: list[WorkspaceDatabase] = []
 
@@ -90,7 +90,7 @@ def _assert_filled(database: WorkspaceDatabase) -> None:
 
 
 @pytest.mark.parametrize("frame", ODD_NAMES)
-def test_everything_comes_back(opened: Open, frame: str) -> None:
+def test_everything_comes_back(opened, frame) -> None:
     first = opened()
     assert first.notices == ()
     assert first.record(frame) == FrameRecord()
@@ -133,7 +133,7 @@ def test_everything_comes_back(opened: Open, frame: str) -> None:
     assert third.comments(frame)[0].resolved
 
 
-def test_last_frame_belongs_to_the_author(opened: Open) -> None:
+def test_last_frame_belongs_to_the_author(opened) -> None:
     anna = opened()
     anna.last_frame = "f1"
     anna.close()
@@ -145,9 +145,7 @@ def _newest(database: WorkspaceDatabase, frame: str) -> bytes:
     return database.version_data(database.versions(frame)[0].id)
 
 
-def test_versions_are_ordered_as_written_whatever_the_clock_says(
-    opened: Open, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_versions_are_ordered_as_written_whatever_the_clock_says(opened, monkeypatch) -> None:
     clock = iter([100.0, 50.0, 75.0, 1.0, 0.5, 0.25])
     monkeypatch.setattr(database_module.time, "time", lambda: next(clock))
     database = opened()
@@ -166,14 +164,14 @@ def test_versions_are_ordered_as_written_whatever_the_clock_says(
     assert again.versions("g") == ()
 
 
-def test_time_never_runs_backwards(opened: Open) -> None:
+def test_time_never_runs_backwards(opened) -> None:
     database = opened()
     for seconds in (-5.0, 0.0, float("nan"), float("inf"), 2.0):
         database.add_seconds("f", seconds)
     assert database.record("f").seconds == 2.0
 
 
-def test_points_that_are_no_numbers_are_left_out(opened: Open) -> None:
+def test_points_that_are_no_numbers_are_left_out(opened) -> None:
     database = opened()
     database.put_origins("f", {(float("nan"), 0.0): _origin(), (0.0, float("inf")): _origin()})
     database.put_origins("f", {(1, 2): _origin()})
@@ -182,7 +180,7 @@ def test_points_that_are_no_numbers_are_left_out(opened: Open) -> None:
 
 
 def test_origins_read_by_another_thread_are_no_word_on_what_comes_later(
-    tmp_path: Path, opened: Open, monkeypatch: pytest.MonkeyPatch
+    tmp_path, opened, monkeypatch
 ) -> None:
     first, other = opened(tmp_path), opened(tmp_path)
     answer = WorkspaceDatabase._answer
@@ -203,12 +201,12 @@ def test_origins_read_by_another_thread_are_no_word_on_what_comes_later(
     assert set(first.origins("1")) == {(0.5, 0.5)}  # until the window looks again
 
 
-def test_unknown_version(opened: Open) -> None:
+def test_unknown_version(opened) -> None:
     with pytest.raises(InputError, match="no such version"):
         opened().version_data("none")
 
 
-def test_single_picture_has_the_database_of_its_folder(tmp_path: Path, opened: Open) -> None:
+def test_single_picture_has_the_database_of_its_folder(tmp_path, opened) -> None:
     picture = tmp_path / "f1.png"
     picture.write_bytes(b"")
     assert opened(picture).path == opened(tmp_path).path == tmp_path / ".procc" / "workspace.db"
@@ -217,12 +215,11 @@ def test_single_picture_has_the_database_of_its_folder(tmp_path: Path, opened: O
 # Circumstances
 
 
-def test_folder_that_cannot_be_written(tmp_path: Path, opened: Open, own_data: Path) -> None:
+def test_folder_that_cannot_be_written(tmp_path, opened, own_data) -> None:
     blocked = tmp_path / "blocked"
     blocked.mkdir()
     (blocked / ".procc").write_bytes(b"")  # a file where the folder belongs
     database = opened(blocked)
-    assert database.path is not None
     assert database.path.is_relative_to(own_data)
     (notice,) = database.notices
     assert str(database.path) in notice
@@ -236,9 +233,7 @@ def test_folder_that_cannot_be_written(tmp_path: Path, opened: Open, own_data: P
     assert dict(opened(other).records()) == {}
 
 
-def test_write_protected_dataset(
-    tmp_path: Path, opened: Open, own_data: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_write_protected_dataset(tmp_path, opened, own_data, monkeypatch) -> None:
     earlier = opened()
     _fill(earlier)
     earlier.close()
@@ -249,7 +244,6 @@ def test_write_protected_dataset(
         lambda path, mode: not str(path).startswith(str(tmp_path)) and real(path, mode),
     )
     database = opened()
-    assert database.path is not None
     assert database.path.is_relative_to(own_data)
     assert "write-protected" in database.notices[0]
     _assert_filled(database)
@@ -275,7 +269,7 @@ def _pictures(dataset: Path, first: int, size: int) -> None:
 
 @pytest.mark.parametrize("below", ["", "league/game"])
 def test_another_dataset_at_the_same_path_inherits_nothing(
-    tmp_path: Path, opened: Open, own_data: Path, below: str
+    tmp_path, opened, own_data, below
 ) -> None:
     drive = tmp_path / "drive"
     _pictures(drive / below, 0, 1000)
@@ -295,9 +289,7 @@ def test_another_dataset_at_the_same_path_inherits_nothing(
     _assert_filled(opened(drive))
 
 
-def test_a_dataset_that_gained_and_lost_pictures_is_still_the_same(
-    tmp_path: Path, opened: Open
-) -> None:
+def test_a_dataset_that_gained_and_lost_pictures_is_still_the_same(tmp_path, opened) -> None:
     drive = tmp_path / "drive"
     _pictures(drive, 0, 1000)
     (drive / ".procc").write_bytes(b"")
@@ -310,9 +302,7 @@ def test_a_dataset_that_gained_and_lost_pictures_is_still_the_same(
     _assert_filled(opened(drive))
 
 
-def test_links_out_of_the_dataset_are_not_followed(
-    tmp_path: Path, opened: Open, own_data: Path
-) -> None:
+def test_links_out_of_the_dataset_are_not_followed(tmp_path, opened, own_data) -> None:
     elsewhere = tmp_path / "elsewhere"
     elsewhere.mkdir()
     for i, name in enumerate((".procc", ".procc/workspace.db", ".procc/workspace.db-journal")):
@@ -321,7 +311,6 @@ def test_links_out_of_the_dataset_are_not_followed(
         link.parent.mkdir(parents=True)
         link.symlink_to(elsewhere / "victim" if i else elsewhere)
         database = opened(dataset)
-        assert database.path is not None
         assert database.path.is_relative_to(own_data)
         assert "leads out of the dataset" in database.notices[0]
         database.set_status("f", Status.DONE)
@@ -329,7 +318,7 @@ def test_links_out_of_the_dataset_are_not_followed(
         assert list(elsewhere.iterdir()) == []
 
 
-def test_nowhere_to_write(tmp_path: Path, opened: Open, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_nowhere_to_write(tmp_path, opened, monkeypatch) -> None:
     blocked = tmp_path / "file"
     blocked.write_bytes(b"")
     for name in ("XDG_DATA_HOME", "LOCALAPPDATA", "HOME"):
@@ -342,7 +331,7 @@ def test_nowhere_to_write(tmp_path: Path, opened: Open, monkeypatch: pytest.Monk
     _assert_filled(database)
 
 
-def test_folder_deleted_under_the_open_database(tmp_path: Path, opened: Open) -> None:
+def test_folder_deleted_under_the_open_database(tmp_path, opened) -> None:
     earlier = opened()
     earlier.set_status("old", Status.APPROVED)
     earlier.add_seconds("old", 7.0)
@@ -364,7 +353,7 @@ def test_folder_deleted_under_the_open_database(tmp_path: Path, opened: Open) ->
     assert again.notices == ()
 
 
-def test_drive_unplugged_and_back(tmp_path: Path, opened: Open) -> None:
+def test_drive_unplugged_and_back(tmp_path, opened) -> None:
     dataset, away = tmp_path / "drive", tmp_path / "away"
     dataset.mkdir()
     database = opened(dataset)
@@ -398,7 +387,7 @@ def test_drive_unplugged_and_back(tmp_path: Path, opened: Open) -> None:
     assert again.origins("new") == {(0.5, 0.5): _origin()}
 
 
-def test_another_file_takes_the_place_of_the_database(tmp_path: Path, opened: Open) -> None:
+def test_another_file_takes_the_place_of_the_database(tmp_path, opened) -> None:
     backup = opened(tmp_path)
     backup.set_status("backed up", Status.DONE)
     backup.close()
@@ -415,7 +404,7 @@ def test_another_file_takes_the_place_of_the_database(tmp_path: Path, opened: Op
     assert again.record("new").status is Status.DONE
 
 
-def test_full_disk(opened: Open, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_full_disk(opened, monkeypatch) -> None:
     connect, room = database_file.connect, [40]
 
     def small(path: Path | None) -> sqlite3.Connection:
@@ -445,7 +434,7 @@ def test_full_disk(opened: Open, monkeypatch: pytest.MonkeyPatch) -> None:
     assert again.record("f").status is Status.DONE
 
 
-def test_locked_for_long(tmp_path: Path, opened: Open, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_locked_for_long(tmp_path, opened, monkeypatch) -> None:
     monkeypatch.setattr(database_file, "_BUSY_S", 0.05)
     database = opened()
     other = sqlite3.connect(tmp_path / ".procc" / "workspace.db", isolation_level=None)
@@ -460,9 +449,7 @@ def test_locked_for_long(tmp_path: Path, opened: Open, monkeypatch: pytest.Monke
     assert database.problem == ""
 
 
-def test_what_could_not_be_written_is_taken_over_the_next_time(
-    tmp_path: Path, opened: Open, own_data: Path
-) -> None:
+def test_what_could_not_be_written_is_taken_over_the_next_time(tmp_path, opened, own_data) -> None:
     dataset, away = tmp_path / "drive", tmp_path / "away"
     dataset.mkdir()
     database = opened(dataset)
@@ -495,9 +482,7 @@ def test_what_could_not_be_written_is_taken_over_the_next_time(
     assert opened(dataset).notices == ()
 
 
-def test_close_says_when_something_is_lost(
-    tmp_path: Path, opened: Open, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_close_says_when_something_is_lost(tmp_path, opened, monkeypatch) -> None:
     dataset = tmp_path / "drive"
     dataset.mkdir()
     database = opened(dataset)
@@ -517,7 +502,7 @@ def test_close_says_when_something_is_lost(
 # Two at once
 
 
-def test_two_windows_see_each_other(opened: Open) -> None:
+def test_two_windows_see_each_other(opened) -> None:
     anna, bert = opened(), opened(author="Bert")
     _fill(anna)
     assert "f1" in bert.reload()
@@ -545,28 +530,25 @@ def test_two_windows_see_each_other(opened: Open) -> None:
     assert anna.origins("f7").keys() == {(7 / 40, 0.25), (0.5, 0.5)}
 
 
-def test_poll_never_waits_and_finds_it_by_the_next_call(opened: Open) -> None:
+def test_poll_never_waits_and_finds_it_by_the_next_call(opened) -> None:
     anna, bert = opened(), opened(author="Bert")
     bert.set_status("f", Status.DONE)
     assert bert.flush(20)
     assert anna.poll() == frozenset()
-    assert anna._looking is not None
     anna._looking.result(20)
     assert anna.poll() == {"f"}
     assert anna.record("f").status is Status.DONE
 
 
-def test_a_look_that_was_outdated_is_followed_by_another_one_at_once(opened: Open) -> None:
+def test_a_look_that_was_outdated_is_followed_by_another_one_at_once(opened) -> None:
     anna, bert = opened(), opened(author="Bert")
     bert.set_setting("lock", "on")
     assert bert.flush(20)
     anna.poll()
-    assert anna._looking is not None
     anna._looking.result(20)
     anna.set_status("f", Status.DONE)
     anna.collect()
     assert anna.setting("lock") is None
-    assert anna._looking is not None  # it was outdated: another look is begun at once
     anna._looking.result(20)
     anna.collect()
     assert anna.setting("lock") == "on"
@@ -575,13 +557,12 @@ def test_a_look_that_was_outdated_is_followed_by_another_one_at_once(opened: Ope
     assert not anna.looking
 
 
-def test_looking_takes_back_nothing_that_was_changed_meanwhile(opened: Open) -> None:
+def test_looking_takes_back_nothing_that_was_changed_meanwhile(opened) -> None:
     anna, bert = opened(), opened(author="Bert")
     bert.set_status("f", Status.DONE)
     bert.set_status("g", Status.DONE)
     assert bert.flush(20)
     anna.poll()
-    assert anna._looking is not None
     anna._looking.result(20)
     anna.set_status("f", Status.REJECTED)
     assert anna.poll() == frozenset()
@@ -619,7 +600,7 @@ def _writing(dataset: Path, author: str, count: int) -> subprocess.Popen[str]:
     )
 
 
-def test_two_processes_write_at_once(tmp_path: Path, opened: Open) -> None:
+def test_two_processes_write_at_once(tmp_path, opened) -> None:
     count = 200
     processes = [_writing(tmp_path, author, count) for author in ("Anna", "Bert")]
     for process in processes:
@@ -638,9 +619,8 @@ def test_two_processes_write_at_once(tmp_path: Path, opened: Open) -> None:
     assert len(database.versions("both")) == 2 * count
 
 
-def test_killed_in_the_middle_of_writing(tmp_path: Path, opened: Open) -> None:
+def test_killed_in_the_middle_of_writing(tmp_path, opened) -> None:
     process = _writing(tmp_path, "Anna", 100_000)
-    assert process.stdout is not None
     last = -1
     while last < 1000:
         last = int(process.stdout.readline())
@@ -659,7 +639,7 @@ def test_killed_in_the_middle_of_writing(tmp_path: Path, opened: Open) -> None:
     assert database.version_data(database.versions("both")[0].id).startswith(b"Anna")
 
 
-def test_program_that_forgets_to_close_ends_and_has_written(tmp_path: Path, opened: Open) -> None:
+def test_program_that_forgets_to_close_ends_and_has_written(tmp_path, opened) -> None:
     script = WRITE_MANY.rpartition("assert")[0]
     subprocess.run(
         [sys.executable, "-c", script, str(tmp_path), "Anna", "10"], check=True, timeout=60
@@ -679,7 +659,7 @@ def _damaged(opened: Open, dataset: Path) -> tuple[WorkspaceDatabase, Path]:
 @pytest.mark.parametrize(
     "content", [b"no database " * 1000, b"x" * 100, b"SQLite format 3\0" + b"?" * 99]
 )
-def test_what_is_no_database_is_set_aside(tmp_path: Path, opened: Open, content: bytes) -> None:
+def test_what_is_no_database_is_set_aside(tmp_path, opened, content) -> None:
     (tmp_path / ".procc").mkdir()
     path = tmp_path / ".procc" / "workspace.db"
     path.write_bytes(content)
@@ -695,7 +675,7 @@ def test_what_is_no_database_is_set_aside(tmp_path: Path, opened: Open, content:
     _assert_filled(again)
 
 
-def test_database_of_another_program_is_set_aside(tmp_path: Path, opened: Open) -> None:
+def test_database_of_another_program_is_set_aside(tmp_path, opened) -> None:
     (tmp_path / ".procc").mkdir()
     with sqlite3.connect(tmp_path / ".procc" / "workspace.db") as other:
         other.execute("CREATE TABLE theirs(x)")
@@ -705,9 +685,7 @@ def test_database_of_another_program_is_set_aside(tmp_path: Path, opened: Open) 
     assert aside.exists()
 
 
-def test_database_of_a_newer_version_is_left_alone(
-    tmp_path: Path, opened: Open, own_data: Path
-) -> None:
+def test_database_of_a_newer_version_is_left_alone(tmp_path, opened, own_data) -> None:
     database = opened()
     _fill(database)
     database.close()
@@ -717,13 +695,12 @@ def test_database_of_a_newer_version_is_left_alone(
     newer.close()
     before = path.read_bytes()
     database = opened()
-    assert database.path is not None
     assert database.path.is_relative_to(own_data)
     assert "newer version" in database.notices[0]
     assert path.read_bytes() == before
 
 
-def test_header_that_forbids_writing_is_damage(tmp_path: Path, opened: Open) -> None:
+def test_header_that_forbids_writing_is_damage(tmp_path, opened) -> None:
     database = opened()
     _fill(database)
     database.close()
@@ -744,7 +721,7 @@ LOSSES: dict[str, Callable[[Path], object]] = {
 
 
 @pytest.mark.parametrize("how", LOSSES)
-def test_lost_database_is_restored_from_its_backup(tmp_path: Path, opened: Open, how: str) -> None:
+def test_lost_database_is_restored_from_its_backup(tmp_path, opened, how) -> None:
     database = opened()
     _fill(database)
     database.set_setting("length", "104.3")
@@ -769,7 +746,7 @@ def test_lost_database_is_restored_from_its_backup(tmp_path: Path, opened: Open,
 
 
 @pytest.mark.parametrize("backup", [b"", b"no backup"])
-def test_lost_without_a_backup_is_told(tmp_path: Path, opened: Open, backup: bytes) -> None:
+def test_lost_without_a_backup_is_told(tmp_path, opened, backup) -> None:
     database = opened()
     _fill(database)
     database.close()
@@ -786,9 +763,7 @@ def test_lost_without_a_backup_is_told(tmp_path: Path, opened: Open, backup: byt
     assert opened().notices == ()
 
 
-def test_damage_never_gets_into_the_backup(
-    tmp_path: Path, opened: Open, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_damage_never_gets_into_the_backup(tmp_path, opened, monkeypatch) -> None:
     database = opened()
     _fill(database)
     database.close()
@@ -812,7 +787,7 @@ def test_damage_never_gets_into_the_backup(
     _assert_filled(database)
 
 
-def test_what_is_not_damaged_is_recovered(tmp_path: Path, opened: Open) -> None:
+def test_what_is_not_damaged_is_recovered(tmp_path, opened) -> None:
     database = opened()
     _fill(database)
     for i in range(3, 6):
@@ -837,7 +812,7 @@ def test_what_is_not_damaged_is_recovered(tmp_path: Path, opened: Open) -> None:
     assert database.setting("width") is None
 
 
-def test_damage_found_while_working(tmp_path: Path, opened: Open) -> None:
+def test_damage_found_while_working(tmp_path, opened) -> None:
     database = opened()
     _fill(database)
     path = tmp_path / ".procc" / "workspace.db"
@@ -856,9 +831,7 @@ def test_damage_found_while_working(tmp_path: Path, opened: Open) -> None:
     assert again.record("f5") == FrameRecord(Status.REJECTED, False, 5.5)
 
 
-def test_file_in_use_that_cannot_be_renamed_is_copied(
-    tmp_path: Path, opened: Open, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_file_in_use_that_cannot_be_renamed_is_copied(tmp_path, opened, monkeypatch) -> None:
     def refuse(*_: object) -> None:
         raise PermissionError(13, "in use")
 
@@ -872,7 +845,7 @@ def test_file_in_use_that_cannot_be_renamed_is_copied(
     _assert_filled(opened())
 
 
-def test_any_damage_is_named(tmp_path: Path, opened: Open) -> None:
+def test_any_damage_is_named(tmp_path, opened) -> None:
     database = opened()
     _fill(database)
     database.close()
@@ -916,7 +889,7 @@ def _newest_after_use(database: WorkspaceDatabase, dataset: Path) -> bytes:
     return newest
 
 
-def test_author_comes_from_the_environment_or_the_login(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_author_comes_from_the_environment_or_the_login(monkeypatch) -> None:
     monkeypatch.setenv("PROCC_AUTHOR", "  Anna ")
     assert default_author() == "Anna"
     monkeypatch.setenv("PROCC_AUTHOR", "")
@@ -933,7 +906,7 @@ def test_author_comes_from_the_environment_or_the_login(monkeypatch: pytest.Monk
     assert default_author() == "unknown"
 
 
-def test_origins_that_were_foreseen_need_no_waiting(opened: Open) -> None:
+def test_origins_that_were_foreseen_need_no_waiting(opened) -> None:
     first = opened()
     first.put_origins("a", {(0.25, 0.5): _origin()})
     first.close()
@@ -941,7 +914,7 @@ def test_origins_that_were_foreseen_need_no_waiting(opened: Open) -> None:
     database.prefetch_origins(["a", "b"])
     database.put_origins("a", {(0.5, 0.5): _origin(7.0)})  # after the question, before the answer
     assert database.flush()
-    database._writer.submit = pytest.fail  # type: ignore[assignment]
+    database._writer.submit = pytest.fail
     assert database.origins("a") == {(0.25, 0.5): _origin(), (0.5, 0.5): _origin(7.0)}
     assert database.origins("b") == {}
     database.prefetch_origins(["a", "b"])  # known: nothing is asked

@@ -17,7 +17,7 @@ CIRCLE, LEFT = "Circle central", "Circle left"
 
 
 @pytest.fixture(autouse=True)
-def own_data(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch) -> Path:
+def own_data(tmp_path_factory, monkeypatch) -> Path:
     """The user's data folder, out of the way."""
     folder = tmp_path_factory.mktemp("own")
     for name in ("XDG_DATA_HOME", "LOCALAPPDATA", "HOME"):
@@ -26,14 +26,14 @@ def own_data(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.Monke
 
 
 @pytest.fixture
-def dataset(tmp_path: Path) -> Path:
+def dataset(tmp_path) -> Path:
     folder = tmp_path / "set"
     folder.mkdir()
     return folder
 
 
 @pytest.fixture
-def opened(dataset: Path) -> Iterator[Open]:
+def opened(dataset) -> Iterator[Open]:
     held: list[WorkspaceDatabase] = []
 
     def open_() -> WorkspaceDatabase:
@@ -50,7 +50,7 @@ def path_of(dataset: Path) -> Path:
 
 
 class TestNotVisible:
-    def test_they_are_there_again_with_who_and_when(self, opened: Open) -> None:
+    def test_they_are_there_again_with_who_and_when(self, opened) -> None:
         before = time.time()
         database = opened()
         database.set_not_visible("f1", CIRCLE, True)
@@ -68,7 +68,7 @@ class TestNotVisible:
         assert (mark.frame, mark.class_name, mark.author) == ("f1", CIRCLE, "Anna")
         assert before <= mark.time <= time.time()
 
-    def test_saying_it_twice_keeps_who_said_it_first(self, opened: Open) -> None:
+    def test_saying_it_twice_keeps_who_said_it_first(self, opened) -> None:
         database = opened()
         database.set_not_visible("f1", CIRCLE, True)
         first = database.is_marked_not_visible("f1")[CIRCLE]
@@ -76,7 +76,7 @@ class TestNotVisible:
         database.set_not_visible("f1", CIRCLE, True)
         assert database.is_marked_not_visible("f1")[CIRCLE] == first
 
-    def test_another_window_sees_them_and_that_they_are_gone(self, opened: Open) -> None:
+    def test_another_window_sees_them_and_that_they_are_gone(self, opened) -> None:
         mine, theirs = opened(), opened()
         for hidden in (True, False):
             mine.set_not_visible("f1", CIRCLE, hidden)
@@ -84,7 +84,7 @@ class TestNotVisible:
             assert "f1" in theirs.reload()
             assert theirs.not_visible("f1") == mine.not_visible("f1")
 
-    def test_a_database_of_the_version_before_goes_on(self, dataset: Path, opened: Open) -> None:
+    def test_a_database_of_the_version_before_goes_on(self, dataset, opened) -> None:
         database = opened()
         database.set_status("f1", Status.DONE)
         database.close()
@@ -101,7 +101,7 @@ class TestNotVisible:
 
 
 class TestSettings:
-    def test_they_are_there_again(self, opened: Open) -> None:
+    def test_they_are_there_again(self, opened) -> None:
         database = opened()
         assert database.setting("length") is None
         database.set_setting("length", "104.3")
@@ -120,14 +120,14 @@ class TestSettings:
         assert again.settings().keys() == {"length", "odd \udcff", "empty"}
         assert again.last_frame == "f1"
 
-    def test_they_have_nothing_to_do_with_what_else_is_kept_by_key(self, opened: Open) -> None:
+    def test_they_have_nothing_to_do_with_what_else_is_kept_by_key(self, opened) -> None:
         database = opened()
         database.last_frame = "f1"
         assert database.setting("last frame of Anna") is None
         database.set_setting("last frame of Anna", "mine")
         assert database.last_frame == "f1"
 
-    def test_another_window_sees_them_and_that_they_are_gone(self, opened: Open) -> None:
+    def test_another_window_sees_them_and_that_they_are_gone(self, opened) -> None:
         mine, theirs = opened(), opened()
         for value in ("104.3", "105", None):
             mine.set_setting("length", value)
@@ -136,7 +136,7 @@ class TestSettings:
             assert theirs.setting("length") == value
 
 
-def test_they_are_written_into_a_file_begun_anew(dataset: Path, opened: Open) -> None:
+def test_they_are_written_into_a_file_begun_anew(dataset, opened) -> None:
     database = opened()  # as it was left by the session before
     database.set_not_visible("f1", CIRCLE, True)
     database.set_setting("length", "104.3")
@@ -155,9 +155,7 @@ def test_they_are_written_into_a_file_begun_anew(dataset: Path, opened: Open) ->
     assert (again.setting("length"), again.setting("width")) == ("104.3", "68")
 
 
-def test_what_was_said_and_taken_back_while_the_folder_was_gone(
-    dataset: Path, opened: Open
-) -> None:
+def test_what_was_said_and_taken_back_while_the_folder_was_gone(dataset, opened) -> None:
     database = opened()
     for name in (CIRCLE, LEFT):
         database.set_not_visible("f1", name, True)

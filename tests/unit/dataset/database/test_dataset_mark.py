@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 from procc_annotator.dataset.database.location import (
     fingerprint_of,
     fingerprints_match,
@@ -11,7 +9,7 @@ from procc_annotator.dataset.database.location import (
 )
 
 
-def test_videos_tell_datasets_apart(tmp_path: Path) -> None:
+def test_videos_tell_datasets_apart(tmp_path) -> None:
     for match, content in (("a", b"one half"), ("b", b"another half")):
         (tmp_path / match).mkdir()
         (tmp_path / match / f"{match}.mp4").write_bytes(content)

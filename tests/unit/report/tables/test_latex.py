@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import shutil
 import subprocess
-from pathlib import Path
 
 import pytest
 
@@ -64,7 +63,7 @@ def _wide(columns: int) -> MetricTable:
     )
 
 
-def test_latex_sets_every_table_within_the_text(tmp_path: Path) -> None:
+def test_latex_sets_every_table_within_the_text(tmp_path) -> None:
     """LaTeX itself says whether it can set them, and how wide they are."""
     pdflatex, find = shutil.which("pdflatex"), shutil.which("kpsewhich")
     if pdflatex is None or find is None or subprocess.run([find, "adjustbox.sty"]).returncode:

@@ -1,4 +1,4 @@
-"""Derived values: of the present inputs or none, worked out once, told once, stopped in time."""
+"""Computed values: of the present inputs or none, computed and signalled once, stopped in time."""
 
 from __future__ import annotations
 
@@ -15,8 +15,7 @@ from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.errors import UsageError
-from procc_annotator.gui.state.derived import Derived, Where
-from procc_annotator.gui.worker import Stopped
+from procc_annotator.gui.state.background import ComputedValue, Stopped
 from tests.gui.conftest import let_work_end
 
 
@@ -59,17 +58,17 @@ def counted(signal: Any) -> list[tuple[object, ...]]:
 
 
 def derived(
-    number: Number, compute: Callable[..., Any], where: Where = Where.BESIDE, **more: Any
-) -> Derived[Any]:
-    value = Derived(number.inputs, compute, where, **more)
-    number.changed.connect(value.look)
-    value.look()
+    number: Number, compute: Callable[..., Any], background: bool = True, **more: Any
+) -> ComputedValue[Any]:
+    value = ComputedValue(number.inputs, compute, background=background, **more)
+    number.changed.connect(value.invalidate)
+    value.invalidate()
     return value
 
 
 def test_at_once_it_is_worked_out_when_asked_for_and_once(qtbot: QtBot) -> None:
     number, asked = Number(), []
-    value = derived(number, lambda n: asked.append(n) or 10 * n, Where.AT_ONCE)
+    value = derived(number, lambda n: asked.append(n) or 10 * n, background=False)
     said = counted(value.changed)
     assert asked == []
     assert (value.value, value.value, asked) == (10, 10, [1])
@@ -82,7 +81,7 @@ def test_at_once_it_is_worked_out_when_asked_for_and_once(qtbot: QtBot) -> None:
 
 def test_objects_are_told_apart_by_what_they_are_not_by_what_is_in_them(qtbot: QtBot) -> None:
     number, asked = Number([1]), []
-    value = derived(number, lambda n: asked.append(n) or len(n), Where.AT_ONCE)
+    value = derived(number, lambda n: asked.append(n) or len(n), background=False)
     assert value.value == 1
     number.set([1])
     assert value.value == 1
@@ -134,16 +133,16 @@ def test_nothing_to_work_out_is_no_value(qtbot: QtBot) -> None:
 
 def test_why_there_is_nothing_to_work_out_is_a_problem(qtbot: QtBot) -> None:
     asked: list[object] = ["no camera"]
-    value = Derived(lambda: asked[0], lambda n: 10 * n, Where.BESIDE)
-    value.look()
+    value = ComputedValue(lambda: asked[0], lambda n: 10 * n)
+    value.invalidate()
     said, told = counted(value.changed), counted(value.failed)
     assert (value.value, value.working, value.problem) == (None, False, "no camera")
     for other in ("no field", None, "no field"):
         asked[0] = other
-        value.look()
+        value.invalidate()
         assert value.problem == (other or "")
     assert (len(said), told) == (3, [])
-    value.set_wanted(False)
+    value.set_enabled(False)
     assert value.problem == ""
 
 
@@ -158,28 +157,28 @@ def test_none_may_be_the_answer(qtbot: QtBot) -> None:
 
 def test_what_nobody_wants_is_not_worked_out(qtbot: QtBot) -> None:
     number, asked = Number(), []
-    value = Derived(number.inputs, lambda n: asked.append(n) or n, Where.BESIDE)
-    value.set_wanted(False)
-    value.look()
+    value = ComputedValue(number.inputs, lambda n: asked.append(n) or n)
+    value.set_enabled(False)
+    value.invalidate()
     let_work_end(qtbot)
     assert (asked, value.working) == ([], False)
-    value.set_wanted(True)
+    value.set_enabled(True)
     qtbot.waitUntil(lambda: value.value == 1)
-    value.set_wanted(False)
+    value.set_enabled(False)
     assert value.value is None
 
 
 def test_as_many_answers_are_kept_as_wished(qtbot: QtBot) -> None:
     number, asked = Number(), []
-    value = derived(number, lambda n: asked.append(n) or n, kept=2)
+    value = derived(number, lambda n: asked.append(n) or n, cache_size=2)
     for n in (1, 2, 1, 3, 1, 2):
         number.set(n)
         qtbot.waitUntil(lambda n=n: value.value == n)
     assert asked == [1, 2, 3, 2]  # what was not asked for longest goes first
     number.set(1)
     assert value.value == 1  # at once
-    assert (value.latest, value.known(2), value.known(3)) == (1, 2, None)
-    value.forget()
+    assert (value.latest, value.cached(2), value.cached(3)) == (1, 2, None)
+    value.clear()
     assert value.value is None
 
 
@@ -187,10 +186,10 @@ def refuse(n: int) -> int:
     raise UsageError(f"{n // 10} is no good")
 
 
-@pytest.mark.parametrize("where", list(Where))
-def test_a_failure_is_a_problem_and_told_once(qtbot: QtBot, where: Where) -> None:
+@pytest.mark.parametrize("background", [True, False])
+def test_a_failure_is_a_problem_and_told_once(qtbot: QtBot, background: bool) -> None:
     number = Number(11)
-    value = derived(number, refuse, where)
+    value = derived(number, refuse, background)
     told = counted(value.failed)
     for n, problem in ((11, "1 is no good"), (12, "1 is no good"), (21, "2 is no good")):
         number.set(n)
@@ -213,16 +212,16 @@ def test_what_failed_is_tried_again_when_asked(qtbot: QtBot) -> None:
     value = derived(number, compute)
     told = counted(value.failed)
     qtbot.waitUntil(lambda: value.problem == "broken")
-    value.look()
+    value.invalidate()
     let_work_end(qtbot)
     assert asked == [1]
-    value.try_again()
+    value.retry()
     let_work_end(qtbot)
     assert (asked, value.problem, len(told)) == ([1, 1], "broken", 1)
     broken.clear()
-    value.try_again()
+    value.retry()
     qtbot.waitUntil(lambda: value.value == 1)
-    value.try_again()
+    value.retry()
     let_work_end(qtbot)
     assert (len(asked), value.problem) == (3, "")
 
@@ -233,7 +232,7 @@ def test_a_bug_is_told_and_not_hidden(qtbot: QtBot, monkeypatch: pytest.MonkeyPa
     number, asked = Number(0), []
     value = derived(number, lambda n: asked.append(n) or 1 / n)
     qtbot.waitUntil(lambda: "ZeroDivisionError" in value.problem)
-    value.look()
+    value.invalidate()
     let_work_end(qtbot)
     assert (len(raised), asked, value.working) == (1, [0], False)
     number.set(2)
@@ -268,7 +267,7 @@ def test_patience_is_asked_for_what_came_and_went(qtbot: QtBot) -> None:
         waits.append(now)
         return 0
 
-    value = derived(number, lambda n: asked.append(n) or n, patience=patience)
+    value = derived(number, lambda n: asked.append(n) or n, delay_ms=patience)
     for n in (2, 3):
         number.set(n)
     number.set(None)
@@ -282,8 +281,8 @@ def test_what_is_forgotten_while_it_is_worked_out_is_worked_out_anew(qtbot: QtBo
     number, gate = Number(), Gate()
     value = derived(number, gate)
     qtbot.waitUntil(gate.begun.is_set)
-    value.forget()
-    value.look()
+    value.clear()
+    value.invalidate()
     gate.go.set()
     qtbot.waitUntil(lambda: value.value == 10)
     assert gate.asked == [1, 1]
@@ -317,13 +316,12 @@ def test_after_close_nothing_comes_and_nothing_is_held(qtbot: QtBot) -> None:
 
     thing, number, gate = Thing(), Number(), Gate()
     held = weakref.ref(thing)
-    value = Derived(
-        lambda kept=thing: (number.value,),
+    value = ComputedValue(
+        lambda cache_size=thing: (number.value,),
         gate,
-        Where.BESIDE,
     )
-    number.changed.connect(value.look)
-    value.look()
+    number.changed.connect(value.invalidate)
+    value.invalidate()
     qtbot.waitUntil(gate.begun.is_set)
     said = counted(value.changed)
     value.close()
@@ -357,8 +355,8 @@ def test_a_value_of_a_value_follows(qtbot: QtBot) -> None:
     def from_tenfold() -> tuple[int] | None:
         return None if tenfold.value is None else (tenfold.value,)
 
-    more = Derived(from_tenfold, lambda n: n + 1, Where.AT_ONCE)
-    tenfold.changed.connect(more.look)
+    more = ComputedValue(from_tenfold, lambda n: n + 1, background=False)
+    tenfold.changed.connect(more.invalidate)
     said = counted(more.changed)
     qtbot.waitUntil(lambda: more.value == 11)
     number.set(2)
@@ -372,9 +370,9 @@ def test_answers_are_kept_within_what_they_are_of_only(qtbot: QtBot) -> None:
     value = derived(
         number,
         lambda n: asked.append(n) or n,
-        Where.AT_ONCE,
-        kept=8,
-        kept_within=lambda: frame[0],
+        background=False,
+        cache_size=8,
+        cache_scope=lambda: frame[0],
     )
     assert value.value == 1
     number.set(2)
@@ -384,16 +382,16 @@ def test_answers_are_kept_within_what_they_are_of_only(qtbot: QtBot) -> None:
     frame[0] = "second"
     number.set(2)
     assert (value.value, asked) == (2, [1, 2, 2])
-    assert value.known(1) is None
+    assert value.cached(1) is None
 
 
 def test_a_later_look_is_one_for_all_and_no_value_is_older(qtbot: QtBot) -> None:
     number, asked = Number(), []
-    value = Derived(number.inputs, lambda n: asked.append(n) or 10 * n, Where.BESIDE)
+    value = ComputedValue(number.inputs, lambda n: asked.append(n) or 10 * n)
     said = counted(value.changed)
     for n in (2, 3, 4):
         number.set(n)
-        value.look_later()
+        value.invalidate_later()
         assert value.value is None
         assert value.working
     assert not said

@@ -14,8 +14,14 @@ from PySide6.QtCore import QObject
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.errors import UsageError
-from procc_annotator.gui.latest import Latest
-from procc_annotator.gui.worker import JobControl, hold_back, let_go, run_in_background
+from procc_annotator.gui.state.background import (
+    JobControl,
+    LatestOnlyTask,
+    Priority,
+    hold,
+    release,
+    run_in_background,
+)
 
 
 class Heard:
@@ -116,15 +122,15 @@ def test_a_cancelled_job_is_asked_to_stop_and_says_nothing(qtbot: QtBot) -> None
 
 def test_parts_come_before_the_outcome_in_their_order(qtbot: QtBot) -> None:
     heard, owner, told = Heard(), QObject(), list[object]()
-    latest = Latest(owner, heard.on_error)
+    latest = LatestOnlyTask(owner, heard.on_error)
 
     def work(control: JobControl) -> str:
         for part in range(100):
-            control.hand_over(part)
+            control.emit_partial(part)
             control.progress(part, 100)
         return "outcome"
 
-    latest.start(work, told.append, parts=told.extend)
+    latest.start(work, told.append, partial=told.extend)
     qtbot.waitUntil(lambda: not latest.running)
     assert told == [*range(100), "outcome"]
     assert latest.finish()
@@ -135,19 +141,19 @@ def test_what_was_handed_over_is_taken_by_cutting_short_not_by_cancelling(
     qtbot: QtBot, kept: bool
 ) -> None:
     heard, owner, told = Heard(), QObject(), list[int]()
-    latest = Latest(owner, heard.on_error)
+    latest = LatestOnlyTask(owner, heard.on_error)
     handed, ended = threading.Event(), threading.Event()
 
     def until_left(control: JobControl) -> int:
-        control.hand_over(1)
+        control.emit_partial(1)
         handed.set()
         ended.wait(60)
-        control.hand_over(2)  # too late
+        control.emit_partial(2)  # too late
         return 3
 
-    latest.start(until_left, heard.on_result, parts=told.extend)
+    latest.start(until_left, heard.on_result, partial=told.extend)
     assert handed.wait(60)
-    assert latest.cut_short() if kept else latest.cancel()
+    assert latest.stop_keep_partial() if kept else latest.cancel()
     ended.set()
     latest.start(lambda control: 4, heard.on_result)
     qtbot.waitUntil(lambda: bool(heard.results))
@@ -157,7 +163,7 @@ def test_what_was_handed_over_is_taken_by_cutting_short_not_by_cancelling(
 
 def test_of_work_begun_one_after_another_only_the_latest_is_heard_of(qtbot: QtBot) -> None:
     heard, owner = Heard(), QObject()
-    latest = Latest(owner, heard.on_error)
+    latest = LatestOnlyTask(owner, heard.on_error)
     begun, left = threading.Event(), threading.Event()
 
     def until_left(control: JobControl) -> int:
@@ -234,7 +240,9 @@ def test_what_a_hand_waits_for_passes_work_on_the_whole_set(
     qtbot: QtBot, busy: threading.Event
 ) -> None:
     heard = Heard()
-    run_in_background(lambda _: 1, on_result=heard.on_result, on_error=heard.on_error, urgent=True)
+    run_in_background(
+        lambda _: 1, on_result=heard.on_result, on_error=heard.on_error, priority=Priority.URGENT
+    )
     qtbot.waitUntil(lambda: heard.results == [1])
     assert not busy.is_set()
 
@@ -273,7 +281,7 @@ def test_work_on_whole_datasets_yields_to_the_interface(qtbot: QtBot) -> None:
             lambda _: os.getpriority(os.PRIO_PROCESS, 0),
             on_result=lambda niceness: found.update({urgent: niceness}),
             on_error=None,
-            urgent=urgent,
+            priority=Priority.URGENT if urgent else Priority.LOW,
         )
 
     note(True)
@@ -292,9 +300,9 @@ def test_work_may_begin_later_and_is_never_begun_if_it_is_cancelled_before(qtbot
         return 1
 
     given = {"on_result": heard.on_result, "on_error": heard.on_error}
-    dropped = run_in_background(work, **given, wait_ms=0)
-    job = run_in_background(work, **given, wait_ms=0)
-    asked_for = run_in_background(work, **given, wait_ms=60_000)
+    dropped = run_in_background(work, **given, delay_ms=0)
+    job = run_in_background(work, **given, delay_ms=0)
+    asked_for = run_in_background(work, **given, delay_ms=60_000)
     assert not job.begun
     dropped.cancel()
     assert asked_for.finish()  # whoever waits for it does not wait for its time
@@ -312,20 +320,20 @@ def test_while_the_window_is_made_only_short_work_begins(qtbot: QtBot) -> None:
         begun.append(name)
         return name
 
-    hold_back()
+    hold()
     try:
         jobs = [
-            run_in_background(lambda _: work("fit"), **given, urgent=True, wait_ms=0),
+            run_in_background(lambda _: work("fit"), **given, priority=Priority.URGENT, delay_ms=0),
             run_in_background(lambda _: work("audit"), **given),
         ]
         dropped = run_in_background(lambda _: work("dropped"), **given)
         dropped.cancel()
-        run_in_background(lambda _: work("picture"), **given, at_once=True)
+        run_in_background(lambda _: work("picture"), **given, priority=Priority.IMMEDIATE)
         qtbot.waitUntil(lambda: heard.results == ["picture"])
         assert begun == ["picture"]
         assert not any(job.begun for job in jobs)
     finally:
-        let_go()
+        release()
     qtbot.waitUntil(lambda: len(heard.results) == 3)
     assert sorted(begun) == ["audit", "fit", "picture"]
     assert not dropped.running

@@ -1,0 +1,94 @@
+"""Updates of widgets that wait until the widget can be seen."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import lru_cache
+
+import shiboken6
+from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QTimer, Slot
+from PySide6.QtWidgets import QWidget
+
+_INTERVAL_MS = 60  # between updates of one widget, so that a slow one does not slow a drag
+
+
+class _Turn(QObject):
+    """Runs all updates that wait in one turn of the event loop: the window is painted once."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._waiting: dict[VisibleUpdate, None] = {}
+        self._timer = QTimer(self, singleShot=True)
+        self._timer.timeout.connect(self._run)
+
+    def add(self, update: VisibleUpdate) -> None:
+        self._waiting[update] = None
+        self._timer.start(0)
+
+    @Slot()
+    def _run(self) -> None:
+        waiting, self._waiting = self._waiting, {}
+        for update in waiting:
+            if shiboken6.isValid(update):
+                update.run()
+
+
+@lru_cache(maxsize=1)
+def _turn() -> _Turn:
+    return _Turn()
+
+
+class VisibleUpdate(QObject):
+    """Runs the update of a widget after the next paint, once, however often it is requested.
+
+    All widgets that wait are updated in one turn, in the order of their requests. While a widget
+    cannot be seen nothing runs; it catches up when it is shown, or its tab is brought to the front.
+    """
+
+    def __init__(self, widget: QWidget, update: Callable[[], None]) -> None:
+        super().__init__(widget)
+        self._widget, self._update = widget, update
+        self._stale = True
+        self._resting = QTimer(self, singleShot=True)
+        self._resting.timeout.connect(self.run)
+        widget.installEventFilter(self)
+
+    @Slot()
+    def request(self) -> None:
+        """Update at the next opportunity."""
+        self._stale = True
+        if not self._resting.isActive():
+            _turn().add(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        kind = event.type()  # first: other events come while the widget is being destroyed
+        if kind == QEvent.Type.Show and self._stale:
+            self.catch_up()
+        elif kind in (QEvent.Type.Paint, QEvent.Type.Resize) and self._stale:
+            self.request()
+        return False
+
+    def catch_up(self) -> None:
+        """The widget is about to be seen: update before it is painted, if anything changed."""
+        if self._stale and self._widget.isVisible():
+            self._run()
+
+    @Slot()
+    def run(self) -> None:
+        """Update now, if anything changed and the widget can be seen."""
+        if self._stale and self._in_sight():
+            self._run()
+
+    def _run(self) -> None:
+        self._stale = False
+        self._update()
+        self._resting.start(_INTERVAL_MS)
+
+    def _in_sight(self) -> bool:
+        """Return whether any of it is seen: Qt calls docks behind other tabs visible, too, and
+        keeps them outside the window."""
+        widget = self._widget
+        if not widget.isVisible():
+            return False
+        window = widget.window()
+        return window.rect().intersects(QRect(widget.mapTo(window, QPoint()), widget.size()))
