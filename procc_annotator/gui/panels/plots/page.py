@@ -13,19 +13,14 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QColor, QPalette
 from PySide6.QtWidgets import QStackedLayout, QVBoxLayout, QWidget
 
-from procc_annotator.batch.audit import FloatArray, PlotData, envelope
-from procc_annotator.gui.panels.parts import empty_state
-from procc_annotator.gui.panels.plots.looks import source_pen, symbol_of
-from procc_annotator.gui.panels.plots.request import PlotRequest, PlottedSource, Scope
+from procc_annotator.batch.audit import FloatArray, PlotData
+from procc_annotator.gui.panels.plots.data import PlotRequest, PlottedSource, Scope
+from procc_annotator.gui.panels.plots.legend import source_pen, symbol_of
+from procc_annotator.gui.panels.widgets import empty_state
 from procc_annotator.gui.theme import follow_theme, muted, readable
 from procc_annotator.translation import tr
 
 D = TypeVar("D")
-
-
-_ROOM = 7  # logical px a frame must have for a symbol
-_MARK_EVERY = 70  # logical px between the symbols of a line with more frames
-_MANY_DOTS = 400  # of one source; from here on they are small and faint
 
 
 class Items:
@@ -69,7 +64,7 @@ class PlotPage(QWidget, Generic[D]):
         title: its name in the list of plots, marked by ``word``.
         scopes: which choices of frames make sense.
         by_class: whether one class can be chosen.
-        follows_tau, follows_frame: whether the data (not only a mark) depends on these.
+        follows_tau: whether the data (not only a mark) depends on tau.
     """
 
     title = ""
@@ -161,19 +156,16 @@ class PlotPage(QWidget, Generic[D]):
     def dots(
         self,
         kind: str,
-        number: int,
         source: PlottedSource,
         *,
         size: float,
-        alpha: float = 1.0,
-        pen: Any = None,
     ) -> Any:
         """Dots with the symbol of a source; they have no data yet."""
-        item = self.items[0].take(kind, number, self.pg.ScatterPlotItem)
+        item = self.items[0].take(kind, source.number, self.pg.ScatterPlotItem)
         item.setSymbol(symbol_of(source), update=False)
         item.setSize(size, update=False)
-        item.setPen(pen, update=False)
-        item.setBrush(self.colour(source, alpha), update=False)
+        item.setPen(None, update=False)
+        item.setBrush(self.colour(source), update=False)
         return item
 
     def shade(
@@ -188,56 +180,6 @@ class PlotPage(QWidget, Generic[D]):
         edges = np.concatenate((low[known], high[known][::-1]))
         fill = self.pg.mkBrush(self.colour(source, 0.15))
         band.setData(around, edges, pen=None, fillLevel="enclosed", brush=fill)
-
-    def cloud(self, source: PlottedSource, x: FloatArray, y: FloatArray) -> None:
-        """Dots of a source: with its symbol, or many small faint ones."""
-        if len(x) <= _MANY_DOTS:
-            self.dots("dots", source.number, source, size=6, alpha=0.7).setData(x=x, y=y)
-            return
-        from procc_annotator.gui.panels.plots.cloud import DotCloud  # imports pyqtgraph
-
-        cloud = self.items[0].take("cloud", source.number, DotCloud)
-        cloud.show_dots(x, y, self.colour(source, 0.4))
-
-    def draw_over_frames(
-        self,
-        line: Any,
-        marks: Any,
-        source: PlottedSource,
-        values: FloatArray,
-        span: tuple[float, float, float],
-    ) -> None:
-        """Show what is in view of values over the frames, with gaps where there are none.
-
-        Args:
-            line, marks: a curve and dots of the plot, for the source alone.
-            values: (F,) of the frames, which are counted from 1 on the axis.
-            span: the first and the last place in view, and how many logical px wide that is.
-        """
-        low, high, width = span
-        positions, shown = envelope(values, int(low) - 2, int(high) + 2, max(400, round(4 * width)))
-        if not np.isfinite(shown).any():  # pyqtgraph takes the extremes of nothing, and complains
-            positions = shown = np.empty(0)
-        symbols = width >= _ROOM * (high - low)
-        pen = self.pen(source, 1.4)
-        if 2 * (high - low) > width:  # dashes could not be told there, and take long to paint
-            pen = self.pg.mkPen(self.colour(source), width=1)
-        line.setData(
-            positions + 1.0,
-            shown,
-            connect="finite",
-            pen=pen,
-            symbol=symbol_of(source) if symbols else None,
-            symbolSize=7,
-            symbolBrush=self.colour(source),
-            symbolPen=None,
-        )
-        at = np.empty(0, dtype=int) if symbols else sparse(values, source.number, span)
-        marks.setSymbol(symbol_of(source), update=False)
-        marks.setSize(8, update=False)
-        marks.setPen(None, update=False)
-        marks.setBrush(self.colour(source), update=False)
-        marks.setData(x=at + 1.0, y=values[at])
 
     def pen(self, source: PlottedSource, width: float = 1.6) -> Any:
         """The line of a source; its width in px of the window, whatever their sharpness."""
@@ -268,21 +210,3 @@ class PlotPage(QWidget, Generic[D]):
             axis.setPen(muted(palette))
             axis.setTextPen(text)
             axis.setLabel(axis.labelText, axis.labelUnits, color=text.name())
-
-
-def sparse(values: FloatArray, number: int, span: tuple[float, float, float]) -> Any:
-    """(m,) positions of a few values in view, evenly apart; other numbers get others in between.
-
-    Args:
-        values, span: as in `PlotPage.draw_over_frames`.
-    """
-    low, high, width = span
-    step = max(1.0, _MARK_EVERY * (high - low) / max(width, 1.0))
-    wanted = np.arange(0.0, len(values), step) + step * (number % 6) / 6
-    known = np.flatnonzero(np.isfinite(values))
-    wanted = wanted[(wanted >= low - 1) & (wanted <= high - 1)]
-    if not len(known) or not len(wanted):
-        return np.empty(0, dtype=int)
-    after = np.minimum(np.searchsorted(known, wanted), len(known) - 1)
-    found = known[after]
-    return np.unique(found[np.abs(found - wanted) <= step / 2])

@@ -2,17 +2,101 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import replace
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Literal
 
 from procc_annotator.batch.audit import FrameAudit, audit_frame
+from procc_annotator.batch.grouping import FrameOrder
 from procc_annotator.dataset.layout import FRAMES_FILE
+from procc_annotator.errors import InputError
 from procc_annotator.field.landmarks import element_titles
-from procc_annotator.gui.panels.plots.request import PlotRequest, PlottedSource, Scope
+from procc_annotator.formats.cameras.fit_record import NOT_FITTED, FitCounts
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.selectors import judged
+from procc_annotator.translation import tr
+
+Scope = Literal["frame", "set"]
+
+
+@dataclass(frozen=True, eq=False)
+class PlottedSource:
+    """A camera source as plots know it.
+
+    Attributes:
+        name, colour: as everywhere in the window; the colour as "#rrggbb".
+        number: its place among all sources, which gives its dashes and its symbol.
+        audits: by frame name; only of frames that may be shown.
+        active: whether it is the one that is judged.
+        fitted: whether they were fitted to the clicks they are judged by.
+    """
+
+    name: str
+    colour: str
+    number: int
+    audits: Mapping[str, FrameAudit]
+    active: bool = False
+    fitted: FitCounts = NOT_FITTED
+
+
+@dataclass(frozen=True, eq=False)
+class PlotRequest:
+    """What to plot.
+
+    Attributes:
+        sources: the visible ones.
+        frames: names of all frames of the dataset, in its order.
+        current: position of the frame on screen, -1 without one.
+        scope: the frame on screen, or all of them.
+        class_row: only points of this class of the field; None for all.
+        tau: px.
+        size: of the evaluation, px.
+        titles: of the classes, by row of the field.
+        blind: whether blind mode hides frames of the scope.
+        order_file: the dataset's table of frames, if it has one.
+    """
+
+    sources: tuple[PlottedSource, ...]
+    frames: tuple[str, ...]
+    current: int
+    scope: Scope
+    class_row: int | None
+    tau: float
+    size: tuple[int, int]
+    titles: tuple[str, ...] = ()
+    blind: bool = False
+    order_file: Path | None = None
+
+    def order(self) -> tuple[FrameOrder | None, str]:
+        """The dataset's table of frames, read anew (not on the interface's thread), and what is
+        wrong with it, if it cannot be used."""
+        if self.order_file is None or not self.order_file.is_file():
+            return None, ""
+        try:
+            return FrameOrder.read(self.order_file), ""
+        except InputError as error:
+            return None, tr("Shots are told by names, since {error}.", error=error)
+
+    def why_nothing(self, otherwise: str) -> str:
+        """Why there is nothing to plot: blind mode, or what else a page says."""
+        if not self.blind:
+            return otherwise
+        if self.scope == "frame":
+            return tr("Hidden: blind mode shows this plot once this frame is committed.")
+        return tr(
+            "Hidden: blind mode shows committed frames only, and none of them is in this plot."
+        )
+
+    def audits(self, source: PlottedSource) -> list[FrameAudit]:
+        """Return what the scope holds of a source, in the order of the frames."""
+        if self.scope == "frame":
+            name = self.frames[self.current] if self.current >= 0 else ""
+            found = source.audits.get(name)
+            return [] if found is None else [found]
+        return [source.audits[name] for name in self.frames if name in source.audits]
+
 
 Restrict = Callable[[PlotRequest], PlotRequest]
 
@@ -57,7 +141,6 @@ class PlotSources:
                 number,
                 self._of_frame(source) if scope == "frame" else dict(source.audits),
                 source.camera_set is document.state.active_cameras,
-                source.camera_set,
                 source.fitted,
             )
             for number, source in enumerate(document.state.sources)
@@ -73,7 +156,6 @@ class PlotSources:
             document.state.setup.size,
             tuple(element_titles(document.state.field).values()),
             document.state.blind if scope == "set" else not document.state.projection_visible,
-            document.state.field,
             order_file=self._order_file,
         )
         return request, self._restriction(scope)
@@ -106,8 +188,7 @@ class PlotSources:
                 replace(s, audits={n: a for n, a in s.audits.items() if n in committed})
                 for s in request.sources
             )
-            hidden = frozenset(request.frames) - committed
-            return replace(request, sources=sources, hidden=hidden)
+            return replace(request, sources=sources)
 
         return restrict
 

@@ -21,11 +21,10 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.field.landmarks import element_titles
-from procc_annotator.gui.panels.parts import choice, empty_state
-from procc_annotator.gui.panels.plots.base import PlotPage
-from procc_annotator.gui.panels.plots.request import PlotRequest
-from procc_annotator.gui.panels.plots.sources import PlotSources, Restrict
-from procc_annotator.gui.panels.plots.taking import TakingAlong
+from procc_annotator.gui.panels.plots.data import PlotRequest, PlotSources, Restrict
+from procc_annotator.gui.panels.plots.export import TakingAlong
+from procc_annotator.gui.panels.plots.page import PlotPage
+from procc_annotator.gui.panels.widgets import choice, empty_state
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
 from procc_annotator.gui.state.document import Document
@@ -47,24 +46,10 @@ class _Kind(Protocol):
 
 def _kinds() -> tuple[_Kind, ...]:
     """Every kind of page; loaded when the panel is first seen."""
-    from procc_annotator.gui.panels.plots.curves import DifferencePage, TauPage, TimelinePage
-    from procc_annotator.gui.panels.plots.errors import HistogramPage, RadiusPage
-    from procc_annotator.gui.panels.plots.poses import AnglesPage, PositionPage
-    from procc_annotator.gui.panels.plots.residuals import DirectionsPage, VectorsPage
-    from procc_annotator.gui.panels.plots.steady import SteadyPage
+    from procc_annotator.gui.panels.plots.curves import TauPage, TimelinePage
+    from procc_annotator.gui.panels.plots.errors import HistogramPage, VectorsPage
 
-    return (
-        TauPage,
-        DifferencePage,
-        TimelinePage,
-        SteadyPage,
-        HistogramPage,
-        RadiusPage,
-        VectorsPage,
-        DirectionsPage,
-        AnglesPage,
-        PositionPage,
-    )
+    return (TauPage, TimelinePage, HistogramPage, VectorsPage)
 
 
 class PlotsPanel(TakingAlong):
