@@ -156,22 +156,22 @@ def copy(folder: Path, dataset: Path) -> None:
         cv2.imwrite(str(panned / f"{name}.jpg"), picture[:, left : left + part])
     window = build_window(dataset)
     source = window.document
-    source.go_to(1)
-    polylines = source.annotation.polylines
+    source.walk.go_to(1)
+    polylines = source.state.annotation.polylines
     first = [p for p in polylines if max(q.u for q in p.points) < part / width]
     scale = (width - 1) / (part - 1)
     entries = {p.class_name: [{"x": q.u * scale, "y": q.v} for q in p.points] for p in first}
     (panned / "00001.json").write_text(json.dumps(entries))
-    source.open_path(panned)
+    source.opening.open_path(panned)
     window.resize(*SIZE)
     window.show()
     wait(600)
-    source.go_to(1)
+    source.walk.go_to(1)
     window.assistant.copy_from_previous()
     wait(900)
-    source.set_mode("edit")
+    source.selecting.set_mode("edit")
     window.actions_["loupe"].trigger()
-    waiting = source.annotation.get_unconfirmed("Big rect. left main")
+    waiting = source.state.annotation.get_unconfirmed("Big rect. left main")
     if waiting is None:
         raise SystemExit("the camera's motion was not found: nothing to show")
     x, y = points_px(waiting, (part, height))[-1]

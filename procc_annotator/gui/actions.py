@@ -1,7 +1,7 @@
 """Every action of the window, in one table: menu, name, text, keys, what it calls, tip.
 
-``slot`` is a dotted path from the main window (``document.editing.undo``), called with ``args`` and,
-if the action is checkable, with its new state. Actions with ``scope`` "canvas" work while the
+``slot`` is a dotted path from the main window (``document.editing.undo``), called with ``args``
+and, if the action is checkable, with its new state. Actions with ``scope`` "canvas" work while the
 picture has the keyboard, so that Enter and Backspace keep their meaning in text fields.
 """
 

@@ -13,6 +13,7 @@ from procc_annotator.field.model import Element, Field
 from procc_annotator.gui.actions import ACTIONS
 from procc_annotator.gui.gestures import HELD_KEYS
 from procc_annotator.gui.keymap import NATIVE, USUAL, Keymap, chords_of
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 
 _Chords = tuple[str, ...]
@@ -62,11 +63,11 @@ class ElementShortcuts(QObject):
         super().__init__(window)
         self._window, self._document = window, document
         self._shortcuts: list[QShortcut] = []
-        document.fieldChanged.connect(self._make)
+        document.store.watch(select.field, self._make)
         document.store.watch(lambda state: state.keymap, self._take)
         self._make()
 
-    def _take(self, _: Keymap) -> None:
+    def _take(self) -> None:
         self._make()
 
     def _make(self) -> None:

@@ -58,6 +58,7 @@ from procc_annotator.gui.panels.timeline.filmstrip import Filmstrip
 from procc_annotator.gui.panels.timeline.place import StripPlace
 from procc_annotator.gui.panels.timeline.shot_strip import ShotStrip
 from procc_annotator.gui.settings import RECENT, SECOND, Settings
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.window.coach import Coach
 from procc_annotator.gui.window.command_palette import CommandPalette
@@ -291,8 +292,8 @@ class MainWindow(QMainWindow):
 
     def _connect(self) -> None:
         document = self.document
-        document.frameChanged.connect(self._refresh_frame)
-        document.frameChanged.connect(self._fit_below_bars)
+        document.store.watch(select.frame, self._refresh_frame)
+        document.store.watch(select.frame, self._fit_below_bars)
         self.message_bar.remedy_wanted.connect(lambda name: self.actions_[name].trigger())
         self.welcome.open_folder.connect(self.opening.open_folder)
         self.welcome.open_picture.connect(self.opening.open_picture)
@@ -314,13 +315,10 @@ class MainWindow(QMainWindow):
         self.label_check.serve(self.findings)
         # Its reason should be in sight.
         self.label_check.walked.connect(lambda: self.panels.show_unless_hidden("findings"))
-        for hand_moved in (
-            self.canvas.cursorMoved,
-            self.canvas.viewChanged,
-            document.annotationChanged,
-            document.selectionChanged,
-        ):
-            hand_moved.connect(document.review.note_activity)
+        note_activity = document.review.note_activity
+        for moved in (self.canvas.cursorMoved, self.canvas.viewChanged):
+            moved.connect(note_activity)
+        document.store.watch(lambda s: (s.annotation, s.selection), note_activity)
 
     # --- showing the document -------------------------------------------------------------
 

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from procc_annotator.gui.state.messages import Notice, Told
+from procc_annotator.gui.state.messages import Message, Notice
 from procc_annotator.gui.theme import alarm_colours
 from procc_annotator.translation import tr, tr_count, word
 
@@ -82,12 +82,12 @@ class MessageBar(Bar):
         close.clicked.connect(self.hide)
         self.row.addWidget(close)
         self._fresh = False
-        self._lines: list[Told | Notice] = []
+        self._lines: list[Message | Notice] = []
 
-    def tell(self, told: Told, *, above: Iterable[Notice] = ()) -> None:
+    def tell(self, message: Message, *, above: Iterable[Notice] = ()) -> None:
         """Show one line, under those that are still so."""
-        self._show_lines([*above, told])
-        self._offer(told.remedy)
+        self._show_lines([*above, message])
+        self._offer(message.remedy)
         self._fresh = True
         self.show()
 
@@ -100,7 +100,7 @@ class MessageBar(Bar):
             self._offer(getattr(left[-1], "remedy", "") if left else "")
             self.setVisible(bool(left) and not self.isHidden())
 
-    def _show_lines(self, lines: list[Told | Notice]) -> None:
+    def _show_lines(self, lines: list[Message | Notice]) -> None:
         self._lines = lines
         self.label.setText("\n".join(line.text for line in lines))
 

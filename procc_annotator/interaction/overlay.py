@@ -343,7 +343,8 @@ def dragged_overlay(shown: OverlayContent) -> Overlay:
     by_class = shown.colour_by != "criterion" or not verdict.by_criterion
     for name in drawn.names():
         line, status = drawn.line(name), verdict.status.get(name)
-        colour, dash = tones.UNKNOWN_CLASS, ()
+        colour: str = tones.UNKNOWN_CLASS
+        dash: tuple[float, ...] = ()
         if by_class and (element := shown.field.element(name)) is not None:
             colour = element.colour
         elif by_class:

@@ -426,7 +426,7 @@ def begun(make_window: MakeWindow, annotated: Path, qtbot: QtBot) -> MainWindow:
 def told(begun: MainWindow) -> list[str]:
     """What the window said, in order."""
     texts: list[str] = []
-    begun.document.message.connect(lambda text, level: texts.append(text))
+    begun.document.store.events.message.connect(lambda m: texts.append(m.text))
     return texts
 
 

@@ -49,7 +49,7 @@ def test_a_frame_that_comes_under_a_bar_is_seen_whole(
 
 def test_a_warning_is_shown_though_something_else_is_said_at_once(window: MainWindow) -> None:
     document = window.document
-    with document.store.together():
+    with document.store.transaction():
         document.say("a colleague has this frame", "warning")
         document.say("the frame is in progress again", "info")
     assert window.message_bar.isVisible()

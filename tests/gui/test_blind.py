@@ -204,7 +204,7 @@ class Look:
 
     def saved_fit(self) -> object:
         folder = self.folder / "sample" / "cameras" / "fitted"
-        with self.qtbot.waitSignal(self.window.document.message, timeout=20_000):
+        with self.qtbot.waitSignal(self.window.document.store.events.message, timeout=20_000):
             self.window.actions_["save_fit"].trigger()
         there = folder.exists()
         shutil.rmtree(folder, ignore_errors=True)
@@ -325,7 +325,7 @@ def blind(make_window: MakeWindow, dataset: Path, qtbot: QtBot) -> MainWindow:
 @pytest.fixture
 def told(blind: MainWindow) -> list[str]:
     texts: list[str] = []
-    blind.document.message.connect(lambda text, level: texts.append(text))
+    blind.document.store.events.message.connect(lambda m: texts.append(m.text))
     return texts
 
 
@@ -487,7 +487,7 @@ def test_in_a_folder_that_cannot_be_written_it_is_said_whom_it_holds_for(
     monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
     window = make_window(dataset)
     told: list[str] = []
-    window.document.message.connect(lambda text, level: told.append(text))
+    window.document.store.events.message.connect(lambda m: told.append(m.text))
     window.actions_["lock_blind"].trigger()
     assert "locked to blind mode, for you alone" in told[-1]
     assert "for you alone" in window.actions_["blind"].toolTip()

@@ -389,7 +389,7 @@ class TestTakingBack:
         window.canvas.undo()
         assert window.document.corrections.here is None
         said: list[str] = []
-        window.document.message.connect(lambda text, _: said.append(text))
+        window.document.store.events.message.connect(lambda m: said.append(m.text))
         window.canvas.undo()
         assert said == ["nothing to undo on this frame"]
 

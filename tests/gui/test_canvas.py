@@ -370,7 +370,7 @@ def test_ctrl_delete_removes_the_element_while_drawing_too(
     window: MainWindow, hand: Hand, saved: ReadPoints
 ) -> None:
     told: list[str] = []
-    window.document.message.connect(lambda text, level: told.append(text))
+    window.document.store.events.message.connect(lambda m: told.append(m.text))
     hand.draw("Middle line", (300, 60), (310, 300))
     hand.draw("Side line top", (100, 60), (500, 60))
     window.document.selecting.select_class("Middle line", continues=True)

@@ -61,7 +61,8 @@ def counted(signal: Any) -> list[tuple[object, ...]]:
 def derived(
     number: Number, compute: Callable[..., Any], where: Where = Where.BESIDE, **more: Any
 ) -> Derived[Any]:
-    value = Derived(number.inputs, compute, where, after=(number.changed,), **more)
+    value = Derived(number.inputs, compute, where, **more)
+    number.changed.connect(value.look)
     value.look()
     return value
 
@@ -90,25 +91,6 @@ def test_objects_are_told_apart_by_what_they_are_not_by_what_is_in_them(qtbot: Q
         number.set(plain)
         assert value.value == len(plain)
     assert len(asked) == 5
-
-
-def test_once_a_repaint_all_changes_are_told_together(qtbot: QtBot) -> None:
-    number, asked = Number(), []
-    value = derived(number, lambda n: asked.append(n) or 10 * n, Where.ONCE_A_REPAINT)
-    said = counted(value.changed)
-    for n in (2, 3, 4):
-        number.set(n)
-    assert (said, asked) == ([], [])
-    qtbot.waitUntil(lambda: bool(said))
-    assert (len(said), value.value, asked) == (1, 40, [4])
-
-
-def test_what_is_asked_for_before_it_was_told_is_never_of_before(qtbot: QtBot) -> None:
-    number = Number()
-    value = derived(number, lambda n: 10 * n, Where.ONCE_A_REPAINT)
-    assert value.value == 10
-    number.value = 2  # nobody has said so yet
-    assert value.value == 20
 
 
 def test_beside_it_comes_once_it_is_known(qtbot: QtBot) -> None:
@@ -208,7 +190,7 @@ def refuse(n: int) -> int:
 @pytest.mark.parametrize("where", list(Where))
 def test_a_failure_is_a_problem_and_told_once(qtbot: QtBot, where: Where) -> None:
     number = Number(11)
-    value = Derived(number.inputs, refuse, where, after=(number.changed,))
+    value = derived(number, refuse, where)
     told = counted(value.failed)
     for n, problem in ((11, "1 is no good"), (12, "1 is no good"), (21, "2 is no good")):
         number.set(n)
@@ -320,17 +302,13 @@ def test_what_is_painted_comes_first(qtbot: QtBot) -> None:
         widget.show()
     QApplication.processEvents()
     number = Number()
-    value = Derived(
-        number.inputs, lambda n: order.append("begun") or n, Where.BESIDE, after=(number.changed,)
-    )
-    later = Derived(number.inputs, lambda n: n, Where.ONCE_A_REPAINT, after=(number.changed,))
-    later.changed.connect(lambda: order.append("told"))
+    value = derived(number, lambda n: order.append("begun") or n)
     order.clear()
     number.set(2)
     widget.update()
     qtbot.waitUntil(lambda: value.value == 2)
     assert order[0] == "painted"
-    assert set(order) == {"painted", "told", "begun"}
+    assert set(order) == {"painted", "begun"}
 
 
 def test_after_close_nothing_comes_and_nothing_is_held(qtbot: QtBot) -> None:
@@ -343,8 +321,8 @@ def test_after_close_nothing_comes_and_nothing_is_held(qtbot: QtBot) -> None:
         lambda kept=thing: (number.value,),
         gate,
         Where.BESIDE,
-        after=(number.changed,),
     )
+    number.changed.connect(value.look)
     value.look()
     qtbot.waitUntil(gate.begun.is_set)
     said = counted(value.changed)
@@ -360,8 +338,7 @@ def test_after_close_nothing_comes_and_nothing_is_held(qtbot: QtBot) -> None:
 
 def test_what_is_dropped_takes_its_work_along(qtbot: QtBot) -> None:
     parent, number, gate = QObject(), Number(), Gate()
-    value = Derived(number.inputs, gate, Where.BESIDE, parent, after=(number.changed,))
-    value.look()
+    value = derived(number, gate, parent=parent)
     qtbot.waitUntil(gate.begun.is_set)
     gone = weakref.ref(value)
     del value, parent
@@ -380,7 +357,8 @@ def test_a_value_of_a_value_follows(qtbot: QtBot) -> None:
     def from_tenfold() -> tuple[int] | None:
         return None if tenfold.value is None else (tenfold.value,)
 
-    more = Derived(from_tenfold, lambda n: n + 1, Where.AT_ONCE, after=(tenfold.changed,))
+    more = Derived(from_tenfold, lambda n: n + 1, Where.AT_ONCE)
+    tenfold.changed.connect(more.look)
     said = counted(more.changed)
     qtbot.waitUntil(lambda: more.value == 11)
     number.set(2)

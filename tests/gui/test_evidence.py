@@ -108,7 +108,7 @@ def test_bent_paint_under_two_clicks_is_told_at_once_and_r_mends_it(
 ) -> None:
     document, hand = bent.document, hand_on(bent)
     told: list[str] = []
-    document.message.connect(lambda text, level: told.append(text))
+    document.store.events.message.connect(lambda m: told.append(m.text))
     qtbot.waitUntil(lambda: document.label_check.checked is not None, timeout=20_000)
     hand.draw("Side line top", (102, 300), (858, 300))
 

@@ -57,7 +57,7 @@ def choose(window: MainWindow, title: str, qtbot: QtBot) -> None:
     menu.aboutToShow.emit()
     (action,) = [a for a in menu.actions() if a.text() == title]
     told: list[str] = []
-    window.document.message.connect(lambda text, level: told.append(text))
+    window.document.store.events.message.connect(lambda m: told.append(m.text))
     action.trigger()
     qtbot.waitUntil(lambda: f"from now on: {title}" in " ".join(told), timeout=20_000)
     assert window.document.state.field.title == title
@@ -290,7 +290,7 @@ def test_what_showing_a_field_takes_is_worked_out_before(
         order.append((field.name, threading.current_thread() is threading.main_thread()))
 
     document.field_choice.preparing.append(note)
-    document.fieldChanged.connect(lambda: note(document.state.field))
+    document.store.watch(lambda s: s.field, lambda: note(document.state.field))
     document.field_choice.choose("tennis")
     qtbot.waitUntil(lambda: len(order) == 2, timeout=20_000)
     document.field_choice.resize({"line_width": 0.04})

@@ -233,7 +233,7 @@ def test_whatever_the_rules_leave_open_can_be_set(window: MainWindow, qtbot: QtB
     unpainted = tuple(replace(e, line_width=0.0, inside=None) for e in handball.elements)
     document.terms.set_field(replace(handball, elements=unpainted))
     told: list[str] = []
-    document.message.connect(lambda text, level: told.append(text))
+    document.store.events.message.connect(lambda m: told.append(m.text))
     window.actions_["field_dimensions"].trigger()
     assert window.field_dimensions.dialog is None
     assert told == ["the rules fix every dimension of the field Handball"]
@@ -329,7 +329,7 @@ def test_a_window_that_is_closed_changes_no_field_any_more(
     qtbot.waitUntil(lambda: not document.state.field.is_nominal)
     judged.close()
     changed: list[object] = []
-    document.fieldChanged.connect(lambda: changed.append(document.state.field))
+    document.store.watch(lambda s: s.field, lambda: changed.append(document.state.field))
     dialog.reject()
     let_work_end(qtbot)
     assert not changed

@@ -277,7 +277,7 @@ class TestReadOnly:
         first = begun.document
         first.presence.set_dataset(annotated, "Ada")
         first.presence.enter("00002")
-        assert first.begin_edit()
+        assert first.editing.begin_edit()
         second = make_window(annotated)
         second.document.presence.set_dataset(annotated, "Ben")
         second.document.walk.go_to(0)
@@ -286,7 +286,7 @@ class TestReadOnly:
         assert "Ada" in second.document.state.why_not_editable
         wait_for_ghosts(second, qtbot)
         told.clear()
-        second.document.message.connect(lambda text, level: told.append(text))
+        second.document.store.events.message.connect(lambda m: told.append(m.text))
         return second
 
     def test_ghosts_can_be_looked_at_but_nothing_is_written(

@@ -259,7 +259,7 @@ class TestAccept:
         monkeypatch: pytest.MonkeyPatch,
     ) -> None:
         document = begun.document
-        document.store.set(picture=np.full_like(document.walk.picture, 90))
+        document.store.update(picture=np.full_like(document.walk.picture, 90))
         name = go(begun, hand, qtbot)
         assert "no line is found along it" in begun.canvas.hint
         hand.key(Key.Key_Return)
@@ -301,7 +301,7 @@ class TestAccept:
     ) -> None:
         """The frame is annotated: what is left of its lines cannot be seen."""
         document, here = begun.document, begun.document.state.frame_index
-        document.store.set(picture=np.full_like(document.walk.picture, 90))
+        document.store.update(picture=np.full_like(document.walk.picture, 90))
         hand.key(Key.Key_Return, ALT)
         qtbot.waitUntil(lambda: document.state.frame_index == here + 1, timeout=20_000)
         document.walk.go_to(here)
@@ -320,7 +320,7 @@ class TestAccept:
         begun.actions_["ghost_support"].trigger()
         assert begun.ghost_tasks.accepting.least_support == 1.0
         picture = np.full_like(begun.document.walk.picture, 90)
-        begun.document.store.set(picture=picture)
+        begun.document.store.update(picture=picture)
         hand.key(Key.Key_Return, SHIFT)
         qtbot.waitUntil(lambda: not begun.ghost_tasks.accepting.busy, timeout=20_000)
         assert "no ghost was accepted, less than 100% of the line is seen" in told[-1]

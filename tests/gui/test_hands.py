@@ -240,8 +240,8 @@ class TestLeaving:
         document.selecting.select_class(MIDDLE)
         clicks.click(480, 130)
         told = qtbot.waitSignal(
-            document.message,
-            check_params_cb=lambda text, _: text.startswith("kept 1 click of Half"),
+            document.store.events.message,
+            check_params_cb=lambda m: m.text.startswith("kept 1 click of Half"),
         )
         with told:
             document.walk.next_frame()
@@ -266,7 +266,7 @@ class TestLeaving:
         left = pitch.with_name("left")  # as it lies there while the hand is still at it
         shutil.copytree(pitch, left, ignore=shutil.ignore_patterns("locks"))
         later = make_window(left).document
-        waiting = later.annotation.get_unconfirmed(MIDDLE)
+        waiting = later.state.annotation.get_unconfirmed(MIDDLE)
         assert waiting is not None
         assert len(waiting.points) == 2
         on_pitch.canvas.key("Enter")
@@ -280,7 +280,7 @@ class TestRegularise:
     ) -> None:
         clicks.draw(MIDDLE, (482, 130), (478, 530))
         on_pitch.document.selecting.select_class(MIDDLE)
-        with qtbot.waitSignal(on_pitch.document.annotationChanged):
+        with qtbot.waitSignal(on_pitch.document.store.events.annotationEdited):
             clicks.key(Qt.Key.Key_R)
         found = px(on_pitch, MIDDLE)
         assert len(found) > 3
@@ -296,7 +296,7 @@ class TestRegularise:
         clicks.draw(MIDDLE, (482, 130), (478, 530))
         clicks.draw(TOP, (5, 121), (955, 119))
         before = on_pitch.document.state.annotation
-        with qtbot.waitSignal(on_pitch.document.annotationChanged):
+        with qtbot.waitSignal(on_pitch.document.store.events.annotationEdited):
             clicks.key(Qt.Key.Key_R, SHIFT)
         assert len(px(on_pitch, MIDDLE)) > 3
         assert len(px(on_pitch, TOP)) > 3
@@ -315,7 +315,8 @@ class TestRegularise:
                 clicks.key(Qt.Key.Key_Return)
                 assert on_pitch.document.state.selected_class != MIDDLE
             with qtbot.waitSignal(
-                on_pitch.document.message, check_params_cb=lambda text, _: "regularised" in text
+                on_pitch.document.store.events.message,
+                check_params_cb=lambda m: "regularised" in m.text,
             ):
                 clicks.key(Qt.Key.Key_R)
             assert len(px(on_pitch, MIDDLE)) > 2
@@ -342,7 +343,7 @@ class TestRegularise:
     ) -> None:
         clicks.draw(MIDDLE, (484, 130), (477, 530))
         before, said = on_pitch.document.state.annotation, []
-        on_pitch.document.message.connect(lambda text, level: said.append(text))
+        on_pitch.document.store.events.message.connect(lambda m: said.append(m.text))
         clicks.key(Qt.Key.Key_R, SHIFT)
         clicks.key(Qt.Key.Key_D)
         assert "the frame was left: nothing was regularised" in said
@@ -352,11 +353,11 @@ class TestRegularise:
 
     def test_what_is_regular_stays(self, on_pitch: MainWindow, clicks: Hand, qtbot: QtBot) -> None:
         clicks.draw(MIDDLE, (484, 130), (477, 530))
-        said = on_pitch.document.message
-        with qtbot.waitSignal(said, check_params_cb=lambda text, _: "regularised" in text):
+        said = on_pitch.document.store.events.message
+        with qtbot.waitSignal(said, check_params_cb=lambda m: "regularised" in m.text):
             clicks.key(Qt.Key.Key_R)
         once = px(on_pitch, MIDDLE)
-        with qtbot.waitSignal(said, check_params_cb=lambda text, _: "regular already" in text):
+        with qtbot.waitSignal(said, check_params_cb=lambda m: "regular already" in m.text):
             clicks.key(Qt.Key.Key_R)
         assert np.array_equal(px(on_pitch, MIDDLE), once)
 
@@ -367,7 +368,7 @@ class TestRegularise:
         document = on_pitch.document
         for _ in range(2):
             with qtbot.waitSignal(
-                document.message, check_params_cb=lambda text, _: "regularised" in text
+                document.store.events.message, check_params_cb=lambda m: "regularised" in m.text
             ):
                 clicks.key(Qt.Key.Key_R)
             line = document.state.annotation.get(MIDDLE)
@@ -393,14 +394,14 @@ class TestRegularise:
         annotation = FrameAnnotation(tuple(hands))
         (tmp_path / "bra_mex.json").write_bytes(write_annotation(annotation))
         window = make_window(tmp_path)
-        hand, said = hand_on(window), window.document.message
+        hand, said = hand_on(window), window.document.store.events.message
         with qtbot.waitSignal(
-            said, check_params_cb=lambda text, _: "regularised" in text, timeout=60_000
+            said, check_params_cb=lambda m: "regularised" in m.text, timeout=60_000
         ):
             hand.key(Qt.Key.Key_R, SHIFT)
         once = window.document.state.annotation
         assert once != annotation
-        with qtbot.waitSignal(said, check_params_cb=lambda text, _: "regular already" in text):
+        with qtbot.waitSignal(said, check_params_cb=lambda m: "regular already" in m.text):
             hand.key(Qt.Key.Key_R, SHIFT)
             all_done(qtbot)
         assert window.document.state.annotation == once
@@ -416,8 +417,8 @@ class TestRegularise:
         aside = (UPRIGHT + 30, 330)
         clicks.draw(MIDDLE, (482, 130), (481, 230), aside, (479, 430), (478, 530))
         with qtbot.waitSignal(
-            on_pitch.document.message,
-            check_params_cb=lambda text, _: "1 point unconfirmed by paint" in text,
+            on_pitch.document.store.events.message,
+            check_params_cb=lambda m: "1 point unconfirmed by paint" in m.text,
         ):
             clicks.key(Qt.Key.Key_R)
         found = px(on_pitch, MIDDLE)
@@ -430,7 +431,7 @@ class TestCopying:
         clicks.draw(MIDDLE, (480, 130), (480, 530))
         clicks.draw(TOP, (5, 120), (955, 120))
         window.document.walk.next_frame()
-        with qtbot.waitSignal(window.document.annotationChanged, timeout=10_000):
+        with qtbot.waitSignal(window.document.store.events.annotationEdited, timeout=10_000):
             clicks.key(Qt.Key.Key_V)
 
     def test_copies_move_with_the_camera_and_count_for_nothing(
@@ -508,7 +509,7 @@ class TestCopying:
         clicks.key(Qt.Key.Key_Return)
         assert on_pitch.document.state.annotation.annotated == (MIDDLE,)
         with qtbot.waitSignal(
-            on_pitch.document.message, check_params_cb=lambda text, _: "regular" in text
+            on_pitch.document.store.events.message, check_params_cb=lambda m: "regular" in m.text
         ):
             clicks.key(Qt.Key.Key_R)  # means the one just confirmed
         assert on_pitch.document.state.annotation.annotated == (MIDDLE,)
@@ -741,7 +742,7 @@ class TestWholeElements:
         document.selecting.set_mode("draw")
         clicks.draw("Side top", (300, 200), (400, 200))
         texts: list[str] = []
-        document.message.connect(lambda text, level: texts.append(text))
+        document.store.events.message.connect(lambda m: texts.append(m.text))
         document.selecting.select_class("Side right")
         clicks.key(Qt.Key.Key_D, CTRL)
         assert texts[-1] == "Side bottom, Side left, Side top are annotated already"

@@ -199,7 +199,7 @@ class TestDamage:
         first.write_bytes(b"no picture")
         window = make_window(annotated)
         heard: list[str] = []
-        window.document.message.connect(lambda text, _: heard.append(text))
+        window.document.store.events.message.connect(lambda m: heard.append(m.text))
         for name in ("regularise", "regularise_all", "close_gaps"):
             heard.clear()
             window.document.selecting.select_class(window.document.state.annotation.annotated[0])

@@ -394,7 +394,7 @@ def test_a_place_is_not_deleted_unasked(
         return answers[len(asked) - 1]
 
     monkeypatch.setattr("procc_annotator.gui.panels.landmarks.ask_to_delete", answer)
-    seen.document.message.connect(lambda text, level: told.append(text))
+    seen.document.store.events.message.connect(lambda m: told.append(m.text))
     assert seen.document.landmarks.survey("Clock", "1, 2, -3")
     panel._refresh()
     panel.list.setCurrentItem(panel.list.topLevelItem(0))

@@ -184,7 +184,7 @@ def test_no_word_of_the_window_is_left_out(
     pseudo: None, audited: MainWindow, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     asked, found = Asked(monkeypatch), paint_spy(monkeypatch)
-    audited.document.message.connect(lambda text, _: found.append(("told", text)))
+    audited.document.store.events.message.connect(lambda m: found.append(("told", m.text)))
     audited.canvas.hintChanged.connect(lambda text: found.append(("hint", text)))
     _draw_and_ask(audited)
     for desk in DESKS:
@@ -212,7 +212,7 @@ def test_nor_is_one_of_ghosts_findings_and_a_second_annotator(
     asked, found = Asked(monkeypatch), paint_spy(monkeypatch)
     document, workspace = begun.document, begun.document.state.workspace
     assert workspace is not None
-    document.message.connect(lambda text, _: found.append(("told", text)))
+    document.store.events.message.connect(lambda m: found.append(("told", m.text)))
     begun.canvas.hintChanged.connect(lambda text: found.append(("hint", text)))
     second = shutil.copytree(workspace.root, tmp_path / "second")
     qtbot.waitUntil(lambda: bool(document.ghosts.painted), timeout=20_000)

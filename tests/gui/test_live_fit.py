@@ -231,7 +231,7 @@ class TestFit:
         fitted.actions_["live_fit"].trigger()
         document = fitted.document
         assert document.live_fit.insight is None
-        assert document.state.sources == []
+        assert document.state.sources == ()
         fitted.close()
         again = make_window(annotated)
         assert not again.actions_["live_fit"].isChecked()
@@ -262,7 +262,7 @@ class TestBugs:
             raise ZeroDivisionError("in a fit")
 
         document, told = fitted.document, []
-        document.message.connect(lambda text, level: told.append((text, level)))
+        document.store.events.message.connect(lambda m: told.append((m.text, m.level)))
         with monkeypatch.context() as broken:
             broken.setattr(live_fit, "analyse_frame", fail)
             document.editing.commit_edit("nudge", nudged(document.state.annotation, 0.004))
@@ -430,7 +430,7 @@ class TestSource:
         document = fitted.document
         document.camera_sources.set_active_camera(0)
         told = []
-        document.message.connect(lambda text, level: told.append(text))
+        document.store.events.message.connect(lambda m: told.append(m.text))
         out = tmp_path / "jac.csv"
         fitted.exporter.write_scores(out)
         assert not out.exists()
@@ -510,7 +510,7 @@ class TestPanel:
         row = panel.rows.rows[0]
         assert (row.class_name, row.words) == (FAR, "✕ left out: Far touchline")
         flown = []
-        document.flyTo.connect(lambda x, y: flown.append((x, y)))
+        document.store.events.flyTo.connect(lambda x, y: flown.append((x, y)))
         place = panel.table.visualRect(panel.rows.index(0, 0)).center()
         QTest.mouseClick(panel.table.viewport(), Qt.MouseButton.LeftButton, pos=place)
         assert document.state.selection.point == (FAR, 0)
@@ -531,7 +531,7 @@ class TestPanel:
         )
         at = next(i for i, row in enumerate(panel.rows.rows) if row.class_name == FAR)
         go, flown = slow_fits(), []
-        document.flyTo.connect(lambda x, y: flown.append((x, y)))
+        document.store.events.flyTo.connect(lambda x, y: flown.append((x, y)))
         document.editing.commit_edit("shorten", delete_point(document.state.annotation, FAR, last))
         place = panel.table.visualRect(panel.rows.index(at, 0)).center()
         QTest.mouseClick(panel.table.viewport(), Qt.MouseButton.LeftButton, pos=place)
@@ -572,7 +572,7 @@ class TestPanel:
 class TestSaving:
     def save(self, window: MainWindow, qtbot: QtBot) -> str:
         told: list[str] = []
-        window.document.message.connect(lambda text, level: told.append(text))
+        window.document.store.events.message.connect(lambda m: told.append(m.text))
         window.actions_["save_fit"].trigger()
         qtbot.waitUntil(lambda: any("sav" in text for text in told))
         return told[-1]
@@ -593,7 +593,7 @@ class TestSaving:
         self, fitted: MainWindow, annotated: Path, qtbot: QtBot
     ) -> None:
         told: list[str] = []
-        fitted.document.message.connect(lambda text, level: told.append(text))
+        fitted.document.store.events.message.connect(lambda m: told.append(m.text))
         for _ in range(2):
             fitted.actions_["save_fit"].trigger()
         qtbot.waitUntil(lambda: sum("is saved as" in text for text in told) == 2)
@@ -662,7 +662,7 @@ class TestSaving:
     ) -> None:
         (annotated / "cameras" / "fitted").write_text("in the way")
         told: list[tuple[str, str]] = []
-        fitted.document.message.connect(lambda text, level: told.append((text, level)))
+        fitted.document.store.events.message.connect(lambda m: told.append((m.text, m.level)))
         fitted.actions_["save_fit"].trigger()
         qtbot.waitUntil(lambda: bool(told))
         let_work_end(qtbot)
@@ -700,7 +700,7 @@ class TestBlind:
         document = fitted.document
         assert document.state.blind
         told = []
-        document.message.connect(lambda text, level: told.append(text))
+        document.store.events.message.connect(lambda m: told.append(m.text))
         fitted.actions_["blind"].trigger()
         assert document.state.blind
         assert fitted.actions_["blind"].isChecked()
@@ -733,7 +733,7 @@ class TestBlind:
         assert document.fit_source.source not in document.state.sources
         before = document.state.annotation
         told = []
-        document.message.connect(lambda text, level: told.append(text))
+        document.store.events.message.connect(lambda m: told.append(m.text))
         Hand(fitted).key(Qt.Key.Key_Return, Qt.KeyboardModifier.ShiftModifier)
         fitted.actions_["accept_ghosts"].trigger()
         assert document.state.annotation is before

@@ -236,7 +236,7 @@ class TestCameras:
         assert "missing" in window.message_bar.label.text()
 
     def test_flying_to_a_point_brings_it_to_the_middle(self, window: MainWindow) -> None:
-        window.document.flyTo.emit(500.0, 300.0)
+        window.document.store.events.flyTo.emit(500.0, 300.0)
         middle = QPointF(window.canvas.viewport().rect().center())
         assert window.canvas.to_picture(middle) == pytest.approx((500, 300), abs=1.0)
         assert window.canvas.view_scale >= 4.0

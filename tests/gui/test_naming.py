@@ -152,7 +152,7 @@ def test_it_can_be_switched_off(window: MainWindow, hand: Hand) -> None:
     window.document.selecting.select_class(None)
     hand.click(100, 100)
     assert not window.canvas.editor.drawing
-    assert "choose an element first" in window.document.state.told.text
+    assert "choose an element first" in window.status.hint.text_for(2000)
 
 
 def test_a_camera_known_from_few_clicks_names_every_line_in_sight(

@@ -151,7 +151,7 @@ def test_a_file_in_the_middle_of_being_written_costs_no_history(
     hand_on(audited).draw("Middle line", (100, 100), (200, 200))
     whole = path.read_text()
     said: list[str] = []
-    document.message.connect(lambda text, _: said.append(text))
+    document.store.events.message.connect(lambda m: said.append(m.text))
     path.write_text(whole[:20])
     document.editing.look_at_frame()
     assert not said  # it was not read; the frame says why

@@ -119,7 +119,7 @@ def test_the_menu_asks_and_writes(
     monkeypatch.setattr(OverlayDialog, "exec", choose)
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(out), ""))
     said: list[str] = []
-    window.document.message.connect(lambda text, _: said.append(text))
+    window.document.store.events.message.connect(lambda m: said.append(m.text))
     window.actions_["save_overlay"].trigger()
     written = out.with_suffix(".svg")
     qtbot.waitUntil(lambda: len(said) == 2, timeout=20_000)
@@ -137,7 +137,7 @@ def test_the_window_goes_on_while_a_large_picture_is_written(
         )
     )
     said: list[tuple[str, str]] = []
-    window.document.message.connect(lambda *told: said.append(told))
+    window.document.store.events.message.connect(lambda m: said.append((m.text, m.level)))
     out = tmp_path / "large.png"
     assert window.overlay_saving.write(out, OverlayLook(3.0, legend=True))
     assert not out.exists()  # nobody waited for it

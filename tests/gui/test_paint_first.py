@@ -33,9 +33,9 @@ def on_disk(folder: Path, frame: str, class_name: str) -> list[float]:
 
 def test_an_edit_is_shown_before_it_is_saved_and_judged(audited: MainWindow, qtbot: QtBot) -> None:
     document, order = audited.document, []
-    document.annotationChanged.connect(lambda: order.append("shown"))
+    document.store.watch(lambda s: s.annotation, lambda: order.append("shown"))
     document.saver.saved.connect(lambda: order.append("saved"))
-    document.sourceAuditsChanged.connect(lambda _: order.append("judged"))
+    document.store.events.sourceAuditsChanged.connect(lambda _: order.append("judged"))
     document.editing.commit_edit("nudge", nudged(document.state.annotation))
     assert order == ["shown"]
     assert audited.top_bar.saved.text() == "saving..."

@@ -86,7 +86,7 @@ def test_what_failed_is_tried_again(
     judged: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     document, told, tried = judged.document, [], []
-    document.message.connect(lambda text, level: told.append(text))
+    document.store.events.message.connect(lambda m: told.append(m.text))
 
     def fail(camera: object, setup: object) -> None:
         tried.append(camera)
@@ -96,10 +96,10 @@ def test_what_failed_is_tried_again(
         patched.setattr(maps, "project_markings", fail)
         judged.actions_["painted_width"].trigger()
         let_work_end(qtbot)
-        document.scoreChanged.emit()
+        document.painted_width.try_again()
         let_work_end(qtbot)
     assert len(tried) == 2
     assert tried[0] is tried[1]
     assert len([text for text in told if "painted width cannot be drawn" in text]) == 1
-    document.scoreChanged.emit()
+    document.painted_width.try_again()
     qtbot.waitUntil(lambda: borders(judged) > 0, timeout=20_000)

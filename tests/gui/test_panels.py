@@ -239,7 +239,7 @@ def test_the_list_shows_points_and_status(
     assert _status(panel, UNKNOWN) == ("1", "missed")
     assert "unknown classes" in panel._items[UNKNOWN].parent().text(NAME)
     assert "unknown" not in panel._items[UNKNOWN].text(NAME)  # that would take the name's room
-    judged.next_frame()
+    judged.walk.next_frame()
     qtbot.waitUntil(lambda: UNKNOWN not in panel._items)
     assert _status(panel, PASSES) == ("", "")
 
@@ -315,7 +315,7 @@ def test_a_damaged_camera_is_told_where_it_is_used(
     show(panel)
     show(scores)
     assert not panel.error.isVisible()
-    judged.next_frame()
+    judged.walk.next_frame()
     qtbot.waitUntil(panel.error.isVisible)
     assert "radial_distortion" in panel.error.text()
     qtbot.waitUntil(lambda: "radial_distortion" in scores.empty.text())
@@ -331,7 +331,7 @@ def test_the_protocol_is_chosen_here(
     assert combo is not None
     combo.setFocus()
     qtbot.keyClick(combo, Qt.Key.Key_Down)
-    assert judged.setup.protocol == "procc"
+    assert judged.state.setup.protocol == "procc"
     qtbot.waitUntil(lambda: scores.terms.text().startswith("procc"))
 
 
@@ -343,13 +343,13 @@ def test_figures_stand_with_their_terms(
 ) -> None:
     panel = ScoresPanel(judged)
     show(panel)
-    score = judged.score
+    score = judged.judge.score
     assert score is not None
     qtbot.waitUntil(lambda: panel.jac.text() == f"{score.jac:.3f}")
     assert panel.at_tau.text() == "JaC at 5.0 px"
     assert panel.terms.text().startswith("soccernet, 960x540\npoints: ")
-    judged.set_tau(30.0)
-    later = judged.score
+    judged.terms.set_tau(30.0)
+    later = judged.judge.score
     assert later is not None
     qtbot.waitUntil(lambda: panel.at_tau.text() == "JaC at 30.0 px")
     assert panel.jac.text() == f"{later.jac:.3f}"
@@ -367,15 +367,15 @@ def test_the_worst_element_is_first_and_a_click_flies_to_its_deciding_point(
     assert set(names[1:3]) == {MISSED, UNKNOWN}
     assert names[3] == NOT_ANNOTATED
     rect = panel.table.visualRect(panel.model.index(0, 0))
-    with qtbot.waitSignal(judged.flyTo) as flown:
+    with qtbot.waitSignal(judged.store.events.flyTo) as flown:
         qtbot.mouseClick(panel.table.viewport(), Qt.MouseButton.LeftButton, pos=rect.center())
-    polyline = judged.annotation.get(TOO_FAR)
+    polyline = judged.state.annotation.get(TOO_FAR)
     assert polyline is not None
     target = polyline.points[1]
     assert flown.args == pytest.approx([target.u * 959, target.v * 539])
-    assert judged.selected_point == (TOO_FAR, 1)
+    assert judged.state.selection.point == (TOO_FAR, 1)
     rect = panel.table.visualRect(panel.model.index(3, 0))
-    with qtbot.waitSignal(judged.flyTo) as flown:
+    with qtbot.waitSignal(judged.store.events.flyTo) as flown:
         qtbot.mouseClick(panel.table.viewport(), Qt.MouseButton.LeftButton, pos=rect.center())
     x, y = flown.args
     assert 0 <= x <= 959
@@ -388,11 +388,11 @@ def test_blind_mode_hides_every_figure(
     panel = ScoresPanel(judged)
     show(panel)
     qtbot.waitUntil(panel.jac.isVisible)
-    judged.set_blind(True)
+    judged.blind_lock.set_blind(True)
     qtbot.waitUntil(panel.empty.isVisible)
     assert "blind" in panel.empty.text().lower()
     assert not panel.jac.isVisible()
-    judged.commit_frame()
+    judged.editing.commit_frame()
     qtbot.waitUntil(panel.jac.isVisible)
 
 
@@ -408,7 +408,7 @@ def test_the_plot_is_made_when_it_is_first_looked_at(
     assert "pyqtgraph" in sys.modules
     assert panel._plot is not None
     panel._plot.tauChosen.emit(7.0)
-    assert judged.tau == 7.0
+    assert judged.state.tau == 7.0
 
 
 def test_without_camera_the_panel_says_what_to_do(

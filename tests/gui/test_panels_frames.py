@@ -165,7 +165,7 @@ def test_of_twenty_thousand_frames_only_those_on_show_are_looked_at(
     delegate, model = type(panel.list.itemDelegate()), type(panel.model)
     for kind, name in ((delegate, "sizeHint"), (delegate, "paint"), (model, "data")):
         monkeypatch.setattr(kind, name, _noting(getattr(kind, name), asked))
-    document.datasetChanged.emit()
+    panel._take_dataset()
     panel.show()
     panel.grab()
     assert panel.model.rowCount() == 20_000
@@ -193,7 +193,7 @@ def test_what_is_drawn_right_before_a_frame_is_left_is_counted(
     qtbot.waitUntil(lambda: _known(panel, 0))
     assert _info(panel, 0).count == 0
     line = Polyline("Middle line", (Point(0.5, 0.1), Point(0.5, 0.9)))
-    with document.store.together():  # as a polyline under way is finished by leaving
+    with document.store.transaction():  # as a polyline under way is finished by leaving
         assert document.editing.commit_edit("draw", FrameAnnotation((line,)))
         document.walk.go_to(1)
     qtbot.waitUntil(lambda: _info(panel, 0).count == 1)

@@ -486,18 +486,18 @@ class TestTakingAlong:
         show(plotted, qtbot, HistogramPage)
         show(plotted, qtbot, TimelinePage)
         plotted.plots.choose(HistogramPage.title)
-        with qtbot.waitSignal(plotted.document.message) as told:
+        with qtbot.waitSignal(plotted.document.store.events.message) as told:
             plotted.plots.save_numbers(tmp_path / "x.csv")
-        assert "nothing plotted" in told.args[0]
+        assert "nothing plotted" in told.args[0].text
         settle(plotted, qtbot)
         assert "points bad" in numbers(plotted, qtbot, tmp_path / "x.csv")[0]
 
     def test_what_cannot_be_written_is_told(self, plotted: MainWindow, qtbot: QtBot) -> None:
         show(plotted, qtbot, HistogramPage)
-        with qtbot.waitSignal(plotted.document.message) as told:
+        with qtbot.waitSignal(plotted.document.store.events.message) as told:
             plotted.plots.save_numbers(Path("/proc/no such folder/x.csv"))
-        assert told.args[1] == "error"
-        assert "x.csv" in told.args[0]
+        assert told.args[0].level == "error"
+        assert "x.csv" in told.args[0].text
 
 
 class TestLooks:

@@ -304,8 +304,8 @@ class TestOverview:
         self, window: MainWindow, tmp_path: Path, qtbot: QtBot
     ) -> None:
         target = tmp_path / "gone" / "overview.csv"
-        said = window.document.message
-        with qtbot.waitSignal(said, check_params_cb=lambda text, _: str(target) in text):
+        said = window.document.store.events.message
+        with qtbot.waitSignal(said, check_params_cb=lambda m: str(target) in m.text):
             window.overview.write(target)
 
 

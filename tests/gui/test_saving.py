@@ -63,7 +63,7 @@ def test_a_failed_save_is_visible_told_once_and_tried_again(
 ) -> None:
     disk.full = True
     told: list[str] = []
-    window.document.message.connect(lambda text, level: told.append(text))
+    window.document.store.events.message.connect(lambda m: told.append(m.text))
     hand.draw(MIDDLE, (100, 50), (120, 200))
     assert window.isWindowModified()
     assert "NOT SAVED" in window.top_bar.saved.text()

@@ -312,7 +312,7 @@ def test_what_is_being_written_is_nobody_elses_change(
     window: MainWindow, disk: SlowDisk, dataset: Path, qtbot: QtBot
 ) -> None:
     told: list[str] = []
-    window.document.message.connect(lambda text, _: told.append(text))
+    window.document.store.events.message.connect(lambda m: told.append(m.text))
     disk.let_go()
     click(window)
     until_kept()
@@ -347,7 +347,7 @@ def leave_meanwhile(
 ) -> None:
     """Leave while the disk is busy; it is done only once the frame is being left."""
     qtbot.waitUntil(disk.asked.is_set)
-    window.document.aboutToLeave.connect(disk.let_go)
+    window.document.store.events.aboutToLeave.connect(disk.let_go)
     leave()
 
 

@@ -223,7 +223,7 @@ class TestFollowing:
     ) -> None:
         document = window.document
         said: list[str] = []
-        document.message.connect(lambda text, _: said.append(text))
+        document.store.events.message.connect(lambda m: said.append(m.text))
 
         document.blind_lock.set_blind(True)
         press(window, Key.Key_T)
@@ -244,7 +244,7 @@ class TestFollowing:
         window.cameras.list.rows[0].remove.click()
 
         assert not document.shot_track.tracked
-        assert document.state.sources == []
+        assert document.state.sources == ()
         assert document.live_fit.wanted
 
     def test_correcting_a_frame_follows_what_lies_between_its_neighbours_again(
@@ -289,7 +289,7 @@ class TestFollowing:
         all_done(qtbot)
 
         assert not document.shot_track.tracked
-        assert document.state.sources == []
+        assert document.state.sources == ()
 
     def test_annotated_frames_are_anchors_before_anybody_knows_which_they_are(
         self, window: MainWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
@@ -488,7 +488,7 @@ class TestAccepting:
 
     def test_without_a_track_it_says_what_to_do(self, window: MainWindow) -> None:
         said: list[str] = []
-        window.document.message.connect(lambda text, _: said.append(text))
+        window.document.store.events.message.connect(lambda m: said.append(m.text))
 
         press(window, Key.Key_Return, CTRL | SHIFT)
 
@@ -504,7 +504,7 @@ class TestAccepting:
         all_done(qtbot)
         names = set(document.state.annotation.annotated)
         said: list[str] = []
-        document.message.connect(lambda text, _: said.append(text))
+        document.store.events.message.connect(lambda m: said.append(m.text))
 
         document.walk.go_to(1)
         all_done(qtbot)

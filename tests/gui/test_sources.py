@@ -84,7 +84,7 @@ class TestAudits:
         frame = document.state.frame.name
         before = {s.name: s.audits[frame] for s in document.state.sources if frame in s.audits}
         told: list[object] = []
-        document.sourceAuditsChanged.connect(told.append)
+        document.store.events.sourceAuditsChanged.connect(told.append)
         document.selecting.select_class("Circle central")
         hand = hand_on(audited)
         for point in ((100.0, 600.0), (180.0, 620.0), (300.0, 640.0)):
@@ -301,7 +301,7 @@ class TestMemory:
     ) -> None:
         document = audited.document
         audited.opening.open_path(dataset)
-        assert document.state.sources == []
+        assert document.state.sources == ()
         assert document.state.active is None
         audited.opening.open_path(annotated)
         qtbot.waitUntil(
@@ -334,7 +334,7 @@ class TestMemory:
         settings.set(SOURCES, {"x": 1, str(annotated.resolve()): [{"path": 3}, 7]})
         settings.sync()
         window = make_window(annotated)
-        assert window.document.state.sources == []
+        assert window.document.state.sources == ()
         assert window.document.camera_sources.load_cameras(annotated / "cameras" / "bad")
 
     def test_loading_the_same_again_reads_the_files_anew(

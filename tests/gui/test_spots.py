@@ -41,7 +41,7 @@ def test_a_spot_is_moved_and_removed_like_any_point(window: MainWindow, hand: Ha
 
 def test_a_spot_is_not_regularised(window: MainWindow, hand: Hand, saved) -> None:
     told: list[str] = []
-    window.document.message.connect(lambda text, level: told.append(text))
+    window.document.store.events.message.connect(lambda m: told.append(m.text))
     hand.draw(MARK, (200, 150))
     window.document.selecting.select_class(MARK)
     window.actions_["regularise"].trigger()

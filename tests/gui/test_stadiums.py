@@ -72,8 +72,6 @@ def test_dimensions_that_are_entered_leave_the_stadiums_as_they_are(
 def test_a_damaged_file_is_told_when_the_dataset_opens(make_window, annotated: Path) -> None:
     (annotated / "stadiums.csv").write_text("frame,stadium,length\n00002,small,9\n")
     window = make_window(annotated)
-    told = window.document.state.told
-    assert told is not None
-    assert "stadiums.csv: line 2" in told.text
+    assert "stadiums.csv: line 2" in window.message_bar.label.text()
     window.document.walk.go_to(1)
     assert length(window) == 105

@@ -1,9 +1,10 @@
-"""The store: one state, one signal, every step told in order."""
+"""The store: one state, watches that are called once for all that changed."""
 
 from __future__ import annotations
 
 import gc
 import weakref
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
@@ -14,7 +15,7 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.field.load import load_field
 from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.state import State, same
-from procc_annotator.gui.state.store import Store
+from procc_annotator.gui.state.store import Store, When
 from procc_annotator.metrics.setup import EvaluationSetup
 
 
@@ -24,75 +25,72 @@ def store(qtbot: QtBot) -> Store:
 
 
 class Listener:
-    """Keeps what it was told."""
+    """Keeps what it saw of the state whenever it was called."""
 
-    def __init__(self) -> None:
+    def __init__(self, store: Store, select: Callable[[State], Any], when: When = When.NOW) -> None:
         self.heard: list[Any] = []
+        self._read = lambda: select(store.state)
+        store.watch(select, self.hear, when)
 
-    def hear(self, told: Any) -> None:
-        self.heard.append(told)
-
-
-def test_a_change_is_told_with_the_state_before_and_after(store: Store) -> None:
-    told: list[tuple[State, State]] = []
-    store.changed.connect(lambda before, after: told.append((before, after)))
-    before = store.state
-    store.set(tau=7.0, blind=True)
-    assert told == [(before, store.state)]
-    assert (before.tau, before.blind) == (5.0, False)
-    assert (store.state.tau, store.state.blind) == (7.0, True)
+    def hear(self) -> None:
+        self.heard.append(self._read())
 
 
-def test_nothing_is_told_where_nothing_differs(store: Store) -> None:
-    told: list[object] = []
-    store.changed.connect(lambda *states: told.append(states))
-    store.set(tau=5.0, selection=replace(store.state.selection), sources=(), committed=frozenset())
-    store.set(annotation=store.state.annotation)
-    assert not told
+def test_a_watch_is_called_for_what_it_selects_only(store: Store) -> None:
+    listener = Listener(store, lambda state: (state.tau, state.blind))
+    store.update(hovered_class="Middle line")
+    assert listener.heard == []
+    store.update(tau=8.0)
+    store.update(hovered_class=None, blind=True)
+    assert listener.heard == [(8.0, False), (8.0, True)]
+
+
+def test_no_watch_is_called_if_nothing_differs(store: Store) -> None:
+    listener = Listener(store, lambda state: state)
+    store.update(
+        tau=5.0, selection=replace(store.state.selection), sources=(), committed=frozenset()
+    )
+    store.update(annotation=store.state.annotation)
+    assert not listener.heard
 
 
 def test_large_values_differ_by_identity(store: Store) -> None:
-    listener = Listener()
-    store.watch(lambda state: state.annotation, listener.hear)
+    listener = Listener(store, lambda state: state.annotation)
     other = FrameAnnotation()
-    store.set(annotation=other)
+    store.update(annotation=other)
     assert len(listener.heard) == 1
     assert listener.heard[0] is other
 
 
-def test_a_change_within_a_change_is_there_at_once_and_told_afterwards(store: Store) -> None:
-    steps: list[tuple[str, float]] = []
+def test_a_change_in_a_callback_is_visible_at_once_and_notified_to_all(store: Store) -> None:
+    heard: list[float] = []
 
-    def first(_: State, after: State) -> None:
-        steps.append(("first", after.tau))
-        if after.tau == 6.0:
-            store.set(tau=7.0)
+    def first() -> None:
+        if store.state.tau == 6.0:
+            store.update(tau=7.0)
             assert store.state.tau == 7.0
 
-    store.changed.connect(first)
-    store.changed.connect(lambda _, after: steps.append(("second", after.tau)))
-    store.set(tau=6.0)
-    assert steps == [("first", 6.0), ("second", 6.0), ("first", 7.0), ("second", 7.0)]
+    store.watch(lambda state: state.tau, first)
+    store.watch(lambda state: state.tau, lambda: heard.append(store.state.tau))
+    store.update(tau=6.0)
+    assert heard == [7.0], "called once, with the latest state"
 
 
-def test_a_watch_hears_only_what_it_selects(store: Store) -> None:
-    listener = Listener()
-    store.watch(lambda state: (state.tau, state.blind), listener.hear)
-    store.set(hovered_class="Middle line")
-    assert listener.heard == []
-    store.set(tau=8.0)
-    store.set(hovered_class=None, blind=True)
-    assert listener.heard == [(8.0, False), (8.0, True)]
+def test_scores_are_computed_before_any_watch_is_called(store: Store) -> None:
+    order: list[str] = []
+    store.watch(lambda state: state.tau, lambda: order.append("view"))
+    store.score = lambda before, after: order.append(f"score {before.tau} {after.tau}")
+    store.update(tau=6.0)
+    assert order == ["score 5.0 6.0", "view"]
 
 
-def test_a_watch_ends_with_its_owner_and_keeps_it_not_alive(store: Store) -> None:
-    listener = Listener()
-    store.watch(lambda state: state.tau, listener.hear)
+def test_a_watch_ends_with_its_owner_and_does_not_keep_it_alive(store: Store) -> None:
+    listener = Listener(store, lambda state: state.tau)
     gone = weakref.ref(listener)
     del listener
     gc.collect()
     assert gone() is None
-    store.set(tau=9.0)
+    store.update(tau=9.0)
     assert not store._watches
 
 
@@ -110,43 +108,40 @@ def test_values_are_the_same_by_identity_or_if_small_and_equal() -> None:
 def test_blind_mode_reveals_committed_frames_only(store: Store) -> None:
     assert store.state.reveals("a")
     assert store.state.revealed_frames is None
-    store.set(blind=True, committed=frozenset({"a"}))
+    store.update(blind=True, committed=frozenset({"a"}))
     assert store.state.reveals("a")
     assert not store.state.reveals("b")
     assert not store.state.projection_visible, "no frame is on screen"
 
 
-def test_what_changes_together_is_one_step_and_there_at_once(store: Store) -> None:
-    steps: list[tuple[State, State]] = []
-    store.changed.connect(lambda before, after: steps.append((before, after)))
-    before = store.state
-    with store.together():
-        store.set(tau=6.0)
-        assert (store.state.tau, steps) == (6.0, [])
-        with store.together():  # of the one around it
-            store.set(blind=True)
-        assert not steps
-    assert steps == [(before, store.state)]
-    assert (store.state.tau, store.state.blind) == (6.0, True)
+def test_a_transaction_is_notified_once_at_its_end(store: Store) -> None:
+    listener = Listener(store, lambda state: (state.tau, state.blind))
+    with store.transaction():
+        store.update(tau=6.0)
+        assert (store.state.tau, listener.heard) == (6.0, [])
+        with store.transaction():
+            store.update(blind=True)
+        assert not listener.heard
+    assert listener.heard == [(6.0, True)]
 
 
-def test_each_line_that_is_said_together_is_told(store: Store) -> None:
-    said: list[str] = []
-    store.changed.connect(lambda _, after: said.append(after.told.text))
-    with store.together():
+def test_messages_of_a_transaction_come_after_its_changes_in_order(store: Store) -> None:
+    order: list[str] = []
+    store.watch(lambda state: state.tau, lambda: order.append("changed"))
+    store.events.message.connect(lambda message: order.append(message.text))
+    with store.transaction():
         say(store, "first")
-        store.set(tau=6.0)
+        store.update(tau=6.0)
         say(store, "second")
-    assert said == ["first", "second"]
+    assert order == ["changed", "first", "second"]
 
 
-def test_what_changed_before_an_error_is_told(store: Store) -> None:
-    listener = Listener()
-    store.watch(lambda state: state.tau, listener.hear)
+def test_what_changed_before_an_error_is_notified(store: Store) -> None:
+    listener = Listener(store, lambda state: state.tau)
 
     def fail() -> None:
-        with store.together():
-            store.set(tau=6.0)
+        with store.transaction():
+            store.update(tau=6.0)
             raise ZeroDivisionError
 
     with pytest.raises(ZeroDivisionError):
@@ -155,53 +150,45 @@ def test_what_changed_before_an_error_is_told(store: Store) -> None:
     assert not store.busy
 
 
-def test_a_watch_hears_once_of_steps_that_follow_from_one_another(store: Store) -> None:
-    listener = Listener()
-    rested: list[float] = []
-    store.watch(lambda state: state.tau, listener.hear)
-    store.changed.connect(lambda _, after: store.set(tau=7.0) if after.tau == 6.0 else None)
-    store.rested.connect(lambda: rested.append(store.state.tau))
-    store.set(tau=6.0)
-    assert listener.heard == rested == [7.0]
-
-
-def test_of_what_a_hand_carries_a_watch_hears_after_the_paint(store: Store, qtbot: QtBot) -> None:
-    carried, listener = Listener(), Listener()
-    store.changed.connect(lambda _, after: carried.hear(after.preview))
-    store.watch(lambda state: state.shown_annotation, listener.hear)
+def test_a_gesture_is_notified_to_others_after_the_paint(store: Store, qtbot: QtBot) -> None:
+    canvas = Listener(store, lambda state: state.preview, When.GESTURE)
+    panel = Listener(store, lambda state: state.shown_annotation)
     moves = FrameAnnotation(), FrameAnnotation()
     for move in moves:
-        store.set(preview=move)
-    assert [heard is move for heard, move in zip(carried.heard, moves, strict=True)] == [True] * 2
-    assert not listener.heard
-    qtbot.waitUntil(lambda: bool(listener.heard))
-    assert len(listener.heard) == 1
-    assert listener.heard[0] is moves[1]
+        store.update(preview=move)
+    assert [heard is move for heard, move in zip(canvas.heard, moves, strict=True)] == [True] * 2
+    assert not panel.heard
+    qtbot.waitUntil(lambda: bool(panel.heard))
+    assert len(panel.heard) == 1
+    assert panel.heard[0] is moves[1]
 
 
-def test_whatever_else_changes_tells_of_what_is_carried_too(store: Store) -> None:
-    listener = Listener()
-    store.watch(lambda state: state.shown_annotation, listener.hear)
+def test_another_change_notifies_of_the_gesture_too(store: Store) -> None:
+    panel = Listener(store, lambda state: state.shown_annotation)
     preview = FrameAnnotation()
-    store.set(preview=preview)
-    store.set(tau=6.0)
-    assert len(listener.heard) == 1
-    assert listener.heard[0] is preview
+    store.update(preview=preview)
+    store.update(tau=6.0)
+    assert len(panel.heard) == 1
+    assert panel.heard[0] is preview
 
 
-def test_whoever_fails_keeps_nobody_else_from_hearing(store: Store) -> None:
-    listener, rested = Listener(), Listener()
+def test_several_changes_are_one_after_the_paint(store: Store, qtbot: QtBot) -> None:
+    late = Listener(store, lambda state: state.tau, When.AFTER_PAINT)
+    store.update(tau=6.0)
+    store.update(tau=7.0)
+    assert not late.heard
+    qtbot.waitUntil(lambda: bool(late.heard))
+    assert late.heard == [7.0]
 
-    def fail(tau: float) -> None:
-        store.set(blind=True)
+
+def test_a_callback_that_fails_keeps_no_other_from_being_called(store: Store) -> None:
+    def fail() -> None:
+        store.update(blind=True)
         raise ZeroDivisionError
 
     store.watch(lambda state: state.tau, fail)
-    store.watch(lambda state: state.tau, listener.hear)
-    store.watch(lambda state: state.blind, listener.hear)
-    store.rested.connect(lambda: rested.hear(store.state.tau))
+    others = [Listener(store, lambda s: s.tau), Listener(store, lambda s: s.blind)]
     with pytest.raises(ZeroDivisionError):
-        store.set(tau=6.0)
-    assert listener.heard == [6.0, True]
-    assert rested.heard == [6.0]
+        store.update(tau=6.0)
+    assert [other.heard for other in others] == [[6.0], [True]]
     assert not store.busy

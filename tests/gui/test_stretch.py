@@ -146,7 +146,7 @@ def test_stopped_before_anything_was_followed_it_says_so(
 
     monkeypatch.setattr(following, "shot_range_around", shot_around)
     said: list[str] = []
-    window.document.message.connect(lambda text, _: said.append(text))
+    window.document.store.events.message.connect(lambda m: said.append(m.text))
 
     press(window, Key.Key_T)
     press(window, Key.Key_T)

@@ -348,7 +348,9 @@ class TestKeys:
             return decode(path)
 
         monkeypatch.setattr(document.cache, "get_ready", slow)
-        document.frameChanged.connect(lambda: visited.append(document.state.frame_index))
+        document.store.watch(
+            lambda s: s.frame_index, lambda: visited.append(document.state.frame_index)
+        )
         document.walk.come_to(10)
         document.walk.come_to(20)
         document.walk.go_to(20)

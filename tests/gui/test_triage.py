@@ -161,9 +161,9 @@ class TestWalks:
     ) -> None:
         window = make_window(sample)
         window.document.camera_sources.load_cameras(sample / "cameras" / "bad")
-        with qtbot.waitSignal(window.document.message) as told:
+        with qtbot.waitSignal(window.document.store.events.message) as told:
             press(window, Qt.Key.Key_F4)
-        assert "two sources are needed" in told.args[0]
+        assert "two sources are needed" in told.args[0].text
 
     def test_blind_it_goes_to_committed_frames_only(self, window: MainWindow) -> None:
         document = window.document
@@ -277,9 +277,9 @@ class TestVerdicts:
         press(window, Qt.Key.Key_F7)
         document.blind_lock.set_blind(True)
         assert window.frames.model.info(0).verdict is None
-        with qtbot.waitSignal(document.message) as told:
+        with qtbot.waitSignal(document.store.events.message) as told:
             press(window, Qt.Key.Key_F7)
-        assert "blind" in told.args[0]
+        assert "blind" in told.args[0].text
         document.blind_lock.set_blind(False)
         assert verdict_on(document, "00001", "bad").fault is FaultParty.CAMERA
 
@@ -293,7 +293,7 @@ class TestVerdicts:
         document.editing.commit_frame()
         document.blind_lock.set_blind(True)
         told: list[str] = []
-        document.message.connect(lambda text, level: told.append(text))
+        document.store.events.message.connect(lambda m: told.append(m.text))
         (shown,) = exported(window, tmp_path / "verdicts.csv", qtbot)
         assert "leaves out 1 " in told[-1]
         assert shown["frame"] == "00002"
@@ -303,9 +303,9 @@ class TestVerdicts:
     def test_nothing_to_export_is_said(
         self, window: MainWindow, qtbot: QtBot, tmp_path: Path
     ) -> None:
-        with qtbot.waitSignal(window.document.message) as told:
+        with qtbot.waitSignal(window.document.store.events.message) as told:
             window.triage.export(tmp_path / "v.csv")
-        assert "no frame has a verdict" in told.args[0]
+        assert "no frame has a verdict" in told.args[0].text
         assert not (tmp_path / "v.csv").exists()
 
 
@@ -365,7 +365,7 @@ class TestExplainer:
     ) -> None:
         document = window.document
         rect = panel.table.visualRect(panel.model.index(0, 0))
-        with qtbot.waitSignal(document.flyTo) as flown:
+        with qtbot.waitSignal(document.store.events.flyTo) as flown:
             qtbot.mouseClick(panel.table.viewport(), Qt.MouseButton.LeftButton, pos=rect.center())
         row, element = panel.model.rows[0], panel.model.elements[0]
         assert document.state.selection.point == (row.class_name, element.deciding_point)
@@ -378,18 +378,18 @@ class TestExplainer:
         document = window.document
         panel.table.setFocus(Qt.FocusReason.TabFocusReason)
         panel.table.selectRow(0)
-        with qtbot.waitSignal(document.flyTo):
+        with qtbot.waitSignal(document.store.events.flyTo):
             qtbot.keyClick(panel.table, Qt.Key.Key_Down)
         assert document.state.selected_class == panel.model.rows[1].class_name
         qtbot.waitUntil(lambda: panel.why.text() == panel.model.rows[1].why)
-        with qtbot.waitSignal(document.flyTo):
+        with qtbot.waitSignal(document.store.events.flyTo):
             qtbot.keyClick(panel.table, Qt.Key.Key_Return)
 
     def test_selecting_elsewhere_does_not_fly(
         self, window: MainWindow, panel, qtbot: QtBot
     ) -> None:
         panel.table.setFocus(Qt.FocusReason.TabFocusReason)
-        with qtbot.assertNotEmitted(window.document.flyTo, wait=150):
+        with qtbot.assertNotEmitted(window.document.store.events.flyTo, wait=150):
             window.document.selecting.select_class(panel.model.rows[2].class_name)
         assert panel.why.text() == panel.model.rows[2].why
 

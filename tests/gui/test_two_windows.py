@@ -302,7 +302,7 @@ def test_a_lock_to_blind_mode_reaches_a_window_that_is_worked_in(
 ) -> None:
     first, second = both
     told: list[str] = []
-    second.document.message.connect(lambda text, level: told.append(text))
+    second.document.store.events.message.connect(lambda m: told.append(m.text))
     first.document.blind_lock.set_locked(True)
     assert first.document.review.database is not None
     first.document.review.database.flush(5.0)
@@ -395,7 +395,7 @@ def test_undo_and_redo_take_back_nothing_that_the_other_window_saved(
         let_go(first)
         hand_on(second).draw(TOP, (100, 50), (200, 50))
         second.document.walk.next_frame()
-        getattr(first.document, direction)()
+        getattr(first.document.editing, direction)()
         assert on_disk(frame) == first.document.state.annotation.annotated == (MIDDLE, TOP)
         assert "changed elsewhere" in first.status.hint.text()
         first.document.walk.next_frame()

@@ -142,7 +142,9 @@ def test_a_kept_frame_joins_its_annotation_as_a_dataset_of_its_own(
     assert shown is not None
     kept = match.parent / "match_frames" / "match_000010.png"
     for _ in range(2):  # keeping it again writes the same file
-        with qtbot.waitSignal(window.document.message, check_params_cb=lambda t, _: "kept as" in t):
+        with qtbot.waitSignal(
+            window.document.store.events.message, check_params_cb=lambda m: "kept as" in m.text
+        ):
             window.opening.keep_frame()
     assert np.array_equal(cv2.imread(str(kept)), shown[:, :, :3])
     dataset = Workspace.open(kept.parent, window.document.state.field)
@@ -167,8 +169,9 @@ def test_the_first_frame_of_every_scene(make_window: MakeWindow, qtbot: QtBot, m
     window = make_window()
     dialog = asked(window, qtbot, match)
     dialog.cuts.setChecked(True)
-    with qtbot.waitSignal(window.document.datasetChanged):
-        dialog.accept()
+    before = window.document.state.workspace
+    dialog.accept()
+    qtbot.waitUntil(lambda: window.document.state.workspace is not before)
     assert names(window) == ["match_000000", f"match_{CUT:06d}"]
 
 
@@ -209,14 +212,16 @@ def test_a_file_that_is_no_video_is_one_clear_message(
 ) -> None:
     broken = tmp_path / "broken.mp4"
     broken.write_bytes(b"not a video" * 100)
-    with qtbot.waitSignal(window.document.message, check_params_cb=lambda t, _: "broken.mp4" in t):
+    with qtbot.waitSignal(
+        window.document.store.events.message, check_params_cb=lambda m: "broken.mp4" in m.text
+    ):
         window.opening.open_path(broken)
     assert names(window)[0] == "frame_0"
     assert window.findChild(VideoDialog) is None
 
 
 def test_keeping_a_picture_says_that_it_is_one(window: MainWindow, qtbot: QtBot) -> None:
-    with qtbot.waitSignal(window.document.message) as said:
+    with qtbot.waitSignal(window.document.store.events.message) as said:
         window.opening.keep_frame()
     assert said.args is not None
-    assert "picture already" in said.args[0]
+    assert "picture already" in said.args[0].text

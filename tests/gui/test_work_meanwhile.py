@@ -73,7 +73,7 @@ class Stop:
 
 def messages(window: MainWindow) -> list[str]:
     told: list[str] = []
-    window.document.message.connect(lambda text, _: told.append(text))
+    window.document.store.events.message.connect(lambda m: told.append(m.text))
     return told
 
 
@@ -255,11 +255,11 @@ def test_an_older_check_does_not_replace_a_newer_one(
     slow = Stop(label_check.check_without_fit)
     monkeypatch.setattr(label_check, "check_without_fit", slow)
     Hand(window).draw(TOP, (100, 100), (200, 100))
-    document.aboutToLeave.emit()
+    document.store.events.aboutToLeave.emit()
     qtbot.waitUntil(slow.reached.is_set)
     document.live_fit.set_wanted(True)  # from now on the check is that of the fit
     Hand(window).draw(BOTTOM, (100, 300), (200, 300))
-    document.aboutToLeave.emit()
+    document.store.events.aboutToLeave.emit()
     qtbot.waitUntil(lambda: document.label_check.checked is not None, timeout=20_000)
     slow.go.set()
     let_work_end(qtbot)

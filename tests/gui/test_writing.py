@@ -58,7 +58,7 @@ def test_nothing_is_asked_where_nothing_is_open(
     parent = QWidget()
     qtbot.addWidget(parent)
     document, said = Document(parent=parent), []
-    document.message.connect(lambda text, level: said.append((text, level)))
+    document.store.events.message.connect(lambda m: said.append((m.text, m.level)))
     assert ask_where(document, parent, "Export", "name.csv", TABLE) is None
     assert said == [("open a folder of pictures first", "warning")]
     document.close()

@@ -25,19 +25,19 @@ class BlindFrame(QObject):
     def __init__(self, document: Document, view: PictureView) -> None:
         viewport = view.viewport()
         super().__init__(viewport)
-        self._viewport = viewport
+        self._viewport, self._store = viewport, document.store
         self.edges = [_Edge(viewport, f"blindEdge{i}") for i in range(4)]  # not shown
         self.badge = NamePlate(viewport, "blindBadge")
         view.resized.connect(self._stand_if_shown)
         document.store.watch(_shown, self._show)
-        self._show(_shown(document.state))
+        self._show()
 
     def _stand_if_shown(self) -> None:
         if not self.badge.isHidden():
             self._stand()
 
-    def _show(self, shown: tuple[bool, bool]) -> None:
-        blind, committed = shown
+    def _show(self) -> None:
+        blind, committed = _shown(self._store.state)
         self.badge.say(tr(_COMMITTED if committed else _WORDS), UNSURE_GHOST)
         for part in (*self.edges, self.badge):
             part.setVisible(blind)

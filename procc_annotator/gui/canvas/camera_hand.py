@@ -16,6 +16,7 @@ from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.gui.canvas.editor import Editor
 from procc_annotator.gui.canvas.overlay_item import OverlayItem
 from procc_annotator.gui.canvas.view import PictureView
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interaction import palette as tones
 from procc_annotator.interaction.camera_view import (
@@ -75,10 +76,8 @@ class CameraHand(QObject):
         self._fresh = False  # nothing else was done since the last drag
         view.installEventFilter(self)
         view.viewport().installEventFilter(self)
-        for signal in (document.annotationChanged, document.selectionChanged):
-            signal.connect(self._age)
-        for signal in (document.frameChanged, document.modeChanged):
-            signal.connect(self._let_go)
+        document.store.watch(lambda s: (select.annotation(s), s.selection), self._age)
+        document.store.watch(lambda s: (select.frame(s), select.mode(s)), self._let_go)
         document.corrections.changed.connect(self._follow_pegs)
         document.foresight.changed.connect(self._follow_camera)
 

@@ -31,6 +31,7 @@ from procc_annotator.gui.canvas.shown_picture import ShownPicture
 from procc_annotator.gui.canvas.view import PictureView
 from procc_annotator.gui.roles import give_role
 from procc_annotator.gui.soon import soon
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.image.pixels import DisplayAdjustment
 from procc_annotator.interaction.gestures import Modifiers
@@ -109,11 +110,11 @@ class Canvas(PictureView):
         self.editor.explained.connect(self._explain)
         self.viewChanged.connect(self._view_changed)
         self.camera_hand.moved.connect(self._follow_cursor)
-        document.datasetChanged.connect(self.keys.forget)
-        document.frameChanged.connect(self._show_frame)
-        document.pictureChanged.connect(self._show_whole)
-        document.flyTo.connect(self.fly_to)
-        document.flyToArea.connect(self.show_area)
+        document.store.watch(select.dataset, self.keys.forget)
+        document.store.watch(select.frame, self._show_frame)
+        document.store.watch(select.picture, self._show_whole)
+        document.store.events.flyTo.connect(self.fly_to)
+        document.store.events.flyToArea.connect(self.show_area)
 
     # --- showing --------------------------------------------------------------------------
 

@@ -15,6 +15,7 @@ from procc_annotator.gui.canvas.items import paint_overlay
 from procc_annotator.gui.canvas.pinned import Pinned
 from procc_annotator.gui.canvas.view import PictureView
 from procc_annotator.gui.soon import soon
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interaction.legend import LegendEntry, OnPicture, corner_legend
 from procc_annotator.interaction.overlay import ColourBy
@@ -43,11 +44,10 @@ class CornerLegend(Pinned):
         view.resized.connect(self._soon.start)
         for beneath in self._beneath():
             beneath.installEventFilter(self)
+        document.store.watch(
+            lambda s: (select.score(s), select.cameras(s), s.blind), self._soon.start
+        )
         for signal in (
-            document.scoreChanged,
-            document.frameChanged,
-            document.camerasChanged,
-            document.blindChanged,
             document.source_frames.changed,
             document.ghosts.changed,
             document.second.changed,

@@ -16,7 +16,9 @@ from procc_annotator.gui.canvas.overlay_item import OverlayItem
 from procc_annotator.gui.canvas.overlay_layer import BY_ORIGIN, OverlayLayer
 from procc_annotator.gui.canvas.view import PictureView
 from procc_annotator.gui.soon import soon
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.store import When
 from procc_annotator.interaction.gestures import Position
 from procc_annotator.interaction.overlay import ColourBy
 from procc_annotator.interaction.overlay_primitives import EMPTY_OVERLAY
@@ -71,20 +73,16 @@ class OverlayDrawing(QObject):
     def _listen(self) -> None:
         document = self._document
         self._hand.changed.connect(self._refresh_ghosts)
-        document.previewChanged.connect(self._follow_preview)
-        for signal in (
-            document.scoreChanged,  # also after every annotationChanged
-            document.selectionChanged,
-            document.hoverChanged,
-            document.modeChanged,
-        ):
-            signal.connect(self.refresh)
-        document.store.rested.connect(self._follow_state)
+        document.store.watch(lambda s: s.preview, self._follow_preview, When.GESTURE)
+        document.store.watch(
+            lambda s: (select.score(s), s.selection, s.hovered_class, select.mode(s)),
+            self._follow_state,
+        )
         document.review.originsChanged.connect(self._refresh_origins)
         document.second.changed.connect(self.refresh)
         # Comes next to signals that draw at once: one drawing is enough for both.
         document.label_check.changed.connect(self._soon.start)
-        document.camerasChanged.connect(self._refresh_others)
+        document.store.watch(select.cameras, self._refresh_others)
         document.source_frames.changed.connect(self._refresh_others)
         document.ghosts.changed.connect(self._refresh_ghosts)
         document.painted_width.changed.connect(self.refresh)
@@ -129,7 +127,7 @@ class OverlayDrawing(QObject):
     def refresh(self) -> None:
         """Draw the overlay anew where it changed, and say what the next click does."""
         self._due = True
-        self._refresh_if_due()
+        self._document.store.when_notified(self._refresh_if_due)
 
     def refresh_everywhere(self) -> None:
         """The same, also where the overlay looks as it did."""
@@ -137,16 +135,15 @@ class OverlayDrawing(QObject):
         self.refresh()
 
     def _refresh_if_due(self) -> None:
-        if self._due and not self._document.store.busy:
+        if self._due:
             self._refresh()
 
     def _follow_state(self) -> None:
-        """The hand did not move: where its next click would be put is looked for after the paint,
-        which would have to wait for it."""
-        if self._due and not self._document.store.busy:
-            self._refresh(looking=False)
-            if self._document.state.mode == "draw" and self._editor.follows_cursor:
-                self._soon.start()
+        """Draw another state. The cursor did not move: the position of the next click is searched
+        after the paint, which would have to wait for it."""
+        self._refresh(looking=False)
+        if self._document.state.mode == "draw" and self._editor.follows_cursor:
+            self._soon.start()
 
     def _refresh_others(self) -> None:
         """Other sources are drawn, or otherwise; whatever changes the one in front says so too."""

@@ -13,6 +13,7 @@ from procc_annotator.dataset import editing
 from procc_annotator.dataset.records import PointKey
 from procc_annotator.gui.canvas.editor_words import finished, waiting, why_not_deleted
 from procc_annotator.gui.canvas.snapping import ScreenSnapper
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interaction.class_choice import next_element, unnamed_class
 from procc_annotator.interaction.draw_tool import DrawTool, draft_with_cursor
@@ -53,16 +54,15 @@ class Editor(QObject):
         self.on_ground = False  # whether the last right click hit nothing
         self.seen_before: frozenset[str] = frozenset()
         self._take_field()
-        document.fieldChanged.connect(self._take_field)
+        document.store.watch(select.field, self._take_field)
         self.view_scale = 1.0
         self._asked_first: tuple[KeyTaker, ...] = ()
-        document.aboutToLeave.connect(self.finish)
+        document.store.events.aboutToLeave.connect(self.finish)
         self.changed.connect(self._keep_clicks)
-        document.selectionChanged.connect(self._finish_for_another_class)
-        document.frameChanged.connect(self._look_before)
-        document.frameChanged.connect(self._look_under)
-        document.annotationChanged.connect(self._look_under)
-        document.modeChanged.connect(self._look_under)
+        document.store.watch(select.selection, self._finish_for_another_class)
+        document.store.watch(select.frame, self._look_before)
+        document.store.watch(select.annotation, self._look_under)
+        document.store.watch(select.mode, self._look_under)
 
     def _take_field(self) -> None:
         elements = self._document.state.field.elements
@@ -399,7 +399,7 @@ class Editor(QObject):
     def _do(self, reaction: Reaction) -> None:
         """What a tool answered, as one step."""
         if reaction.handled:
-            with self._document.store.together():
+            with self._document.store.transaction():
                 self._take(reaction)
 
     def _take(self, reaction: Reaction) -> None:

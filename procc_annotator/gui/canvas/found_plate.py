@@ -9,6 +9,7 @@ from procc_annotator.calibration.single_image.proposal import NONE, SURE
 from procc_annotator.gui.canvas.split_view import NamePlate
 from procc_annotator.gui.canvas.view import PictureView
 from procc_annotator.gui.soon import soon
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interaction import palette as tones
 from procc_annotator.translation import tr, tr_count
@@ -24,13 +25,8 @@ class FoundPlate(NamePlate):
         super().__init__(view.viewport(), "foundPlate")
         self._document, self._viewport = document, view.viewport()
         self._soon = soon(self, self._show)
-        for signal in (
-            document.foresight.changed,
-            document.frameChanged,
-            document.annotationChanged,
-            document.modeChanged,
-        ):
-            signal.connect(self._soon.start)
+        document.foresight.changed.connect(self._soon.start)
+        document.store.watch(lambda s: (select.annotation(s), select.mode(s)), self._soon.start)
         view.resized.connect(self._stand)
 
     def _show(self) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from procc_annotator.assist.line_evidence import ExpectedLines
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.state import same
 from procc_annotator.image.line_snapping import snap_to_line
@@ -26,7 +27,7 @@ class ScreenSnapper:
         self._made_of: tuple[object, ...] = ()
         self._snap: Snapper | None = None
         self._found: dict[Sought, Position | None] = {}  # the latest last
-        document.frameChanged.connect(self._forget)
+        document.store.watch(select.frame, self._forget)
 
     @property
     def wanted(self) -> bool:

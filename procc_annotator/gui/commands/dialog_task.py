@@ -8,6 +8,7 @@ from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QWidget
 
 from procc_annotator.gui.latest import Latest
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 
 
@@ -43,7 +44,7 @@ class DialogTask(QObject):
         self._parent = parent
         self._work = Latest(self, self._fail, urgent=urgent)
         self.dialog: TaskDialog | None = None
-        document.datasetChanged.connect(self._leave)
+        document.store.watch(select.dataset, self._leave)
 
     def _leave(self) -> None:
         """Put the dialog away, and forget its work."""

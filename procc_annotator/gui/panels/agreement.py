@@ -23,6 +23,7 @@ from procc_annotator.gui.panels.parts import empty_state
 from procc_annotator.gui.panels.refresher import Refresher
 from procc_annotator.gui.panels.rows import RIGHT, ElementRowsModel, ElementTable, Index
 from procc_annotator.gui.panels.states import class_title
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl
 from procc_annotator.metrics.agreement import (
@@ -108,8 +109,8 @@ class AgreementPanel(QWidget):
         document.second.opened.connect(self._compare)
         self._rested = QTimer(self, singleShot=True, interval=_RESTED_MS)
         self._rested.timeout.connect(self._measure_again)
-        for signal in (document.annotationChanged, document.framesEdited, document.scoreChanged):
-            signal.connect(self._rested.start)
+        document.store.watch(select.score, self._rested.start)
+        document.store.events.framesEdited.connect(self._rested.start)
         self._refresh()
 
     def open(self, path: Path) -> None:

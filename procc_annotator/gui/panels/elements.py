@@ -125,7 +125,7 @@ class ElementsPanel(QWidget):
         layout.addWidget(self.search)
         layout.addLayout(self._stack)
 
-    def _take_field(self, _: object) -> None:
+    def _take_field(self) -> None:
         """List the classes of another field, or those of the same with other dimensions."""
         if self._listed_classes() != self._filled:
             self._outdated = True

@@ -67,12 +67,9 @@ class Refresher(QObject):
             store, select: what is shown of the state, as in `Store.watch`.
             signals: of what is shown and the state does not hold.
         """
-        store.watch(select, self._take)
+        store.watch(select, self.request)
         for signal in signals:
             signal.connect(self.request)
-
-    def _take(self, _: object) -> None:
-        self.request()
 
     @Slot()
     def request(self) -> None:

@@ -22,6 +22,7 @@ from procc_annotator.dataset.records import Comment, Status
 from procc_annotator.dataset.review import BlindStatus
 from procc_annotator.gui.panels.parts import note_label, show_note
 from procc_annotator.gui.panels.refresher import Refresher
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import muted
 from procc_annotator.interaction.palette import ORIGINS
@@ -59,8 +60,8 @@ class ReviewPanel(QWidget):
         self._build()
         self._typed: dict[str, str] = {}  # comments under way, by frame
         self._typed_on: str | None = None
-        document.datasetChanged.connect(self._begin_dataset)
-        document.frameChanged.connect(self._begin_frame)
+        document.store.watch(select.dataset, self._begin_dataset)
+        document.store.watch(select.frame, self._begin_frame)
         self._begin_frame()
         self._refresher = Refresher(self, self._refresh, interval_ms=80)
         self._refresher.follow(
@@ -209,7 +210,8 @@ class ReviewPanel(QWidget):
             self._document.editing.commit_frame()
             self._refresher.request()  # in blind mode an empty frame is not committed at once
         else:
-            self._document.aboutToLeave.emit()  # what is under way is part of what is judged
+            # What is in progress is part of what is judged.
+            self._document.store.events.aboutToLeave.emit()
             self._document.review.set_status(frame.name, status)
 
     def _send(self) -> None:

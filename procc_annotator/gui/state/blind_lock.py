@@ -26,7 +26,7 @@ class BlindLock(QObject):
         wanted: the annotator's own choice, which counts where there is no lock.
     """
 
-    refused = Signal()  # somebody wanted to leave blind mode and may not: the switch shows so
+    refused = Signal()  # leaving blind mode was refused: switches show the present state again
 
     def __init__(self, store: Store, review: ReviewState) -> None:
         super().__init__(store)
@@ -63,7 +63,7 @@ class BlindLock(QObject):
         dataset is locked to blind mode."""
         if self.lock is None:
             self.wanted = blind
-            self._store.set(blind=blind)
+            self._store.update(blind=blind)
         elif not blind:
             text = tr("{reason}: menu Frame unlocks it, which is recorded", reason=self.reason)
             say(self._store, text)
@@ -110,7 +110,7 @@ class BlindLock(QObject):
         """The dataset was locked or unlocked, here or in another window."""
         if key != LOCK_SETTING:
             return
-        self._store.set(**self._of_lock())
+        self._store.update(**self._of_lock())
         events = self._events()
         if events and not self._locking:
             say(self._store, self._said(events[-1]), "warning")
@@ -119,9 +119,9 @@ class BlindLock(QObject):
         """A frame was committed, here or in another window, or is not any more."""
         known = self._store.state.committed
         if not frame:
-            self._store.set(committed=self._review.committed_frames())
+            self._store.update(committed=self._review.committed_frames())
         elif self._review.record(frame).committed != (frame in known):
-            self._store.set(committed=known ^ {frame})
+            self._store.update(committed=known ^ {frame})
 
 
 def _who_and_when(event: LockEvent) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum, auto
 from functools import partial
@@ -14,6 +14,7 @@ from PySide6.QtCore import QObject, Signal, SignalInstance
 from procc_annotator.errors import ProccError
 from procc_annotator.gui.soon import soon
 from procc_annotator.gui.state.state import same
+from procc_annotator.gui.state.store import Store, When
 from procc_annotator.gui.worker import Job, JobControl, Stopped, run_in_background
 
 T = TypeVar("T")
@@ -21,11 +22,10 @@ Inputs = tuple[object, ...]
 
 
 class Where(Enum):
-    """Where a value is worked out, and when it is said that it is another one."""
+    """Where a value is computed."""
 
-    AT_ONCE = auto()  # when it is asked for; said at once
-    ONCE_A_REPAINT = auto()  # when it is asked for; said once for all changes before the next paint
-    BESIDE = auto()  # in the background, begun after the next paint; said when it is known
+    AT_ONCE = auto()  # when it is asked for
+    BESIDE = auto()  # in the background, begun after the next paint
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -67,7 +67,6 @@ class Derived(QObject, Generic[T]):
         parent: QObject | None = None,
         *,
         wanted: bool = True,
-        after: Iterable[SignalInstance] = (),
         kept: int = 1,
         kept_within: Callable[[], object] | None = None,
         stoppable: bool = False,
@@ -82,7 +81,6 @@ class Derived(QObject, Generic[T]):
             compute: from any thread if it runs in the background; may raise `ProccError`.
             where: where, and when that is signalled.
             wanted: whether a person wants it from the beginning.
-            after: signals after which the inputs may be others.
             kept: how many answers are kept, for inputs that come back.
             kept_within: they are forgotten once this is another one at a look: what is large may
                 live no longer than what it is of.
@@ -103,10 +101,7 @@ class Derived(QObject, Generic[T]):
         self._job: Job | None = None
         self._told = ""
         self._wanted = wanted
-        self._soon = soon(self, self.changed)
         self._later = soon(self, self.look)
-        for signal in after:
-            signal.connect(self.look)
 
     # --- what is known ----------------------------------------------------------------------
 
@@ -171,13 +166,17 @@ class Derived(QObject, Generic[T]):
         if same(before, now):
             return
         self._asked.newest = now
-        if self._where is Where.ONCE_A_REPAINT:
-            self._soon.start()
-            return
         if self._where is Where.BESIDE:
             patience = self._patience
             self._begin(patience(now) if patience is not None and isinstance(now, tuple) else 0)
         self.changed.emit()
+
+    def follow(self, store: Store, *signals: SignalInstance, when: When = When.AFTER_PAINT) -> None:
+        """Look whenever the inputs differ: ``when`` the state has changed, and after signals of
+        what is no part of the state."""
+        store.watch(lambda _: self._now(), self.look, when)
+        for signal in signals:
+            signal.connect(self.look)
 
     def look_later(self) -> None:
         """As `look`, after the next paint: the value that is asked for is never an older one."""
@@ -201,7 +200,6 @@ class Derived(QObject, Generic[T]):
     def close(self) -> None:
         """Work nothing out any more, and hold on to nothing."""
         self._inputs = _nothing
-        self._soon.stop()
         self._later.stop()
         self.forget()
 

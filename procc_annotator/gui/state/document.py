@@ -46,7 +46,6 @@ from procc_annotator.gui.state.scoring.frame_score import Judge
 from procc_annotator.gui.state.second import SecondAnnotator
 from procc_annotator.gui.state.selection import Selecting
 from procc_annotator.gui.state.sequences import AnnotatedIndices, SequenceWatch
-from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.state import State
 from procc_annotator.gui.state.store import Store
 from procc_annotator.image.decoding import FrameCache
@@ -58,8 +57,7 @@ _CACHE_BYTES = 16 * 2**20  # more than the pictures that may come next cost more
 
 
 class Document(QObject):
-    """Makes the store and its services, in the order in which they hear of a change, and shares
-    them: what is read of the state, the commands, and the signals."""
+    """The store and its services, made in the order in which they are notified of a change."""
 
     def __init__(
         self,
@@ -78,15 +76,12 @@ class Document(QObject):
         setup = EvaluationSetup(field if field is not None else load_field())
         self.store = store = Store(State(setup, author=default_author()), self)
         self.cache = cache if cache is not None else FrameCache(_CACHE_BYTES)
-        self.signals = signals = Signals(store)
-        self._share_signals(signals)
         self.review = ReviewState(self)
         self.saver, self.presence = Saver(self), Presence(self)
         self.source_frames, self.set_scores = SourceFrames(self), SetScores(self)
         self.judge = Judge(store, self.source_frames)
-        self.auditing = Auditing(store, signals, self.judge, self.source_frames, self.set_scores)
-        store.changed.connect(self.auditing.follow)  # before anybody looks at what follows
-        store.changed.connect(signals.tell)
+        self.auditing = Auditing(store, self.judge, self.source_frames, self.set_scores)
+        store.score = self.auditing.follow
         self._listen()
         self._make_commands()
         self._make_watches()
@@ -98,20 +93,6 @@ class Document(QObject):
 
     # --- assembly -----------------------------------------------------------------------------
 
-    def _share_signals(self, signals: Signals) -> None:
-        self.datasetChanged, self.frameChanged = signals.datasetChanged, signals.frameChanged
-        self.annotationChanged = signals.annotationChanged
-        self.pictureChanged, self.previewChanged = signals.pictureChanged, signals.previewChanged
-        self.selectionChanged, self.hoverChanged = signals.selectionChanged, signals.hoverChanged
-        self.scoreChanged, self.fieldChanged = signals.scoreChanged, signals.fieldChanged
-        self.camerasChanged, self.modeChanged = signals.camerasChanged, signals.modeChanged
-        self.saveStateChanged, self.blindChanged = signals.saveStateChanged, signals.blindChanged
-        self.framesEdited, self.aboutToLeave = signals.framesEdited, signals.aboutToLeave
-        self.frameScoresChanged = signals.frameScoresChanged
-        self.sourceAuditsChanged = signals.sourceAuditsChanged
-        self.flyTo, self.flyToArea = signals.flyTo, signals.flyToArea
-        self.message = signals.message
-
     def _listen(self) -> None:
         """What services find out by themselves goes into the state."""
         self.review.failed.connect(self._say_warning)
@@ -120,55 +101,49 @@ class Document(QObject):
         self.presence.changed.connect(self._take_holder)
 
     def _make_commands(self) -> None:
-        store, signals, review = self.store, self.signals, self.review
+        store, review = self.store, self.review
         self.verdicts = KeptVerdicts(store, review)
-        self.selecting = Selecting(store, signals)
-        self.terms = Terms(store, signals, review)
+        self.selecting = Selecting(store)
+        self.terms = Terms(store, review)
         self.camera_sources = Sources(store, self.auditing, self.set_scores, self.verdicts)
-        self.editing = Editing(store, signals, self.saver, self.presence, review, self.auditing)
-        self.outside = OutsideChanges(
-            store, signals, self.editing, self.camera_sources, self.auditing
-        )
-        self.second = SecondAnnotator(store, signals)
+        self.editing = Editing(store, self.saver, self.presence, review, self.auditing)
+        self.outside = OutsideChanges(store, self.editing, self.camera_sources, self.auditing)
+        self.second = SecondAnnotator(store)
         self.blind_lock = BlindLock(store, review)
-        self.blind_lock.refused.connect(signals.modeChanged)
         self.walk = FrameWalk(
-            store, signals, self.cache, self.editing, self.auditing, self.second, self.outside
+            store, self.cache, self.editing, self.auditing, self.second, self.outside
         )
 
     def _make_watches(self) -> None:
-        store, signals = self.store, self.signals
-        self.sequence = SequenceWatch(store, signals)
-        self.annotated_frames = AnnotatedIndices(store, signals)
-        self.shot_track = ShotTrack(store, signals, self.sequence, self.camera_sources)
-        self.painted_width = PaintedWidth(store, signals, self.judge)
-        self.disagreement = DisagreementWatch(store, signals, self.source_frames)
-        self.live_fit = LiveFit(store, signals, self.review, self.blind_lock, self.judge)
+        store = self.store
+        self.sequence = SequenceWatch(store)
+        self.annotated_frames = AnnotatedIndices(store)
+        self.shot_track = ShotTrack(store, self.sequence, self.camera_sources)
+        self.painted_width = PaintedWidth(store, self.judge)
+        self.disagreement = DisagreementWatch(store, self.source_frames)
+        self.live_fit = LiveFit(store, self.review, self.blind_lock, self.judge)
         self.uncertainty = UncertaintyWatch(
-            store, signals, self.live_fit, self.blind_lock, self.disagreement
+            store, self.live_fit, self.blind_lock, self.disagreement
         )
-        self.fit_source = FitSource(
-            store, signals, self.camera_sources, self.source_frames, self.live_fit
-        )
-        self.proposals = Proposals(store, signals, self.blind_lock, self.cache)
-        self.corrections = Corrections(store, signals, self.proposals)
+        self.fit_source = FitSource(store, self.camera_sources, self.source_frames, self.live_fit)
+        self.proposals = Proposals(store, self.blind_lock, self.cache)
+        self.corrections = Corrections(store, self.proposals)
         self.foresight = Foresight(
             store,
-            signals,
             self.live_fit,
             self.review,
             self.shot_track,
             self.proposals,
             self.corrections,
         )
-        self.ghosts = Ghosts(store, signals, self.foresight, self.review)
-        self.map_sight = MapSight(store, signals, self.foresight, self.judge)
-        self.paint_watch = PaintWatch(store, signals)
+        self.ghosts = Ghosts(store, self.foresight, self.review)
+        self.map_sight = MapSight(store, self.foresight, self.judge)
+        self.paint_watch = PaintWatch(store)
         self.label_check = LabelCheck(
-            store, signals, self.review, self.live_fit, self.judge, self.paint_watch
+            store, self.review, self.live_fit, self.judge, self.paint_watch
         )
-        self.field_choice = FieldChoice(store, signals, self.review, self.terms)
-        self.landmarks = Landmarks(store, signals, self.judge, self.live_fit, self.terms)
+        self.field_choice = FieldChoice(store, self.review, self.terms)
+        self.landmarks = Landmarks(store, self.judge, self.live_fit, self.terms)
         self.opening = Opening(
             self.store,
             self.walk,
@@ -187,7 +162,7 @@ class Document(QObject):
 
     def set_author(self, author: str) -> None:
         """Give points, comments and versions another author from now on."""
-        self.store.set(author=author)
+        self.store.update(author=author)
         if self.review.database is not None:
             self.review.database.author = author
         self.editing.presence.set_author(author)
@@ -221,12 +196,12 @@ class Document(QObject):
         self.cache.close()
 
     def _take_unsaved(self) -> None:
-        self.store.set(unsaved=self.saver.problems)
+        self.store.update(unsaved=self.saver.problems)
         if not self.state.unsaved:
             withdraw(self.store, UNSAVED)
 
     def _take_holder(self) -> None:
-        self.store.set(holder=self.presence.holder)
+        self.store.update(holder=self.presence.holder)
 
     def _say_warning(self, text: str) -> None:
         say(self.store, text, "warning")

@@ -59,11 +59,10 @@ class LandmarkEllipses(Derived[Ellipses]):
     def __init__(
         self, store: Store, live_fit: LiveFit, judge: Judge, here: Callable[[], FileAndInstant]
     ) -> None:
-        super().__init__(
-            self._made_of, _project, Where.ONCE_A_REPAINT, store, after=(live_fit.changed,)
-        )
+        super().__init__(self._made_of, _project, Where.AT_ONCE, store)
         self._store, self._live_fit, self._judge = store, live_fit, judge
         self._here = here
+        self.follow(store, live_fit.changed)
 
     def _made_of(self) -> Inputs | None:
         state, (file, instant) = self._store.state, self._here()

@@ -27,6 +27,7 @@ from procc_annotator.formats.landmark_file import (
     load_landmarks,
     save_landmarks,
 )
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.landmark_tools import (
     LandmarkEllipses,
@@ -38,7 +39,6 @@ from procc_annotator.gui.state.prediction.live_fit import LiveFit
 from procc_annotator.gui.state.saying import notify, say, withdraw
 from procc_annotator.gui.state.scoring.evaluation_settings import Terms
 from procc_annotator.gui.state.scoring.frame_score import Judge
-from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
 from procc_annotator.interaction.overlay_lines import ShownEllipse
 from procc_annotator.translation import tr
@@ -61,9 +61,7 @@ class Landmarks(QObject):
     changed = Signal()  # landmarks, where they are clicked, or whether one is being triangulated
     ellipsesChanged = Signal()  # only how surely the frame on screen shows them
 
-    def __init__(
-        self, store: Store, signals: Signals, judge: Judge, live_fit: LiveFit, terms: Terms
-    ) -> None:
+    def __init__(self, store: Store, judge: Judge, live_fit: LiveFit, terms: Terms) -> None:
         super().__init__(store)
         self._store, self._terms = store, terms
         self.file, self.groups = LandmarkFile(), ViewGroups()
@@ -82,9 +80,9 @@ class Landmarks(QObject):
         self._files = LandmarkFiles(self)
         self._files.read.connect(self._take_read)
         self._files.damaged.connect(self._note_damage)
-        signals.annotationChanged.connect(self._look_at_frame)
-        signals.framesEdited.connect(self._look_again)
-        signals.fieldChanged.connect(self._try_again)
+        store.watch(select.annotation, self._look_at_frame)
+        store.events.framesEdited.connect(self._look_again)
+        store.watch(select.field, self._try_again)
 
     # --- the dataset ---
 

@@ -18,6 +18,7 @@ from procc_annotator.camera.backprojection import ground_from_px
 from procc_annotator.camera.base import Camera, CameraOrProjections, ElementProjections
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.blind_lock import BlindLock
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.map_shapes import (
@@ -31,8 +32,7 @@ from procc_annotator.gui.state.prediction.live_fit import LiveFit
 from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.scoring.frame_cameras import SourceFrames
 from procc_annotator.gui.state.scoring.frame_score import Judge
-from procc_annotator.gui.state.signals import Signals
-from procc_annotator.gui.state.store import Store
+from procc_annotator.gui.state.store import Store, When
 from procc_annotator.interaction.camera_view import UNCERTAINTY, VisibleField, visible_field
 from procc_annotator.metrics.error_maps import (
     Disagreement,
@@ -81,21 +81,16 @@ class Compared:
 class DisagreementWatch(Derived[Compared]):
     """The disagreement in the frame on screen, once a person wants to see it."""
 
-    def __init__(self, store: Store, signals: Signals, source_frames: SourceFrames) -> None:
+    def __init__(self, store: Store, source_frames: SourceFrames) -> None:
         super().__init__(
             self._made_of,
             compare_cameras,
             Where.BESIDE,
             store,
             wanted=False,
-            after=(
-                signals.frameChanged,
-                signals.scoreChanged,
-                signals.camerasChanged,
-                source_frames.changed,
-            ),
         )
         self._store, self._source_frames = store, source_frames
+        self.follow(store, source_frames.changed, when=When.NOW)
 
     @property
     def problem(self) -> str:
@@ -182,7 +177,7 @@ class MapSight(QObject):
 
     changed = Signal()
 
-    def __init__(self, store: Store, signals: Signals, foresight: Foresight, judge: Judge) -> None:
+    def __init__(self, store: Store, foresight: Foresight, judge: Judge) -> None:
         super().__init__(store)
         self._store, self._foresight, self._judge = store, foresight, judge
         self._wanted = True
@@ -192,12 +187,10 @@ class MapSight(QObject):
         self._told: tuple[object, ...] = ()
         self._found = Derived(self._made_of, _look_at, Where.BESIDE, self, kept=_KEPT)
         self._found.changed.connect(self._take)
-        signals.datasetChanged.connect(self._begin_anew)
-        signals.fieldChanged.connect(self._begin_anew)
-        for signal in (signals.frameChanged, signals.scoreChanged, signals.camerasChanged):
-            signal.connect(self._found.look_later)
+        store.watch(lambda s: (s.workspace, s.field), self._begin_anew)
+        store.watch(select.blind, self._look)
+        self._found.follow(store)
         foresight.changed.connect(self._look)
-        signals.blindChanged.connect(self._look)
 
     @property
     def wanted(self) -> bool:
@@ -331,7 +324,6 @@ class UncertaintyWatch(Derived[KnownGround]):
     def __init__(
         self,
         store: Store,
-        signals: Signals,
         live_fit: LiveFit,
         blind_lock: BlindLock,
         disagreement: DisagreementWatch,
@@ -342,15 +334,10 @@ class UncertaintyWatch(Derived[KnownGround]):
             Where.BESIDE,
             store,
             wanted=False,
-            after=(
-                live_fit.changed,
-                signals.annotationChanged,  # never shown of the fit before an edit
-                signals.frameChanged,
-                signals.modeChanged,
-            ),
         )
         self._store, self._live_fit = store, live_fit
         self._blind_lock, self._disagreement = blind_lock, disagreement
+        self.follow(store, live_fit.changed, when=When.NOW)
         disagreement.changed.connect(self._give_way)
 
     @property
@@ -397,12 +384,11 @@ class UncertaintyWatch(Derived[KnownGround]):
 class PaintedWidth(Derived[ProjectedField]):
     """The borders of painted lines, once a person wants to see them."""
 
-    def __init__(self, store: Store, signals: Signals, judge: Judge) -> None:
+    def __init__(self, store: Store, judge: Judge) -> None:
         super().__init__(self._made_of, _project, Where.BESIDE, store, wanted=False)
         self._store, self._judge = store, judge
         self.failed.connect(self._say)
-        signals.scoreChanged.connect(self.try_again)
-        signals.frameChanged.connect(self.try_again)
+        store.watch(select.score, self.try_again)
 
     def _made_of(self) -> Inputs | None:
         camera = self._judge.camera

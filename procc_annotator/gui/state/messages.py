@@ -27,8 +27,8 @@ class Notice:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Told:
-    """A line that was said, once; the same words said again are another one.
+class Message:
+    """A line to the user, shown once.
 
     Attributes:
         key: of the notice that it is; empty for one that nothing withdraws.

@@ -17,8 +17,8 @@ from procc_annotator.formats.file_listing import AnnotationFiles, list_annotatio
 from procc_annotator.formats.file_source import FileSource
 from procc_annotator.formats.strict_json import printable
 from procc_annotator.gui.latest import Latest
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.saying import say
-from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
 from procc_annotator.gui.worker import JobControl
 from procc_annotator.messages import first_names
@@ -39,11 +39,11 @@ class SecondAnnotator(QObject):
     changed = Signal()
     opened = Signal(Path)  # what was asked for is read: another one, or by another field
 
-    def __init__(self, store: Store, signals: Signals) -> None:
+    def __init__(self, store: Store) -> None:
         super().__init__(store)
         self._store = store
         self._reading = Latest(self, lambda why: say(store, why, "error"))
-        signals.fieldChanged.connect(self._read_again)
+        store.watch(select.field, self._read_again)
         self._frame: str | None = None
         self._source: FileSource | None = None
         self._files: dict[str, str] = {}

@@ -8,7 +8,6 @@ from dataclasses import replace
 from procc_annotator.annotation import FrameAnnotation, Polyline
 from procc_annotator.dataset.editing import PointRef
 from procc_annotator.field.model import Field
-from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.state import ChosenElement, Mode, Option
 from procc_annotator.gui.state.store import Store
 
@@ -16,8 +15,8 @@ from procc_annotator.gui.state.store import Store
 class Selecting:
     """Chooses elements and points."""
 
-    def __init__(self, store: Store, signals: Signals) -> None:
-        self._store, self._signals = store, signals
+    def __init__(self, store: Store) -> None:
+        self._store = store
 
     def select_class(self, class_name: str | None, *, continues: bool = False) -> None:
         """Choose the element to draw and to look at; ``continues``: clicks add to its points."""
@@ -28,7 +27,7 @@ class Selecting:
             chosen = replace(chosen, class_name=class_name, last_finished=None, continues=continues)
         else:
             chosen = ChosenElement(class_name, continues=continues)
-        self._store.set(selection=chosen)
+        self._store.update(selection=chosen)
 
     def select_point(
         self,
@@ -39,10 +38,10 @@ class Selecting:
         """Choose one point of an element, or several ``together``; None lets go of all points."""
         chosen = self._store.state.selection
         if class_name is None:
-            self._store.set(selection=replace(chosen, point=None, points=frozenset()))
+            self._store.update(selection=replace(chosen, point=None, points=frozenset()))
             return
         points = frozenset(together) if len(together) > 1 else frozenset()
-        self._store.set(selection=ChosenElement(class_name, (class_name, index), points))
+        self._store.update(selection=ChosenElement(class_name, (class_name, index), points))
 
     def select_all_points(self) -> None:
         """Choose every point of the selected element, or of the frame when none is selected."""
@@ -55,23 +54,23 @@ class Selecting:
 
     def note_finished(self, class_name: str | None) -> None:
         """An element was finished, and the next one is chosen by now."""
-        self._store.set(selection=replace(self._store.state.selection, last_finished=class_name))
+        self._store.update(selection=replace(self._store.state.selection, last_finished=class_name))
 
     def hover_class(self, class_name: str | None) -> None:
         """Report every widget which element the cursor is on."""
-        self._store.set(hovered_class=class_name)
+        self._store.update(hovered_class=class_name)
 
     def set_mode(self, mode: Mode) -> None:
         """Draw or edit; a polyline under way is finished first."""
         if mode != self._store.state.mode:
-            self._signals.aboutToLeave.emit()
-            self._store.set(mode=mode)
+            self._store.events.aboutToLeave.emit()
+            self._store.update(mode=mode)
 
     def set_option(self, option: Option, on: bool) -> None:
         """Switch snapping, pinning of elements, the offer of the next element, or the finish of
         straight elements at the second click."""
         options = self._store.state.options
-        self._store.set(options=replace(options, **{option: on}))
+        self._store.update(options=replace(options, **{option: on}))
 
 
 def class_that_fits(

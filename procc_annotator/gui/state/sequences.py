@@ -9,8 +9,8 @@ from PySide6.QtCore import QObject, Signal
 from procc_annotator.dataset.sequence import FrameSequence, sequence_of
 from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import InputError
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
-from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
 
 
@@ -20,7 +20,7 @@ class AnnotatedIndices(QObject):
 
     changed = Signal()
 
-    def __init__(self, store: Store, signals: Signals) -> None:
+    def __init__(self, store: Store) -> None:
         super().__init__(store)
         self._store = store
         self._edited: dict[int, bool] = {}  # since they were read
@@ -28,10 +28,9 @@ class AnnotatedIndices(QObject):
             self._made_of, _read_all, Where.BESIDE, self, wanted=False, stoppable=True, urgent=False
         )
         self._read.changed.connect(self.changed)
-        signals.datasetChanged.connect(self._begin_anew)
-        signals.annotationChanged.connect(self._note_here)
-        signals.frameChanged.connect(self._note_here)
-        signals.framesEdited.connect(self._note)
+        store.watch(select.dataset, self._begin_anew)
+        store.watch(select.annotation, self._note_here)
+        store.events.framesEdited.connect(self._note)
 
     def set_wanted(self, wanted: bool) -> None:
         """Whether a person wants them from now on."""
@@ -97,16 +96,16 @@ def _read_all(workspace: Workspace, *, go_on: Callable[[], None]) -> frozenset[i
 class SequenceWatch(Derived[FrameSequence]):
     """The video or the consecutive pictures that the dataset's frames are of; None for others."""
 
-    def __init__(self, store: Store, signals: Signals) -> None:
+    def __init__(self, store: Store) -> None:
         super().__init__(
             self._made_of,
             _look,
             Where.BESIDE,
             store,
             stoppable=True,
-            after=(signals.datasetChanged,),
         )
         self._store = store
+        self.follow(store)
 
     def _made_of(self) -> Inputs | None:
         workspace = self._store.state.workspace

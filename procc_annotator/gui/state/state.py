@@ -22,7 +22,7 @@ from procc_annotator.field.load import field_for_stadium, stadium_of
 from procc_annotator.field.model import Field
 from procc_annotator.gui.keymap import USUAL, Keymap
 from procc_annotator.gui.state.camera_sources import CameraSource, SourceLook
-from procc_annotator.gui.state.messages import Notice, Told
+from procc_annotator.gui.state.messages import Notice
 from procc_annotator.image.decoding import HalfSizeImage
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.metrics.setup import EvaluationSetup
@@ -98,7 +98,6 @@ class State:
         keymap: the keys of one's own.
         author: whose name points, comments and versions bear.
         notices: lines that are so until they are withdrawn.
-        told: the last line that was said.
     """
 
     setup: EvaluationSetup
@@ -130,7 +129,6 @@ class State:
     author: str = ""
     keymap: Keymap = USUAL
     notices: tuple[Notice, ...] = ()
-    told: Told | None = None
 
     # --- the frame on screen ------------------------------------------------------------------
 

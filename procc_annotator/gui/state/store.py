@@ -1,186 +1,202 @@
-"""The one place that holds the state, and the one signal that says that it changed."""
+"""The store: holds the application state, replaces it as a whole and notifies its watches."""
 
 from __future__ import annotations
 
-from collections import deque
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from dataclasses import replace
+from enum import Enum, auto
 from inspect import ismethod
-from typing import Any, Protocol, TypeVar
+from typing import Any
 from weakref import WeakMethod
 
 import shiboken6
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject
 
 from procc_annotator.gui.soon import soon
+from procc_annotator.gui.state.events import Events
 from procc_annotator.gui.state.state import State, same
 
-T = TypeVar("T")
-
-_CARRIED = frozenset({"preview"})  # what becomes another thing with every move of a held mouse
+_GESTURE_FIELDS = frozenset({"preview"})  # replaced with every mouse move of a drag
 
 
-class _Reach(Protocol):
-    """Gives what is to be called, or None once its owner is gone."""
+class When(Enum):
+    """When a watch calls back after its selection has changed."""
 
-    def __call__(self) -> Callable[[Any], object] | None: ...
+    NOW = auto()  # before the command that changed the state returns
+    GESTURE = auto()  # as NOW, and with every move of a drag, which others see after the paint
+    AFTER_PAINT = auto()  # once for all changes, after the next paint
+
+
+_DUE = {
+    When.GESTURE: {When.GESTURE},
+    When.NOW: {When.GESTURE, When.NOW},
+    When.AFTER_PAINT: set(When),
+}
 
 
 class _Watch:
-    """Calls a person whenever what they select of the state is another thing than before."""
+    """Calls back if its selection of the state differs from the one of the last call."""
 
     def __init__(
-        self, select: Callable[[State], Any], then: Callable[[Any], object], state: State
+        self,
+        select: Callable[[State], object],
+        callback: Callable[[], object],
+        when: When,
+        state: State,
     ) -> None:
-        self._select = select
-        self._reach: _Reach = WeakMethod(then) if ismethod(then) else lambda: then
+        self._select, self.when = select, when
+        self._callback = WeakMethod(callback) if ismethod(callback) else lambda: callback
         self._selected = select(state)
 
     def differs(self, state: State) -> bool:
-        """Return whether they are to be called."""
+        """Return whether the selection has changed since the last call."""
         return not same(self._select(state), self._selected)
 
-    def tell(self, state: State) -> bool:
-        """Call them if need be; False once they are gone and would have been called."""
+    def check(self, state: State) -> bool:
+        """Call back if the selection has changed; return False once the owner is gone."""
         selected = self._select(state)
         if same(selected, self._selected):
             return True
-        then = self._reach()
-        if then is None or not _is_alive(then):
+        callback = self._callback()
+        if callback is None or not _is_alive(callback):
             return False
         self._selected = selected
-        then(selected)
+        callback()
         return True
 
 
 class Store(QObject):
-    """Holds the state. It is replaced as a whole, by commands, and reported step by step.
+    """Holds the state. Commands replace it with `update`; `watch` notifies of what differs.
 
-    A change that is made while another one is signalled is there at once, but signalled after that
-    one: every listener sees every step, and all see them in the same order. A listener is notified
-    once of all steps that follow from one another; of what the user drags, after that was painted.
+    A change made by a callback is visible at once and notified after the present round: each
+    watch is called once for all changes that follow from one another, and sees the latest state.
+
+    Attributes:
+        events: what happens and is no part of the state.
+        score: called with the state before and after each change, before any watch: scores are
+            up to date when views read them.
     """
-
-    changed = Signal(object, object)  # the state before, the state after
-    rested = Signal()  # all that changed was told
 
     def __init__(self, state: State, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._state = state
-        self._steps: deque[tuple[State, State]] = deque()
-        self._telling = False
-        self._begun: State | None = None  # what changes together with what is there now
+        self.events = Events(self)
+        self.score: Callable[[State, State], object] = lambda before, after: None
+        self._state = self._scored = self._notified = state
         self._watches: list[_Watch] = []
-        self._only_carried = True  # nothing else that those who watch were not told of
-        self._after_paint = soon(self, self._tell_of_carried)
+        self._transactions = 0
+        self._notifying = False
+        self._only_gesture = True  # since all watches were checked
+        self._later: list[Callable[[], object]] = []
+        self._after_paint = soon(self, self._notify_after_paint)
 
     @property
     def state(self) -> State:
-        """As it is now."""
+        """The present state."""
         return self._state
 
     @property
     def busy(self) -> bool:
-        """Return whether something is still to be reported."""
-        return self._telling or self._begun is not None
+        """Return whether watches are still to be notified of a change."""
+        return self._notifying or self._transactions > 0
+
+    def update(self, **changes: Any) -> None:
+        """Replace fields of the state, by name; no notification if nothing differs."""
+        before = self._state
+        other = {k: v for k, v in changes.items() if not same(v, getattr(before, k))}
+        if other:
+            self._only_gesture = self._only_gesture and other.keys() <= _GESTURE_FIELDS
+            self._state = replace(before, **other)
+            self._notify()
 
     @contextmanager
-    def together(self) -> Iterator[None]:
-        """Return what is changed within is there at once, and reported as one step at its end, but
-        for lines that are said: each is a step of its own to those who listen to `changed`."""
-        if self.busy:
-            yield
-            return
-        self._begun = self._state
+    def transaction(self) -> Iterator[None]:
+        """Notify once, at the end, of all that is changed within."""
+        self._transactions += 1
         try:
             yield
         finally:
-            self._end_step()
-            self._tell()
+            self._transactions -= 1
+            self._notify()
 
-    def set(self, **changes: Any) -> None:
-        """Replace fields of the state; nothing is reported where nothing differs.
-
-        Args:
-            changes: the new values, by the names of the fields of `State`.
-        """
-        before = self._state
-        other = {k: v for k, v in changes.items() if not same(v, getattr(before, k))}
-        if not other:
-            return
-        self._only_carried = self._only_carried and other.keys() <= _CARRIED
-        if self._begun is None:
-            self._steps.append((before, replace(before, **other)))
-            self._state = self._steps[-1][1]
-            if not self._telling:
-                self._tell()
-            return
-        if "told" in other and before.told is not self._begun.told:
-            self._end_step()
-            self._begun = before
-        self._state = replace(before, **other)
-
-    def watch(self, select: Callable[[State], T], then: Callable[[T], object]) -> None:
-        """Have a person called whenever what is selected differs, until their owner is gone.
+    def watch(
+        self,
+        select: Callable[[State], object],
+        callback: Callable[[], object],
+        when: When = When.NOW,
+    ) -> None:
+        """Call back whenever a selection of the state has changed, until the owner is gone.
 
         Args:
-            select: a pure function of the state, cheap enough for every move of the mouse.
-            then: receives what is selected. A method does not keep its object alive; any other
-                function lives as long as the store and must hold no widget.
+            select: a pure function of the state, cheap enough for every change; small values are
+                compared by value, large ones by identity (`same`).
+            callback: a method does not keep its object alive; any other function lives as long as
+                the store and must hold no widget.
+            when: when to call.
         """
-        self._watches.append(_Watch(select, then, self._state))
+        self._watches.append(_Watch(select, callback, when, self._state))
 
-    def _end_step(self) -> None:
-        """What changed together is a step to be reported."""
-        if self._begun is not None and self._begun is not self._state:
-            self._steps.append((self._begun, self._state))
-        self._begun = None
+    def when_notified(self, callback: Callable[[], object]) -> None:
+        """Call at once, or after all watches were notified if that is in progress."""
+        self._later.append(callback)
+        if not self.busy:
+            self._call_later()
 
-    def _tell(self) -> None:
-        """Report every step; if a listener fails, all others are notified first."""
-        self._telling = True
+    # --- inside -------------------------------------------------------------------------------
+
+    def _notify(self) -> None:
+        """Check the watches until nothing differs; if one fails, the others are checked first."""
+        if self.busy:
+            return
+        if self._state is self._notified:
+            self._call_later()
+            return
+        self._notifying = True
         with ExitStack() as at_last:
-            at_last.callback(self._rest)
-            self._tell_steps()
+            at_last.callback(self._end_round)
+            while self._state is not self._notified:
+                self._round(When.GESTURE if self._only_gesture else When.NOW)
 
-    def _tell_steps(self) -> None:
-        changed = bool(self._steps)
-        while self._steps:
-            self.changed.emit(*self._steps.popleft())
-        if not self._only_carried:
-            self._tell_watches()
-        elif changed:
-            self._after_paint.start()
-
-    def _tell_of_carried(self) -> None:
-        self._only_carried = False
-        if not self.busy:  # or they are about to be told
-            self._tell()
-
-    def _tell_watches(self) -> None:
-        self._after_paint.stop()
-        self._only_carried = True
+    def _round(self, when: When) -> None:
+        before, self._scored = self._scored, self._state
+        if before is not self._state:
+            self.score(before, self._state)
+        state = self._notified = self._state
+        if when is not When.GESTURE:
+            self._only_gesture = True
         with ExitStack() as each:
-            each.callback(self._tell_of_more)
-            for watch in reversed([w for w in self._watches if w.differs(self._state)]):
-                each.callback(self._tell_watch, watch)
+            for watch in reversed([w for w in self._watches if w.when in _DUE[when]]):
+                if watch.differs(state):
+                    each.callback(self._check, watch)
 
-    def _tell_watch(self, watch: _Watch) -> None:
-        if not watch.tell(self._state):
+    def _check(self, watch: _Watch) -> None:
+        if not watch.check(self._state):
             self._watches.remove(watch)
 
-    def _tell_of_more(self) -> None:
-        """Those who watch may have changed something themselves."""
-        if self._steps:
-            self._tell_steps()
+    def _end_round(self) -> None:
+        self._notifying = False
+        self._after_paint.start()
+        self._notify()  # if one failed, another may have changed the state
 
-    def _rest(self) -> None:
-        self._telling = False
-        self.rested.emit()
+    def _call_later(self) -> None:
+        while self._later:
+            self._later.pop(0)()
+
+    def _notify_after_paint(self) -> None:
+        if self.busy:
+            self._after_paint.start()
+            return
+        self._notifying, self._only_gesture = True, False
+        with ExitStack() as at_last:
+            at_last.callback(self._end_late_round)
+            self._round(When.AFTER_PAINT)
+
+    def _end_late_round(self) -> None:
+        self._notifying = False
+        self._notify()
 
 
-def _is_alive(then: Callable[[Any], object]) -> bool:
-    """Return whether the owner of a method, if it is Qt's, is not deleted."""
-    owner = getattr(then, "__self__", None)
+def _is_alive(callback: Callable[[], object]) -> bool:
+    """Return whether the owner of a method, if it is a QObject, is not deleted."""
+    owner = getattr(callback, "__self__", None)
     return not isinstance(owner, QObject) or shiboken6.isValid(owner)

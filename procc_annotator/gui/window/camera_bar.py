@@ -55,7 +55,7 @@ class CameraBar(QWidget):
         store.watch(judged, self._show_score)
         self._show_cameras()
 
-    def _show_cameras(self, _: object = None) -> None:
+    def _show_cameras(self) -> None:
         """The loaded sets and the active one."""
         document = self._document
         names = [tr(_NO_CAMERA), *(s.name for s in [look.cameras for look in document.state.looks])]
@@ -83,7 +83,7 @@ class CameraBar(QWidget):
         self.cameras.setMaximumWidth(widest)
         self.cameras.setMinimumWidth(min(widest, self.cameras.sizeHint().width()))
 
-    def _show_score(self, _: object = None) -> None:
+    def _show_score(self) -> None:
         """JaC, or why there is none."""
         document = self._document
         score = document.judge.score

@@ -13,6 +13,7 @@ from procc_annotator.gui.canvas.canvas import Canvas
 from procc_annotator.gui.canvas.pinned import Pinned
 from procc_annotator.gui.keymap import NATIVE
 from procc_annotator.gui.settings import COACHED, Settings
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.window.menus import Actions
 from procc_annotator.interaction import palette as tones
@@ -66,9 +67,9 @@ class Coach(QObject):
             return
         self._going = True
         document = self._document
-        document.frameChanged.connect(self._begin_frame)
-        document.annotationChanged.connect(self._look)
-        document.store.watch(lambda s: s.keymap, lambda _: self._show())
+        document.store.watch(select.frame, self._begin_frame)
+        document.store.watch(select.annotation, self._look)
+        document.store.watch(lambda s: s.keymap, self._show)
         self._actions["regularise_all"].triggered.connect(lambda: self._tick(1))
         self._canvas.viewport().installEventFilter(self)
         self._begin_frame()

@@ -33,8 +33,7 @@ class Commands:
         self._window = window
         self._sheet: KeySheet | None = None
         self._guide: Guide | None = None
-        document.fieldChanged.connect(self._fill_sheet)
-        document.store.watch(lambda state: state.keymap, self._fill_sheet)
+        document.store.watch(lambda s: (s.field, s.keymap), self._fill_sheet)
 
     # --- stepping and choosing ------------------------------------------------------------
 
@@ -138,7 +137,7 @@ class Commands:
         self._sheet.raise_()
         self._sheet.activateWindow()
 
-    def _fill_sheet(self, _: object = None) -> None:
+    def _fill_sheet(self) -> None:
         if self._sheet is not None:
             self._sheet.show_field(self._document.state.field, self._document.state.keymap)
 

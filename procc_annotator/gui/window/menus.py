@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QMainWindow, QMenu, QWidget
 
 from procc_annotator.gui.actions import ACTIONS, MENUS, ActionSpec
 from procc_annotator.gui.keymap import NATIVE, Keymap
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.translation import tr
 
@@ -137,11 +138,10 @@ class ActionStates(QObject):
         super().__init__(parent)
         self._document = document
         self._actions = actions
-        document.modeChanged.connect(self._show_mode)
-        document.datasetChanged.connect(self._show_mode)
-        document.annotationChanged.connect(self._show_steps)
-        document.frameChanged.connect(self._show_steps)
-        document.store.watch(lambda state: state.keymap, self._take_keys)
+        document.store.watch(lambda s: (s.workspace, select.mode(s)), self._show_mode)
+        document.blind_lock.refused.connect(self._show_mode)
+        document.store.watch(select.annotation, self._show_steps)
+        document.store.watch(lambda s: s.keymap, self._take_keys)
         document.live_fit.changed.connect(self._show_live_fit)
         document.disagreement.changed.connect(self._show_maps)
         document.uncertainty.changed.connect(self._show_maps)
@@ -158,8 +158,8 @@ class ActionStates(QObject):
         actions.set_reason("blind", reason)
         actions.set_reason("live_fit", document.blind_lock.no_fit)
 
-    def _take_keys(self, keymap: Keymap) -> None:
-        self._actions.set_keys(keymap)
+    def _take_keys(self) -> None:
+        self._actions.set_keys(self._document.state.keymap)
 
     def _show_steps(self) -> None:
         undone, redone = self._document.editing.steps

@@ -77,7 +77,7 @@ class Options:
         elif setting is rows.AUTHOR:
             self._document.set_author(str(value) or default_author())
         elif setting is rows.KEYS:
-            self._document.store.set(keymap=value)
+            self._document.store.update(keymap=value)
         elif setting is rows.THEME:
             set_theme(_application(), str(value))
         elif key in self._places:

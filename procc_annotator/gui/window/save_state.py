@@ -78,7 +78,7 @@ class SaveState(PaintedText):
             return self.fontMetrics()
         return QFontMetrics(fixed_width(self.font(), bold=True))
 
-    def _show(self, *_: object) -> None:
+    def _show(self) -> None:
         saver = self._document.saver
         problems = saver.problems
         if problems:

@@ -6,7 +6,6 @@ import numpy as np
 from PySide6.QtCore import QObject
 
 from procc_annotator.camera.backprojection import ground_from_px
-from procc_annotator.field.model import Field
 from procc_annotator.gui.canvas.canvas import Canvas
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.window.status import StatusLine
@@ -35,11 +34,11 @@ class StatusReport(QObject):
         document.uncertainty.changed.connect(self._look_again)
         document.set_scores.progressed.connect(self.show_scoring)
         status.set_hint(canvas.hint)
-        self._show_titles(document.state.field)
+        self._show_titles()
 
-    def _show_titles(self, field: Field) -> None:
+    def _show_titles(self) -> None:
         """What elements are called, which hints and messages name."""
-        self._status.hint.set_titles(tr(e.title) for e in field.elements)
+        self._status.hint.set_titles(tr(e.title) for e in self._document.state.field.elements)
 
     def show_scoring(self, done: int, total: int) -> None:
         """How far the scores of the set are; nothing once they are all there."""

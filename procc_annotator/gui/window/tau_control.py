@@ -44,9 +44,11 @@ class TauControl(QWidget):
         self.slider.valueChanged.connect(lambda tenths: document.terms.set_tau(tenths / 10))
         self.spin.valueChanged.connect(document.terms.set_tau)
         document.store.watch(lambda s: s.tau, self._show)
-        self._show(document.state.tau)
+        self._document = document
+        self._show()
 
-    def _show(self, tau: float) -> None:
+    def _show(self) -> None:
+        tau = self._document.state.tau
         with QSignalBlocker(self.slider), QSignalBlocker(self.spin):
             self.slider.setValue(round(tau * 10))
             self.spin.setValue(tau)

@@ -6,9 +6,9 @@ from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QMainWindow
 
 from procc_annotator.gui.messages import ConflictBar, FrameBar, MessageBar
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.state.messages import UNSAVED, Told
-from procc_annotator.gui.state.state import State
+from procc_annotator.gui.state.messages import UNSAVED, Message
 from procc_annotator.gui.window.status import StatusLine
 from procc_annotator.translation import tr
 
@@ -28,16 +28,16 @@ class Telling(QObject):
         super().__init__(window)
         self._document, self._status, self._window = document, status, window
         self._messages, self._frame_bar, self._conflicts = bars
-        document.datasetChanged.connect(self._messages.hide)
-        document.frameChanged.connect(self._tell_frame)
-        document.annotationChanged.connect(self._tell_broken)
-        document.saveStateChanged.connect(self._tell_saved)
-        document.frameChanged.connect(self._tell_saved)
-        document.modeChanged.connect(self._tell_broken)
-        document.frameChanged.connect(lambda: status.forget())
-        document.blindChanged.connect(self._hide_told)
-        document.store.watch(lambda state: state.notices, self._messages.keep)
-        document.store.changed.connect(self._hear)  # a watch would miss lines said together
+        document.store.watch(select.dataset, self._messages.hide)
+        document.store.watch(select.frame, self._tell_frame)
+        document.store.watch(select.annotation, self._tell_broken)
+        document.store.watch(select.unsaved, self._tell_saved)
+        document.store.watch(select.frame, self._tell_saved)
+        document.store.watch(select.mode, self._tell_broken)
+        document.store.watch(select.frame, status.forget)
+        document.store.watch(select.blind, self._hide_told)
+        document.store.watch(lambda s: s.notices, self._keep_notices)
+        document.store.events.message.connect(self._tell)
         self._conflicts.reload_chosen.connect(document.editing.reload_frame)
         self._conflicts.overwrite_chosen.connect(document.editing.overwrite_frame)
         self._tell_frame()
@@ -58,25 +58,24 @@ class Telling(QObject):
         self._window.setWindowTitle(f"{frame.name}[*]" if frame is not None else _TITLE)
         self._window.setWindowModified(bool(saver.problems))
 
-    def _hide_told(self, blind: bool) -> None:
-        if blind:  # it may say how a camera does
+    def _hide_told(self) -> None:
+        if self._document.state.blind:  # it may say how a camera does
             self._status.forget(just_told=True)
 
-    def _hear(self, before: State, after: State) -> None:
-        if after.told is not None and after.told is not before.told:
-            self._tell(after.told)
+    def _keep_notices(self) -> None:
+        self._messages.keep(self._document.state.notices)
 
-    def _tell(self, told: Told) -> None:
+    def _tell(self, message: Message) -> None:
         document = self._document
         conflict = document.saver.conflict(document.state.frame_index)
-        if told.level == "info":
-            self._status.tell(told.text)
-        elif told.text == document.state.why_broken:
+        if message.level == "info":
+            self._status.tell(message.text)
+        elif message.text == document.state.why_broken:
             self._status.tell(tr("not editable: the bar over the picture says why"))
-        elif told.key != UNSAVED:
+        elif message.key != UNSAVED:
             # What is not saved stays in sight, whatever else fails meanwhile (a full disk fails
             # everything).
             unsaved = [notice for notice in document.state.notices if notice.key == UNSAVED]
-            self._messages.tell(told, above=unsaved)
-        elif conflict is None or told.text != str(conflict):  # that one has a bar of its own
-            self._messages.tell(told)
+            self._messages.tell(message, above=unsaved)
+        elif conflict is None or message.text != str(conflict):  # that one has a bar of its own
+            self._messages.tell(message)

@@ -194,7 +194,7 @@ class TopBar(QToolBar):
         shown = self._document.state.frame
         self.status.setText(tr(self._document.review.status(shown.name).value) if shown else "")
 
-    def _show_frame(self, _: object = None) -> None:
+    def _show_frame(self) -> None:
         workspace = self._document.state.workspace
         count = len(workspace.frames) if workspace is not None else 0
         self.position.setText(
@@ -204,7 +204,7 @@ class TopBar(QToolBar):
         self.position.setToolTip(str(frame.image_path) if frame is not None else "")
         self._show_status()
 
-    def _show_dataset(self, _: object = None) -> None:
+    def _show_dataset(self) -> None:
         """What is open, and the sport it is of."""
         workspace, field = self._document.state.workspace, self._document.state.field
         name = workspace.root.name if workspace is not None else ""

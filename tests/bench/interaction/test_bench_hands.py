@@ -80,7 +80,9 @@ def test_regularise_a_frame(window: MainWindow, qtbot: QtBot, report: Report) ->
     elements = len(document.state.annotation.polylines)
 
     def regularise() -> None:
-        with qtbot.waitSignal(document.message, check_params_cb=lambda t, _: "regularise" in t):
+        with qtbot.waitSignal(
+            document.store.events.message, check_params_cb=lambda m: "regularise" in m.text
+        ):
             window.assistant.regularise_frame()
 
     def restore() -> None:
@@ -113,7 +115,9 @@ def test_copy_with_motion(qtbot: QtBot, panned: Path, tmp_path: Path, report: Re
     document.walk.go_to(1)
 
     def copy() -> None:
-        with qtbot.waitSignal(document.message, check_params_cb=lambda t, _: "copied" in t):
+        with qtbot.waitSignal(
+            document.store.events.message, check_params_cb=lambda m: "copied" in m.text
+        ):
             window.assistant.copy_from_previous()
 
     report("copy, moved with the camera", copy, 10, document.editing.undo)

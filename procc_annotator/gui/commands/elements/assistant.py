@@ -17,6 +17,7 @@ from procc_annotator.dataset.records import OriginKind, PointKey
 from procc_annotator.field.geometry import Arc, Circle, Line
 from procc_annotator.field.model import BAR
 from procc_annotator.gui.latest import Latest
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl
 from procc_annotator.image.decoding import decode_bgra
@@ -69,7 +70,7 @@ class Assistant(QObject):
         self._document = document
         self._work = Latest(self, lambda text: document.say(text, "warning"), urgent=True)
         self._doing = _REGULARISING  # what is worked out
-        document.frameChanged.connect(self._leave)
+        document.store.watch(select.frame, self._leave)
 
     @property
     def busy(self) -> bool:
@@ -81,7 +82,7 @@ class Assistant(QObject):
     def regularise_element(self) -> None:
         """Resample the selected element along its painted line, or the one just finished."""
         document = self._document
-        document.aboutToLeave.emit()
+        document.store.events.aboutToLeave.emit()
         annotation = document.state.annotation
         for name in (document.state.selection.last_finished, document.state.selected_class):
             polyline = annotation.get(name or "") or annotation.get_unconfirmed(name or "")
@@ -92,13 +93,13 @@ class Assistant(QObject):
 
     def regularise_named(self, name: str) -> None:
         """Resample the element of a class along its painted line."""
-        self._document.aboutToLeave.emit()
+        self._document.store.events.aboutToLeave.emit()
         polyline = self._document.state.annotation.get(name)
         self._regularise((polyline,) if polyline is not None else ())
 
     def regularise_frame(self) -> None:
         """Resample all elements of the frame along their painted lines."""
-        self._document.aboutToLeave.emit()
+        self._document.store.events.aboutToLeave.emit()
         self._regularise(self._document.state.annotation.polylines)
 
     def _regularise(self, polylines: tuple[Polyline, ...]) -> None:
@@ -185,7 +186,7 @@ class Assistant(QObject):
         camera moved; they wait for the user."""
         self._work.finish()
         document = self._document
-        document.aboutToLeave.emit()
+        document.store.events.aboutToLeave.emit()
         workspace = document.state.workspace
         source = annotated_before(workspace, document.state.frame_index) if workspace else None
         picture, size = document.walk.picture, document.state.picture_size

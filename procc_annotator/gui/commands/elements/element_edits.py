@@ -121,7 +121,7 @@ class ElementEdits:
     def close_gaps(self) -> None:
         """Let the selected element, or all, reach the corners and edges they fall short of."""
         document, size = self._document, self._document.state.picture_size
-        document.aboutToLeave.emit()
+        document.store.events.aboutToLeave.emit()
         if not document.editing.begin_edit() or size is None:
             return
         selected = document.state.selected_class
@@ -144,7 +144,7 @@ class ElementEdits:
     def confirm(self) -> None:
         """Make the selected unconfirmed element an annotated one."""
         document = self._document
-        document.aboutToLeave.emit()
+        document.store.events.aboutToLeave.emit()
         name = document.state.selected_class
         if name is not None and document.state.annotation.get_unconfirmed(name) is not None:
             label = step_name(CONFIRM, document.state.field.title_of(name))
@@ -193,7 +193,7 @@ class ElementEdits:
 
     def _unconfirmed(self) -> int:
         """Return how many elements are unconfirmed; says so where none is."""
-        self._document.aboutToLeave.emit()
+        self._document.store.events.aboutToLeave.emit()
         waiting = len(self._document.state.annotation.unconfirmed)
         if not waiting:
             self._document.say(tr("nothing is unconfirmed on this frame"))
@@ -203,7 +203,7 @@ class ElementEdits:
 
     def _selected(self) -> str | None:
         """The selected class if it is annotated; else says so. What is under way ends first."""
-        self._document.aboutToLeave.emit()
+        self._document.store.events.aboutToLeave.emit()
         name = self._document.state.selected_class
         polyline = self._touched(name).get(name) if name is not None else None
         if polyline is None or not polyline.points:

@@ -68,7 +68,7 @@ class GhostAccepting(QObject):
         self._asked: _Accepting | None = None  # what is looked for
         self._where = ""  # the frame that is being left
         document.ghosts.changed.connect(self._look)
-        document.aboutToLeave.connect(self.finish)
+        document.store.events.aboutToLeave.connect(self.finish)
 
     @property
     def least_support(self) -> float:
@@ -128,7 +128,7 @@ class GhostAccepting(QObject):
             return  # they are under way
         before, one_more = document.state.annotation, self.busy
         self.finish()
-        document.aboutToLeave.emit()
+        document.store.events.aboutToLeave.emit()
         if document.state.annotation is not before:
             # The ghosts of the better camera are examined before they are accepted.
             self._say(

@@ -12,6 +12,7 @@ from procc_annotator.gui.canvas.canvas import Canvas
 from procc_annotator.gui.canvas.view import ViewPlace
 from procc_annotator.gui.commands.elements.ghost_accepting import GhostAccepting
 from procc_annotator.gui.settings import Settings
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interaction import palette as tones
 from procc_annotator.interaction.overlay_predictions import ghost_extent, nearest_ghost
@@ -48,8 +49,8 @@ class GhostTasks(QObject):
         self._ghosts.changed.connect(self._follow)
         self._ghosts.ended.connect(lambda: self._say(tr("that was the last ghost")))
         self.accepting.accepted.connect(self._go_on)
-        document.selectionChanged.connect(self._follow_selection)
-        document.frameChanged.connect(self._forget)
+        document.store.watch(select.selection, self._follow_selection)
+        document.store.watch(select.frame, self._forget)
 
     # --- the walk -------------------------------------------------------------------------
 

@@ -23,6 +23,7 @@ from procc_annotator.gui.element_keys import element_keys
 from procc_annotator.gui.keymap import NATIVE
 from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.panels.states import class_swatch
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.interaction.class_choice import next_element, rank_classes
 from procc_annotator.translation import tr
@@ -66,9 +67,9 @@ class Naming(QObject):
         self._fit: FitResult | None = None  # the last camera of this frame
         self._looking = Latest(self, lambda text: document.say(text, "error"), urgent=True)
         canvas.editor.lineFinished.connect(self._ask_soon)
-        document.frameChanged.connect(self._forget)
+        document.store.watch(select.frame, self._forget)
         document.foresight.changed.connect(self._learn)
-        document.blindChanged.connect(self._forget)
+        document.store.watch(select.blind, self._forget)
 
     def _forget(self) -> None:
         self._fit = None

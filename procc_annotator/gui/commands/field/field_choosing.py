@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QFileDialog, QMenu, QPushButton, QToolButton, QWid
 from procc_annotator.field.load import field_titles, is_builtin_field
 from procc_annotator.gui.messages import Bar, as_sentence
 from procc_annotator.gui.settings import FIELD_FOLDER, OWN_FIELDS, Settings
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.translation import tr
 
@@ -77,8 +78,8 @@ class FieldChoosing(QObject):
         self._menu: QMenu | None = None
         self._choice.own_files = settings.get(OWN_FIELDS)
         self._choice.changed.connect(self._refresh_bar)
-        document.fieldChanged.connect(self._note_own)
-        document.frameChanged.connect(self._refresh_bar)
+        document.store.watch(select.field, self._note_own)
+        document.store.watch(select.frame, self._refresh_bar)
         bar.switch_chosen.connect(self._choice.switch)
         bar.left.connect(self._choice.leave)
 

@@ -18,6 +18,7 @@ from procc_annotator.field.model import MEASURED_LINE
 from procc_annotator.gui.commands.dialog_task import DialogTask
 from procc_annotator.gui.commands.field.dimensions_dialog import FieldDimensionsDialog
 from procc_annotator.gui.messages import as_sentence
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl
 from procc_annotator.gui.writing import opened_frame
@@ -38,7 +39,7 @@ class FieldDimensionsTask(DialogTask):
         self._field_name = ""
         self._settled = QTimer(self, singleShot=True, interval=_SETTLED_MS)
         self._settled.timeout.connect(lambda: self._use(keep=False))
-        document.fieldChanged.connect(self._leave_other_field)
+        document.store.watch(select.field, self._leave_other_field)
 
     def ask(self) -> None:
         """Show the dialog; the picture behind it goes by what is entered."""

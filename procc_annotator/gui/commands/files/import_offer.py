@@ -12,6 +12,7 @@ from procc_annotator.dataset.layout import ForeignAnnotations, find_foreign_anno
 from procc_annotator.gui.commands.files.importing import AnnotationImporter
 from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.messages import Bar
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl
 from procc_annotator.translation import tr
@@ -53,7 +54,7 @@ class ImportOffer(QObject):
         self._found: ForeignAnnotations | None = None
         bar.import_chosen.connect(self._ask)
         importer.imported.connect(bar.hide)
-        document.datasetChanged.connect(self._look)
+        document.store.watch(select.dataset, self._look)
 
     @property
     def looking(self) -> bool:

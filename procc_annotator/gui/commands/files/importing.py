@@ -45,9 +45,7 @@ class AnnotationImporter(DialogTask):
 
     def __init__(self, document: Document, parent: QWidget) -> None:
         super().__init__(document, parent)
-        self._edits = ManyEdits(
-            document.store, document.signals, document.editing, document.auditing, self
-        )
+        self._edits = ManyEdits(document.store, document.editing, document.auditing, self)
         self._edits.progressed.connect(self._advance)
         self._edits.finished.connect(self._finish)
 

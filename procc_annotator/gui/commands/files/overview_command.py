@@ -18,6 +18,7 @@ from procc_annotator.errors import InputError
 from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.panels.overview.dialog import OverviewWindow
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl
 from procc_annotator.gui.writing import ask_where, write
@@ -39,11 +40,10 @@ class OverviewCommand:
         self.window: OverviewWindow | None = None
         self._rested = QTimer(document, singleShot=True, interval=_RESTED_MS)
         self._rested.timeout.connect(self._follow)
+        document.store.watch(select.annotation, self._rested.start)
         for signal in (
-            document.datasetChanged,
-            document.annotationChanged,
-            document.framesEdited,
-            document.frameScoresChanged,
+            document.store.events.framesEdited,
+            document.store.events.frameScoresChanged,
             document.review.statusChanged,
         ):
             signal.connect(self._rested.start)

@@ -13,6 +13,7 @@ from PySide6.QtCore import QObject
 from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.errors import ProccError
 from procc_annotator.gui.settings import SOURCES, Settings
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl, run_in_background
 from procc_annotator.translation import tr
@@ -52,8 +53,8 @@ class SourceMemory(QObject):
         self._dataset: Path | None = None
         self._changing = False
         self._written: list[dict[str, object]] | None = None
-        document.datasetChanged.connect(self._take_dataset)
-        document.camerasChanged.connect(self._write_down)
+        document.store.watch(select.dataset, self._take_dataset)
+        document.store.watch(select.cameras, self._write_down)
 
     def _take_dataset(self) -> None:
         workspace = self._document.state.workspace

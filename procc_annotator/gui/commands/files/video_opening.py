@@ -29,6 +29,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.gui.decimal_box import DecimalBox
 from procc_annotator.gui.latest import Latest
 from procc_annotator.gui.panels.parts import choice
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl
 from procc_annotator.gui.writing import write
@@ -101,7 +102,7 @@ class VideoOpening:
         self._work = Latest(document, self._fail)
         self._progress: QProgressDialog | None = None
         # Anyone who opened something else meanwhile does not want the video any more.
-        document.datasetChanged.connect(self.cancel)
+        document.store.watch(select.dataset, self.cancel)
 
     def ask(self, path: Path, field: Field | None = None) -> None:
         """Read how many frames a video has, then show the dialog; ``field``: what it shows, where

@@ -29,7 +29,7 @@ class BlindLocking:
         lock = self._document.blind_lock
         if locked or lock.lock is None or self._confirmed(lock.reason):
             lock.set_locked(locked)
-        self._document.modeChanged.emit()  # the action shows what holds
+        lock.refused.emit()  # the action shows the present state
 
     def _confirmed(self, reason: str) -> bool:
         shared = not self._document.review.reach

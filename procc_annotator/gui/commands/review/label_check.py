@@ -17,6 +17,7 @@ from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.gui.panels.findings.panel import FindingsPanel
 from procc_annotator.gui.panels.findings.rows import Entry
 from procc_annotator.gui.panels.findings.words import so_many
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.writing import ask_where, opened_frame
 from procc_annotator.report.label_check import CheckReport, ReportedFinding, findings_csv
@@ -52,7 +53,7 @@ class LabelCheckCommands(QObject):
         self._passed: set[str] = set()  # keys of this frame's findings that were walked through
         self._passed_in = ""
         self._check.finished.connect(self._tell_finished)
-        document.datasetChanged.connect(self._forget_passed)
+        document.store.watch(select.dataset, self._forget_passed)
 
     def serve(self, panel: FindingsPanel) -> None:
         """Do what the list of findings asks for."""
@@ -71,7 +72,8 @@ class LabelCheckCommands(QObject):
         document = self._document
         if document.state.workspace is None:
             return
-        document.aboutToLeave.emit()  # what is under way may become an element with findings
+        # What is in progress may become an element with findings.
+        document.store.events.aboutToLeave.emit()
         entries = self._walked()
         if not entries:
             document.say(self._why_nothing())
@@ -179,18 +181,20 @@ class LabelCheckCommands(QObject):
             polyline = annotation.get(name)
             if polyline is not None and index < len(polyline.points):
                 x, y = points_px(polyline, size)[index].tolist()
-                document.flyTo.emit(x, y)
+                document.store.events.flyTo.emit(x, y)
             return
         shown = [annotation.get(each) for each, _ in found.places]
         points = np.concatenate([points_px(p, size) for p in shown if p is not None])
-        document.flyToArea.emit(*points.min(axis=0).tolist(), *points.max(axis=0).tolist())
+        document.store.events.flyToArea.emit(
+            *points.min(axis=0).tolist(), *points.max(axis=0).tolist()
+        )
 
     # --- mending --------------------------------------------------------------------------
 
     def apply_first(self) -> None:
         """Do the first remedy of the current finding, or of the frame's surest one."""
         document = self._document
-        document.aboutToLeave.emit()
+        document.store.events.aboutToLeave.emit()
         chosen = self._check.severities
         listed = [f for f in self._check.shown if f.finding.severity in chosen]
         found = self._check.current or next(iter(listed), None)
@@ -210,7 +214,7 @@ class LabelCheckCommands(QObject):
             self.look(found)
             document.say(tr(finding.reason))
             return
-        document.aboutToLeave.emit()
+        document.store.events.aboutToLeave.emit()
         if found.key not in {known.key for known in self._check.shown}:
             document.say(tr("the elements have changed since: checked again"))
             return
@@ -285,7 +289,7 @@ class LabelCheckCommands(QObject):
         """Check the whole set in the background."""
         if opened_frame(self._document) is None:
             return
-        self._document.aboutToLeave.emit()
+        self._document.store.events.aboutToLeave.emit()
         if not self._check.running:
             self._check.check_set()
 

@@ -45,7 +45,7 @@ class Tour:
         document = self._document
         if (frame := document.state.frame) is None:
             return
-        document.aboutToLeave.emit()
+        document.store.events.aboutToLeave.emit()
         document.review.set_status(frame.name, Status(status))
         document.say(tr("{frame} is {status}", frame=frame.name, status=tr(status, "a frame")))
 

@@ -24,7 +24,7 @@ class Versions:
     def ask(self) -> None:
         """Show every saved version of the frame on screen; a chosen one becomes an edit."""
         document = self._document
-        document.aboutToLeave.emit()
+        document.store.events.aboutToLeave.emit()
         document.saver.settle()  # what is written is a version too
         workspace, frame = document.state.workspace, document.state.frame
         database = document.review.database

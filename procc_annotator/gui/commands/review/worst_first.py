@@ -17,6 +17,7 @@ from procc_annotator.batch.triage import (
     worst_frames_first,
 )
 from procc_annotator.gui.latest import Latest
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl
@@ -62,8 +63,8 @@ class WorstFirst(QObject):
         self._kept: dict[tuple[object, ...], SetDisagreement] = {}
         self._ranking = Latest(self, lambda text: document.say(text, "error"))
         self._comparing = Latest(self, self._not_compared)
-        document.datasetChanged.connect(self._forget)
-        document.camerasChanged.connect(self._forget_removed)
+        document.store.watch(select.dataset, self._forget)
+        document.store.watch(select.cameras, self._forget_removed)
 
     def go_worst(self) -> None:
         """The frame with the lowest JaC, then the next better one."""

@@ -21,6 +21,7 @@ from procc_annotator.errors import ImageError
 from procc_annotator.field.load import field_for_frame
 from procc_annotator.field.model import Field
 from procc_annotator.gui.latest import Latest
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.editing.batch_edits import EditedFrames, ManyEdits, edit_frame
 from procc_annotator.gui.worker import JobControl
@@ -97,14 +98,12 @@ class StretchAccepting(QObject):
         self._accepted: dict[int, FrameAnnotation] = {}  # what was accepted last, by index
         self._at = -1  # the frame on screen by then; -1 once somebody went on
         self._here = _NOTHING  # what it held by then
-        self._edits = ManyEdits(
-            document.store, document.signals, document.editing, document.auditing, self
-        )
+        self._edits = ManyEdits(document.store, document.editing, document.auditing, self)
         self._then: Callable[[EditedFrames], None] = self._tell_accepted
         self._edits.finished.connect(lambda outcome: self._then(outcome))
-        document.datasetChanged.connect(self.forget)
+        document.store.watch(select.dataset, self.forget)
         document.shot_track.forgotten.connect(self._stop_looking)
-        document.frameChanged.connect(self._go_on)
+        document.store.watch(select.frame, self._go_on)
 
     @property
     def running(self) -> bool:
@@ -130,7 +129,7 @@ class StretchAccepting(QObject):
         if not document.proposals.allowed:
             document.say(tr(_BLIND))
             return
-        document.aboutToLeave.emit()
+        document.store.events.aboutToLeave.emit()
         stretch = self._stretch()
         if stretch is None:
             document.say(tr(_NONE_SURE))
@@ -145,7 +144,7 @@ class StretchAccepting(QObject):
         if self.running or not self._accepted:
             document.say(tr("nothing was accepted that could be taken back"))
             return
-        document.aboutToLeave.emit()
+        document.store.events.aboutToLeave.emit()
         self._found, self._accepted = self._accepted, {}
         self._then = self._tell_taken_back
         self._edits.start(tuple(self._found), self._empty_frame)

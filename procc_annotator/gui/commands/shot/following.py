@@ -27,6 +27,7 @@ from procc_annotator.errors import CameraError
 from procc_annotator.field.load import field_for_frame, field_for_stadium, stadium_of
 from procc_annotator.field.model import Field
 from procc_annotator.gui.latest import Latest
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl, Stopped
 from procc_annotator.translation import tr, tr_count
@@ -77,10 +78,10 @@ class ShotFollowing(QObject):
             -1
         )  # the index of the frame on screen, to be looked at once it is left
         document.shot_track.forgotten.connect(self.forget)
-        document.blindChanged.connect(self._hide)
-        document.annotationChanged.connect(self._note_edit)
+        document.store.watch(select.blind, self._hide)
+        document.store.events.annotationEdited.connect(self._note_edit)
         document.corrections.changed.connect(self._note_dragged)
-        document.frameChanged.connect(self._follow_corrected)
+        document.store.watch(select.frame, self._follow_corrected)
 
     @property
     def running(self) -> bool:
@@ -108,7 +109,7 @@ class ShotFollowing(QObject):
         if document.state.blind:
             document.say(tr("blind mode: no shot is followed, its cameras would be seen"))
             return
-        document.aboutToLeave.emit()
+        document.store.events.aboutToLeave.emit()
         number = int(sequence.numbers[document.state.frame_index])
         marked = self.marked()
         within = None
@@ -204,8 +205,8 @@ class ShotFollowing(QObject):
         self.changed.emit()
         self._document.say(tr("the shot could not be followed: {why}", why=text), "warning")
 
-    def _hide(self, blind: bool) -> None:
-        if blind:
+    def _hide(self) -> None:
+        if self._document.state.blind:
             self.stop()
 
     def forget(self) -> None:

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QApplication
 from procc_annotator.calibration.tracking.track import TrackedFrame
 from procc_annotator.dataset.computed_cameras import review_reason
 from procc_annotator.gui.canvas.canvas import Canvas
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.translation import tr, word
 
@@ -39,8 +40,8 @@ class ShotWalk(QObject):
         self._clock.timeout.connect(self._play_on)
         canvas.editor.changed.connect(self.stop)  # a hand does something
         canvas.menuWanted.connect(self.stay)  # before the menu is there, and with it a choice
-        document.annotationChanged.connect(self.stop)
-        document.datasetChanged.connect(self.stop)
+        document.store.events.annotationEdited.connect(self.stop)
+        document.store.watch(select.dataset, self.stop)
 
     def step(self, frames: int) -> None:
         """Go so many frames on, or back; to the last or the first one at most."""

@@ -53,7 +53,7 @@ class CamerasPanel(QWidget):
         self._refresher.follow(
             document.store,
             lambda s: (judged(s), s.looks, s.compared, s.blind),
-            document.sourceAuditsChanged,
+            document.store.events.sourceAuditsChanged,
             document.source_frames.changed,
             document.disagreement.changed,
         )

@@ -22,7 +22,6 @@ from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from procc_annotator.calibration.prediction.suggestions import AnnotationSuggestion
 from procc_annotator.dataset.review import StoredFinding
-from procc_annotator.field.model import Field
 from procc_annotator.gui.canvas.finding_sign import paint_finding_sign
 from procc_annotator.gui.element_keys import key_text
 from procc_annotator.gui.panels.field_map.ground import (
@@ -130,7 +129,8 @@ class FieldMapPanel(QWidget):
             return None
         return self._placement().anchors[self._shape.names.index(class_name)]
 
-    def _take_field(self, field: Field) -> None:
+    def _take_field(self) -> None:
+        field = self._document.state.field
         if [e.name for e in field.elements] != list(self._shape.names):
             self._view.reset()
         self._shape = FieldShape.of(field)

@@ -13,6 +13,7 @@ from procc_annotator.dataset.records import FrameRecord, Status, Verdict
 from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.gui.latest import Latest
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.state.scoring.dataset_scores import FrameScores
 from procc_annotator.gui.worker import JobControl
@@ -31,7 +32,7 @@ class FrameFilter(QObject):
         self._document = document
         self._text = ""
         self._query = parse_query("", document.state.field)
-        document.fieldChanged.connect(lambda: self.set_text(self._text))
+        document.store.watch(select.field, lambda: self.set_text(self._text))
         self._searching = Latest(self, self.problem.emit)
 
     @property

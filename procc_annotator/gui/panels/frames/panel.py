@@ -23,6 +23,7 @@ from procc_annotator.gui.panels.frames.model import FramesModel
 from procc_annotator.gui.panels.parts import SEARCH_KEYS, empty_state, note_label, show_note
 from procc_annotator.gui.panels.rows import list_rows
 from procc_annotator.gui.soon import soon
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.image.decoding import FrameCache
 from procc_annotator.translation import tr, tr_count
@@ -51,17 +52,17 @@ class FramesPanel(QWidget):
         self._search_soon = QTimer(self, singleShot=True, interval=_TYPED_MS)
         self._search_soon.timeout.connect(self._search)
         self._build()
-        document.datasetChanged.connect(self._take_dataset)
+        document.store.watch(select.dataset, self._take_dataset)
         # After the canvas was painted: no one looks at the list first.
         self._soon = soon(self, self._follow_frames)
         self._revealed = -1  # the frame whose folders were unfolded last
         self._due: set[int] = set()  # frames on screen since the list was brought up to date
-        document.frameChanged.connect(self._follow_soon)
-        document.annotationChanged.connect(self._follow_soon)
-        document.framesEdited.connect(self._take_edited)
-        document.saveStateChanged.connect(self.model.take_save_state)
-        document.saveStateChanged.connect(self._search_soon.start)
-        document.frameScoresChanged.connect(self._take_scores)
+        document.store.watch(select.annotation, self._follow_soon)
+        document.store.events.framesEdited.connect(self._take_edited)
+        document.store.watch(select.unsaved, self.model.take_save_state)
+        document.store.watch(select.unsaved, self._search_soon.start)
+        document.store.watch(select.dataset_scores, self._take_scores)
+        document.store.events.frameScoresChanged.connect(self._take_scores)
         document.review.statusChanged.connect(self._take_status)
         document.label_check.framesChanged.connect(self._take_status)
         self.model.figures.changed.connect(self.list.viewport().update)
@@ -288,7 +289,7 @@ class FramesPanel(QWidget):
         self.list.viewport().update()
         self._search_soon.start()
 
-    def _take_scores(self, name: str) -> None:
+    def _take_scores(self, name: str = "") -> None:
         """One frame's score after an edit, or all of them (an empty name)."""
         self.model.take_scores()
         if not name:

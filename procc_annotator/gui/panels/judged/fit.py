@@ -293,7 +293,7 @@ class FitPanel(QWidget):
             document.selecting.select_class(row.class_name)
         if document.state.picture_size is not None:
             x, y = points_px(polyline, document.state.picture_size)[point or 0]
-            document.flyTo.emit(float(x), float(y))
+            document.store.events.flyTo.emit(float(x), float(y))
 
 
 def _chosen_words(fit: FitResult) -> str:

@@ -323,7 +323,7 @@ class ScoresPanel(QWidget):
             self._document.selecting.select_class(row.class_name)
         target = self._target(row.class_name, element)
         if target is not None:
-            self._document.flyTo.emit(*target)
+            self._document.store.events.flyTo.emit(*target)
 
     def _target(self, class_name: str, element: ScoreExplanation) -> tuple[float, float] | None:
         """Return where the verdict is decided, picture px: a point, or the middle of a

@@ -28,6 +28,7 @@ from procc_annotator.gui.panels.plots.request import PlotRequest
 from procc_annotator.gui.panels.plots.sources import PlotSources, Restrict
 from procc_annotator.gui.panels.plots.taking import TakingAlong
 from procc_annotator.gui.panels.refresher import Refresher, judged
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.worker import JobControl
 from procc_annotator.translation import tr, word
@@ -87,7 +88,7 @@ class PlotsPanel(TakingAlong):
         self._refresher.follow(
             document.store,
             lambda s: (judged(s), s.looks, s.compared, s.blind, s.committed),
-            document.sourceAuditsChanged,
+            document.store.events.sourceAuditsChanged,
             document.review.statusChanged,
         )
 
@@ -141,7 +142,7 @@ class PlotsPanel(TakingAlong):
         self.classes = choice("plots_class", tr("Element"))
         self.classes.setToolTip(tr("Plot the points of one element only"))
         self._offer_classes()
-        self._document.fieldChanged.connect(self._offer_classes)
+        self._document.store.watch(select.field, self._offer_classes)
         self.classes.currentIndexChanged.connect(self._redraw)
         self.more = self._build_more()
         first = QHBoxLayout()

@@ -35,7 +35,7 @@ class PlotSources:
             lambda s: (s.workspace, s.looks, s.field, s.blind, s.committed), self._change_set
         )
         store.watch(judged, self._change_frame)
-        document.sourceAuditsChanged.connect(self._change_set)
+        document.store.events.sourceAuditsChanged.connect(self._change_set)
         document.review.statusChanged.connect(self._change_set)
         self._take_dataset()
 
@@ -111,15 +111,15 @@ class PlotSources:
 
         return restrict
 
-    def _take_dataset(self, *_: object) -> None:
+    def _take_dataset(self) -> None:
         workspace = self._document.state.workspace
         self._names = () if workspace is None else tuple(f.name for f in workspace.frames)
         self._order_file = None if workspace is None else workspace.folder / FRAMES_FILE
 
-    def _change_set(self, *_: object) -> None:
+    def _change_set(self) -> None:
         self.set_version += 1
 
-    def _change_frame(self, *_: object) -> None:
+    def _change_frame(self) -> None:
         self.frame_version += 1
 
 

@@ -14,6 +14,7 @@ from procc_annotator.dataset.records import FrameRecord, Status
 from procc_annotator.dataset.sequence import FrameSequence
 from procc_annotator.gui.panels.timeline.band import Band
 from procc_annotator.gui.soon import soon
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 
 _AT_ONCE = 400  # frames that are taken down in one go
@@ -44,7 +45,7 @@ class StripContent(QObject):
         self._pending: dict[int, TrackedFrame] = {}  # to be taken down
         self._go_on = soon(self, self._take_down)
         document.sequence.changed.connect(self._begin_anew)
-        document.datasetChanged.connect(self._begin_anew)
+        document.store.watch(select.dataset, self._begin_anew)
         document.shot_track.followed.connect(self._take_followed)
         document.shot_track.changed.connect(self._take_track)
         document.annotated_frames.changed.connect(self._take_anchors)

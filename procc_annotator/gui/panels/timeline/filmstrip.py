@@ -19,6 +19,7 @@ from procc_annotator.gui.panels.frames.model import FramesModel, RowInfo
 from procc_annotator.gui.panels.rows import Index
 from procc_annotator.gui.panels.timeline.turned_rows import TurnedRows
 from procc_annotator.gui.soon import soon
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
 from procc_annotator.gui.theme import blend, paint_row
 from procc_annotator.interaction import palette as tones
@@ -66,9 +67,10 @@ class Filmstrip(QTableView):
         self.clicked.connect(self._go)
         # After the picture was painted: no one looks here first.
         self._soon = soon(self, self._follow)
-        document.frameChanged.connect(self._soon.start)
+        document.store.watch(select.frame, self._soon.start)
         self._rows.modelReset.connect(self._soon.start)
-        document.frameScoresChanged.connect(self.viewport().update)
+        document.store.watch(select.dataset_scores, self.viewport().update)
+        document.store.events.frameScoresChanged.connect(self.viewport().update)
         document.review.statusChanged.connect(lambda _: self.viewport().update())
 
     def sizeHint(self) -> QSize:

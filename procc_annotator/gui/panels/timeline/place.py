@@ -12,7 +12,9 @@ from PySide6.QtCore import QObject
 from procc_annotator.gui.canvas.editor import Editor
 from procc_annotator.gui.panels.timeline.filmstrip import Filmstrip
 from procc_annotator.gui.panels.timeline.shot_strip import ShotStrip
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.store import When
 
 
 class StripPlace(QObject):
@@ -27,16 +29,10 @@ class StripPlace(QObject):
         self._wanted, self._begun = True, False
         strip.setVisible(False)
         filmstrip.setVisible(False)
-        document.datasetChanged.connect(self._begin)
-        document.frameChanged.connect(self._begin)
         document.sequence.changed.connect(self._look)
-        for begun in (
-            document.annotationChanged,
-            document.previewChanged,
-            document.selectionChanged,
-            editor.changed,
-        ):
-            begun.connect(self._note)
+        editor.changed.connect(self._note)
+        document.store.watch(lambda s: (s.shown_annotation, s.selection), self._note, When.GESTURE)
+        document.store.watch(select.frame, self._begin)
 
     @property
     def wanted(self) -> bool:

@@ -17,9 +17,9 @@ from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import ImageError, InputError
 from procc_annotator.field.model import Field
 from procc_annotator.gui.latest import Latest
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.prediction.live_fit import LiveFit
 from procc_annotator.gui.state.saying import say
-from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
 from procc_annotator.gui.worker import JobControl
 
@@ -201,7 +201,7 @@ class CheckQueue(QObject):
     told = Signal(dict)  # checks that got a finding from the set: name -> `FrameCheck`
     finished = Signal(int)  # frames of the set that were checked
 
-    def __init__(self, store: Store, signals: Signals, live_fit: LiveFit, parent: QObject) -> None:
+    def __init__(self, store: Store, live_fit: LiveFit, parent: QObject) -> None:
         super().__init__(parent)
         self._store, self._live_fit = store, live_fit
         self._edited: dict[str, None] = {}  # frames that nobody has checked since
@@ -215,7 +215,7 @@ class CheckQueue(QObject):
         self._set_run.progressed.connect(self.progressed)
         self._set_run.told.connect(self.told)
         self._set_run.finished.connect(self.finished)
-        signals.frameChanged.connect(self._soon.start)
+        store.watch(select.frame, self._soon.start)
 
     @property
     def running(self) -> bool:

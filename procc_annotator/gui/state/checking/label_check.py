@@ -22,6 +22,7 @@ from procc_annotator.dataset.review import (
 )
 from procc_annotator.field.model import Field
 from procc_annotator.gui.soon import soon
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.checking.check_queue import CheckQueue
 from procc_annotator.gui.state.checking.known_checks import IgnoredFindings, KnownChecks
 from procc_annotator.gui.state.checking.line_pixels import Evidence, PaintWatch
@@ -31,7 +32,6 @@ from procc_annotator.gui.state.prediction.live_fit import LiveFit
 from procc_annotator.gui.state.review_state import ReviewState
 from procc_annotator.gui.state.saying import notify, say, withdraw
 from procc_annotator.gui.state.scoring.frame_score import Judge
-from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.state import same
 from procc_annotator.gui.state.store import Store
 from procc_annotator.translation import tr
@@ -58,7 +58,6 @@ class LabelCheck(QObject):
     def __init__(
         self,
         store: Store,
-        signals: Signals,
         review: ReviewState,
         live_fit: LiveFit,
         judge: Judge,
@@ -73,18 +72,19 @@ class LabelCheck(QObject):
         self.ignored = IgnoredFindings(review, self)
         self.known = KnownChecks(store, self.ignored)
         self._current: tuple[str, str] | None = None  # frame and key
-        self._queue = CheckQueue(store, signals, live_fit, self)
+        self._queue = CheckQueue(store, live_fit, self)
         self._without_fit = Derived(self._to_check, _check, Where.BESIDE, self)
         self._with_fit = Derived(self._fitted, _remembered, Where.AT_ONCE, self, kept=_KEPT)
         self._content = Derived(self._annotation, content_of, Where.AT_ONCE, self)
         # Of the frame on screen, remembered already: what its clicks say, what its picture shows.
         self._taken: tuple[FrameAnalysis, Evidence | None] | None = None
+        self._committed = store.state.committed
         self._told: tuple[object, ...] = ()
         self._look_soon = soon(self, self.look)
         self._bent: str | None = None  # the finding that is told as a notice
-        self._connect(signals, review)
+        self._connect(review)
 
-    def _connect(self, signals: Signals, review: ReviewState) -> None:
+    def _connect(self, review: ReviewState) -> None:
         self._without_fit.changed.connect(self._take_without_fit)
         self._without_fit.failed.connect(self._warn)
         self.framesChanged.connect(self.known.look_at_set_again)
@@ -92,14 +92,14 @@ class LabelCheck(QObject):
         review.statusChanged.connect(self.known.look_at_set_again)  # committed elsewhere
         self._live_fit.changed.connect(self._look_soon.start)
         self._paint.changed.connect(self._look_soon.start)
-        signals.datasetChanged.connect(self._forget)
-        signals.fieldChanged.connect(self._take_field)
-        signals.frameChanged.connect(self.look)
-        signals.annotationChanged.connect(self.look)
-        signals.annotationChanged.connect(self._note_edit)
-        signals.blindChanged.connect(self._show_anew)
-        signals.frameScoresChanged.connect(self._take_commit)
-        signals.framesEdited.connect(self._take_edited)
+        store = self._store
+        store.watch(select.dataset, self._forget)
+        store.watch(select.field, self._take_field)
+        store.watch(select.annotation, self.look)
+        store.events.annotationEdited.connect(self._note_edit)
+        store.watch(select.blind, self._show_anew)
+        store.watch(select.committed, self._take_commit)
+        store.events.framesEdited.connect(self._take_edited)
         self._queue.arrived.connect(self._take_arrived)
         self._queue.progressed.connect(self.progressed)
         self._queue.told.connect(self._take_told)
@@ -255,7 +255,7 @@ class LabelCheck(QObject):
             self._announce()
         self.framesChanged.emit(name)
 
-    def _show_anew(self, _: bool) -> None:
+    def _show_anew(self) -> None:
         """Blind mode may have come or gone: other findings may be seen."""
         self.set_checked = False
         self.look()
@@ -263,9 +263,10 @@ class LabelCheck(QObject):
         if self.running:
             self.check_set()
 
-    def _take_commit(self, name: str) -> None:
+    def _take_commit(self) -> None:
         """In blind mode a committed frame may show what it hid."""
-        if self._store.state.blind and name:
+        before, self._committed = self._committed, self._store.state.committed
+        for name in (before ^ self._committed) if self._store.state.blind else ():
             if self.known.check_of(name) is not None and not self.known.is_known(name):
                 self._queue.add(name)
             self.look()

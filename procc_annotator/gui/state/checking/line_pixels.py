@@ -9,7 +9,6 @@ from procc_annotator.assist.line_evidence import line_evidence
 from procc_annotator.calibration.label_check.evidence import LineEvidence
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
-from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.state import same
 from procc_annotator.gui.state.store import Store
 from procc_annotator.image.pixels import PixelArray
@@ -27,7 +26,7 @@ class PaintWatch(Derived[Evidence]):
         shown: whether a person wants to see it next to the annotation; findings go by it anyway.
     """
 
-    def __init__(self, store: Store, signals: Signals) -> None:
+    def __init__(self, store: Store) -> None:
         super().__init__(
             self._made_of,
             self._look_for,
@@ -37,10 +36,9 @@ class PaintWatch(Derived[Evidence]):
             kept_within=lambda: store.state.frame_name,  # each holds the frame's picture
             stoppable=True,
             patience=self._wait,
-            after=(signals.frameChanged, signals.pictureChanged, signals.fieldChanged),
         )
-        signals.annotationChanged.connect(self.look_later)
         self._store, self.shown = store, False
+        self.follow(store)
         self._frame: str | None = None
         self._before: tuple[tuple[object, ...], Evidence] | None = None  # picture and field
 

@@ -16,7 +16,6 @@ from procc_annotator.errors import InputError
 from procc_annotator.gui.soon import soon
 from procc_annotator.gui.state.editing.editor import Editing
 from procc_annotator.gui.state.scoring.dataset_scores import Auditing
-from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
 from procc_annotator.translation import tr, word
 
@@ -56,13 +55,12 @@ class ManyEdits(QObject):
     def __init__(
         self,
         store: Store,
-        signals: Signals,
         editing: Editing,
         auditing: Auditing,
         parent: QObject,
     ) -> None:
         super().__init__(parent)
-        self._store, self._signals = store, signals
+        self._store = store
         self._editing, self._auditing = editing, auditing
         self._outcome: EditedFrames | None = None
         self._edit: EditFrame = lambda _: ""
@@ -139,7 +137,7 @@ class ManyEdits(QObject):
         outcome.waiting = len(self._waiting)
         workspace = self._store.state.workspace
         if outcome.edited and workspace is not None:
-            self._signals.framesEdited.emit(outcome.edited)
+            self._store.events.framesEdited.emit(outcome.edited)
             self._auditing.frames_edited([workspace.frames[i].name for i in outcome.edited])
         self.finished.emit(outcome)
 

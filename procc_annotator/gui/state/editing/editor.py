@@ -10,13 +10,13 @@ from procc_annotator.annotation import FrameAnnotation, Polyline
 from procc_annotator.dataset.records import OriginKind, PointKey
 from procc_annotator.dataset.workspace import SAVED_ELSEWHERE, Workspace
 from procc_annotator.errors import InputError, UsageError
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.editing.presence import Presence
 from procc_annotator.gui.state.editing.saving import Saver
 from procc_annotator.gui.state.review_state import ReviewState
 from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.scoring.dataset_scores import Auditing
 from procc_annotator.gui.state.selection import that_survives
-from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
 from procc_annotator.translation import tr, word
 
@@ -33,20 +33,19 @@ class Editing(QObject):
     def __init__(
         self,
         store: Store,
-        signals: Signals,
         saver: Saver,
         presence: Presence,
         review: ReviewState,
         auditing: Auditing,
     ) -> None:
         super().__init__(store)
-        self._store, self._signals = store, signals
+        self._store = store
         self.saver, self.presence, self.review = saver, presence, review
         self._auditing = auditing
         self._warned_of: FrameAnnotation | None = None  # that undo would take others' work away
         self._look_later = False  # at the file of the frame, once nothing is written any more
         self._empty_asked = False  # whether to be done with this frame while nothing is in it
-        store.watch(lambda state: (state.workspace, state.frame_index), self._begin_frame)
+        store.watch(select.frame, self._begin_frame)
         saver.saved.connect(self._follow_save)
         saver.settled.connect(self._look_if_asked)
         saver.reloaded.connect(self._after_reload)
@@ -71,7 +70,7 @@ class Editing(QObject):
 
     def set_preview(self, annotation: FrameAnnotation | None) -> None:
         """Show (and score) an annotation during a gesture, without touching history or disk."""
-        self._store.set(preview=annotation)
+        self._store.update(preview=annotation)
 
     def commit_edit(
         self,
@@ -90,7 +89,7 @@ class Editing(QObject):
             return False
         if annotation == before:
             self._warned_of = None
-            self._store.set(preview=None)
+            self._store.update(preview=None)
             return False
         # The lock may have been lost in the middle of a gesture (the machine slept). What was
         # clicked is kept all the same, and the file is not read again now: what was made from the
@@ -100,7 +99,7 @@ class Editing(QObject):
         workspace.edit(state.frame_index, label, annotation)
         self.review.note_edit(frame.name, before, annotation, kind, snapped, unseen)
         said = self.review.touched(frame.name, before, annotation)
-        with self._store.together():
+        with self._store.transaction():
             self._show_edited(workspace)
             if said:
                 say(self._store, said)
@@ -172,7 +171,7 @@ class Editing(QObject):
 
     def save_now(self) -> bool:
         """Finish what is under way and write what is not on disk; True when all is saved."""
-        self._signals.aboutToLeave.emit()
+        self._store.events.aboutToLeave.emit()
         return self.saver.save_all()
 
     def reload_frame(self) -> None:
@@ -221,7 +220,7 @@ class Editing(QObject):
             return
         # Nothing is to be saved then: a conflict that waited is decided.
         self._show_edited(workspace, stepped=True)
-        self._signals.framesEdited.emit([index])
+        self._store.events.framesEdited.emit([index])
         self._say_read_again()
 
     # --- done with a frame --------------------------------------------------------------------
@@ -234,7 +233,7 @@ class Editing(QObject):
         if self._store.state.damage:  # nobody saw what is in it
             say(self._store, self._store.state.why_broken, "warning")
             return
-        self._signals.aboutToLeave.emit()
+        self._store.events.aboutToLeave.emit()
         seen = self._store.state.annotation
         if not self.presence.owned:
             self.take_newer_file()
@@ -248,7 +247,7 @@ class Editing(QObject):
             return
         waiting = len(seen.unconfirmed)
         self.review.commit(frame.name, seen, blind=blind)
-        self._store.set(committed=state.committed | {frame.name})
+        self._store.update(committed=state.committed | {frame.name})
         said = [tr("{frame} is done", frame=frame.name)]
         if waiting:
             said.append(tr("unconfirmed elements do not count: {count}", count=waiting))
@@ -256,7 +255,7 @@ class Editing(QObject):
 
     # --- inside -------------------------------------------------------------------------------
 
-    def _begin_frame(self, _: object) -> None:
+    def _begin_frame(self) -> None:
         self._warned_of, self._empty_asked = None, False
 
     def _show(self, workspace: Workspace, *, stepped: bool = False) -> None:
@@ -264,7 +263,9 @@ class Editing(QObject):
         state = self._store.state
         now = workspace.state(state.frame_index).history.current
         chosen = that_survives(state.selection, state.annotation, now, stepped=stepped)
-        self._store.set(**held(workspace, state.frame_index), preview=None, selection=chosen)
+        self._store.update(**held(workspace, state.frame_index), preview=None, selection=chosen)
+        if now is not state.annotation:
+            self._store.events.annotationEdited.emit()
 
     def _show_edited(self, workspace: Workspace, *, stepped: bool = False) -> None:
         """Show what the frame holds after an edit, and save it if need be."""
@@ -292,7 +293,7 @@ class Editing(QObject):
             return
         now = workspace.state(state.frame_index).history.current
         said = self.review.touched(frame.name, before, now)
-        with self._store.together():
+        with self._store.transaction():
             self._show_edited(workspace, stepped=True)
             what = tr(label)
             done = tr("undone: {step}", step=what) if back else tr("redone: {step}", step=what)
@@ -315,7 +316,7 @@ class Editing(QObject):
             return
         counts = state.workspace.state(state.frame_index).counts
         if counts != state.counts:
-            self._store.set(counts=counts)
+            self._store.update(counts=counts)
             self._auditing.frame_edited()
 
     def _look_if_asked(self) -> None:
@@ -333,7 +334,7 @@ class Editing(QObject):
     def _acquire(self) -> bool:
         """Return whether the frame is this window's: anyone who had it may have left it by now."""
         owned = self.presence.acquire()
-        self._store.set(holder=self.presence.holder)
+        self._store.update(holder=self.presence.holder)
         return owned
 
     def _say_held(self) -> None:

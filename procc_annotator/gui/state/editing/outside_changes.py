@@ -18,7 +18,6 @@ from procc_annotator.gui.state.file_watch import FileWatch
 from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.scoring.camera_sources import Sources
 from procc_annotator.gui.state.scoring.dataset_scores import Auditing
-from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
 from procc_annotator.gui.worker import JobControl
 from procc_annotator.translation import tr
@@ -39,10 +38,10 @@ class OutsideChanges(QObject):
     """Looks at the files of the set when a person asks, and watches that of the frame on screen."""
 
     def __init__(
-        self, store: Store, signals: Signals, editing: Editing, sources: Sources, auditing: Auditing
+        self, store: Store, editing: Editing, sources: Sources, auditing: Auditing
     ) -> None:
         super().__init__(store)
-        self._store, self._signals = store, signals
+        self._store = store
         self._editing, self._sources, self._auditing = editing, sources, auditing
         self._looking = Latest(self, self._say_failed)
         self._again = False
@@ -119,7 +118,7 @@ class OutsideChanges(QObject):
         others = [i for i in changed if i != here and i not in unsaved]
         if others:
             self._auditing.frames_edited([workspace.frames[i].name for i in others])
-            self._signals.framesEdited.emit(others)
+            self._store.events.framesEdited.emit(others)
 
 
 def _look_at(

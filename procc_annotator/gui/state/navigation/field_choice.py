@@ -29,11 +29,11 @@ from procc_annotator.errors import FieldError
 from procc_annotator.field.load import is_builtin_field, load_field, with_dimensions, with_lines
 from procc_annotator.field.model import Field
 from procc_annotator.field.sampling import sample_official
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.file_watch import FileWatch
 from procc_annotator.gui.state.review_state import ReviewState
 from procc_annotator.gui.state.saying import notify, say, withdraw
 from procc_annotator.gui.state.scoring.evaluation_settings import Terms
-from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
 from procc_annotator.gui.worker import Job, JobControl, run_in_background
 from procc_annotator.translation import tr
@@ -108,7 +108,7 @@ class FieldChoice(QObject):
 
     changed = Signal()
 
-    def __init__(self, store: Store, signals: Signals, review: ReviewState, terms: Terms) -> None:
+    def __init__(self, store: Store, review: ReviewState, terms: Terms) -> None:
         super().__init__(store)
         self._store, self._review, self._terms = store, review, terms
         self._default = store.state.field
@@ -125,13 +125,11 @@ class FieldChoice(QObject):
         self._jobs: dict[str, Job] = {}
         self._watch = FileWatch(self)
         self._watch.changed.connect(self.read_again)
-        signals.datasetChanged.connect(self._begin)
-        signals.aboutToLeave.connect(self._finish_size)
-        signals.fieldChanged.connect(self._watch_file)
-        for signal in (signals.frameChanged, signals.annotationChanged, signals.fieldChanged):
-            signal.connect(self._look)
-            signal.connect(self._forget_refusal)
-        signals.selectionChanged.connect(self._forget_refusal)
+        store.events.aboutToLeave.connect(self._finish_size)
+        store.watch(select.dataset, self._begin)
+        store.watch(select.field, self._watch_file)
+        store.watch(lambda s: (select.annotation(s), s.field), self._look)
+        store.watch(lambda s: (select.annotation(s), s.field, s.selection), self._forget_refusal)
 
     @property
     def decided_by_file(self) -> Path | None:

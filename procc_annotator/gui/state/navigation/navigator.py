@@ -17,7 +17,6 @@ from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.scoring.dataset_scores import Auditing
 from procc_annotator.gui.state.second import SecondAnnotator
 from procc_annotator.gui.state.selection import class_that_fits
-from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.state import ChosenElement
 from procc_annotator.gui.state.store import Store
 from procc_annotator.image.decoding import FrameCache, decode_half_size
@@ -31,7 +30,6 @@ class FrameWalk(QObject):
     def __init__(
         self,
         store: Store,
-        signals: Signals,
         cache: FrameCache,
         editing: Editing,
         auditing: Auditing,
@@ -39,7 +37,7 @@ class FrameWalk(QObject):
         outside: OutsideChanges,
     ) -> None:
         super().__init__(store)
-        self._store, self._signals, self._cache = store, signals, cache
+        self._store, self._cache = store, cache
         self._editing, self._auditing = editing, auditing
         self._second, self._outside = second, outside
         # The whole picture, once half its size was painted: who walks on before spares it.
@@ -58,12 +56,12 @@ class FrameWalk(QObject):
         self.leave()
         changed = workspace.look_again(index)
         arrived = self.arrival(workspace, index)
-        self._store.set(**arrived)
+        self._store.update(**arrived)
         if changed:
             self._auditing.frame_edited()
             if index not in workspace.dirty_frames():
                 self._editing.saver.save(index)  # nothing to save: a conflict is decided
-            self._signals.framesEdited.emit([index])
+            self._store.events.framesEdited.emit([index])
         name = workspace.frames[index].name
         if any(s.files and s.files.written_since(name) for s in self._store.state.sources):
             self._outside.look()
@@ -134,7 +132,7 @@ class FrameWalk(QObject):
     def leave(self) -> None:
         """The frame on screen is left, and may be another window's: what is under way is finished,
         up to the disk."""
-        self._signals.aboutToLeave.emit()
+        self._store.events.aboutToLeave.emit()
         self._editing.saver.settle(self._store.state.frame_index)
         self._auditing.settle()
 
@@ -210,7 +208,7 @@ class FrameWalk(QObject):
         self._end_first_look(picture_error=text)
 
     def _end_first_look(self, **found: object) -> None:
-        self._store.set(**found, half=None)
+        self._store.update(**found, half=None)
         self._foresee()
 
     def _foresee(self) -> None:

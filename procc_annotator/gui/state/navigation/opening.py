@@ -105,7 +105,7 @@ class Opening(QObject):
         first = workspace.index.get(database.last_frame or "", 0) if workspace.frames else -1
         setup = self._store.state.setup
         other_field = field != setup.field or field.source != setup.field.source
-        self._store.set(
+        self._store.update(
             **self._walk.arrival(workspace, first),
             **self._blind_lock.of_dataset(),
             setup=replace(setup, field=field) if other_field else setup,

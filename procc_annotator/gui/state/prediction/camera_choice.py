@@ -14,12 +14,12 @@ from procc_annotator.assist.frame_analysis import FrameAnalysis, ghosts_without_
 from procc_annotator.calibration.result import FitResult
 from procc_annotator.calibration.single_image.proposal import SURE
 from procc_annotator.dataset.computed_cameras import review_reason
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.prediction.live_fit import LiveFit
 from procc_annotator.gui.state.prediction.proposals import Corrections, Proposals
 from procc_annotator.gui.state.prediction.shot_track import ShotTrack
 from procc_annotator.gui.state.review_state import ReviewState
-from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
 
 _KEPT = 8
@@ -33,7 +33,6 @@ class Foresight(QObject):
     def __init__(
         self,
         store: Store,
-        signals: Signals,
         live_fit: LiveFit,
         review: ReviewState,
         track: ShotTrack,
@@ -47,8 +46,8 @@ class Foresight(QObject):
             self._made_of, ghosts_without_clicks, Where.BESIDE, self, kept=_KEPT, stoppable=True
         )
         self._stand_in.changed.connect(self.changed)
-        for signal in (signals.frameChanged, signals.annotationChanged):
-            signal.connect(self._stand_in.look_later)
+        self._stand_in.follow(store)
+        store.watch(select.mode, self._look)
         for signal in (
             live_fit.changed,
             review.notVisibleChanged,
@@ -56,7 +55,6 @@ class Foresight(QObject):
             track.followed,
             proposals.changed,
             corrections.changed,
-            signals.modeChanged,
         ):
             signal.connect(self._look)
 

@@ -7,11 +7,11 @@ from collections.abc import Collection
 from PySide6.QtCore import QObject
 
 from procc_annotator.dataset.computed_cameras import FittedCameras, FittedFrame
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.prediction.live_fit import LiveFit
 from procc_annotator.gui.state.scoring.camera_sources import Sources
 from procc_annotator.gui.state.scoring.frame_cameras import SourceFrames
-from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
 from procc_annotator.interaction.palette import FIT
 
@@ -33,7 +33,6 @@ class FitSource(QObject):
     def __init__(
         self,
         store: Store,
-        signals: Signals,
         sources: Sources,
         source_frames: SourceFrames,
         live_fit: LiveFit,
@@ -47,11 +46,11 @@ class FitSource(QObject):
         self._terms: tuple[object, ...] = ()
         self._seen = (False, store.state.active)  # whether it was listed, and what was judged
         live_fit.changed.connect(self.look)
-        signals.frameChanged.connect(self.look)
-        signals.blindChanged.connect(self._hide)
-        signals.datasetChanged.connect(self._begin_anew)
-        signals.framesEdited.connect(self._drop_edited)
-        signals.camerasChanged.connect(self._note_choice)
+        store.watch(select.dataset, self._begin_anew)
+        store.watch(select.frame, self.look)
+        store.watch(select.blind, self._hide)
+        store.watch(select.cameras, self._note_choice)
+        store.events.framesEdited.connect(self._drop_edited)
 
     @property
     def cameras(self) -> FittedCameras:
@@ -146,9 +145,9 @@ class FitSource(QObject):
             here = self._store.state.frame_index
             self._forget([workspace.frames[i].name for i in indices if i != here])
 
-    def _hide(self, blind: bool) -> None:
+    def _hide(self) -> None:
         """Blind mode: of frames that are not committed nothing may be known."""
-        if blind:
+        if self._store.state.blind:
             committed = self._store.state.committed
             self._forget([name for name in self.cameras.fits if name not in committed])
             self._sources.show_source_again(self.source)

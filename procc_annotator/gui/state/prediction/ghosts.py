@@ -18,11 +18,11 @@ from procc_annotator.assist.ghost_points import GhostPoints, find_points
 from procc_annotator.calibration.prediction.ghosts import Ghost
 from procc_annotator.calibration.prediction.suggestions import AnnotationSuggestion
 from procc_annotator.field.model import Field
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.prediction.camera_choice import Foresight
 from procc_annotator.gui.state.review_state import ReviewState
 from procc_annotator.gui.state.saying import say
-from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.state import same
 from procc_annotator.gui.state.store import Store
 from procc_annotator.image.pixels import PixelArray
@@ -38,9 +38,7 @@ class Ghosts(QObject):
     changed = Signal()  # which are shown, which one is current, what was found of it, what is next
     ended = Signal()  # the walk is over: there is no ghost left to go on to
 
-    def __init__(
-        self, store: Store, signals: Signals, foresight: Foresight, review: ReviewState
-    ) -> None:
+    def __init__(self, store: Store, foresight: Foresight, review: ReviewState) -> None:
         super().__init__(store)
         self._store, self._foresight, self._review = store, foresight, review
         self._wanted = self._suggesting = True
@@ -53,7 +51,6 @@ class Ghosts(QObject):
         self._walking = False
         self._at: str | None = None  # the class where the walk is, or where it was left
         self._told: tuple[object, ...] = ()
-        self._stepped = False  # since the last look
         self._points = Derived(
             self._to_find,
             _find_points,
@@ -64,11 +61,9 @@ class Ghosts(QObject):
         )
         self._points.changed.connect(self._take_points)
         self._points.failed.connect(self._say_failed)
-        signals.pictureChanged.connect(self._points.look)
+        self._points.follow(store)
         foresight.changed.connect(self._look)
-        for signal in (signals.frameChanged, signals.annotationChanged, signals.selectionChanged):
-            signal.connect(self._note_step)
-        store.rested.connect(self._look_once)
+        store.watch(lambda s: (select.annotation(s), s.selection), self._look)
         review.notVisibleChanged.connect(self._look)
 
     # --- which ghosts there are -----------------------------------------------------------
@@ -286,17 +281,8 @@ class Ghosts(QObject):
 
     # --- keeping up -----------------------------------------------------------------------
 
-    def _note_step(self) -> None:
-        self._stepped = True
-
-    def _look_once(self) -> None:
-        """All that changed together was reported."""
-        if self._stepped:
-            self._look()
-
     def _look(self) -> None:
         """The frame, the fit or what is wanted may be other than before."""
-        self._stepped = False
         state, insight = self._store.state, self.insight
         here = state.frame_name, state.field.name
         if here != self._frame:

@@ -12,13 +12,13 @@ from procc_annotator.calibration.result import FitResult
 from procc_annotator.camera.base import Camera
 from procc_annotator.dataset.computed_cameras import FittedCameras, FittedFrame
 from procc_annotator.field.model import Field
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.blind_lock import BlindLock
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
 from procc_annotator.gui.state.review_state import ReviewState
 from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.scoring.frame_cameras import SourceFrame, look_up
 from procc_annotator.gui.state.scoring.frame_score import Judge
-from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
 from procc_annotator.metrics.setup import EvaluationSetup
 from procc_annotator.translation import tr
@@ -64,7 +64,6 @@ class LiveFit(Derived[Fitted]):
     def __init__(
         self,
         store: Store,
-        signals: Signals,
         review: ReviewState,
         blind_lock: BlindLock,
         judge: Judge,
@@ -85,17 +84,9 @@ class LiveFit(Derived[Fitted]):
         self.chosen = True
         self._frame: str | None = None
         self.failed.connect(self._say)
-        signals.datasetChanged.connect(self._begin_anew)
-        for signal in (signals.frameChanged, signals.annotationChanged, signals.scoreChanged):
-            signal.connect(self.look_later)
-        for signal in (
-            signals.fieldChanged,
-            signals.modeChanged,
-            signals.frameScoresChanged,  # a frame committed in blind mode
-            review.statusChanged,
-            review.notVisibleChanged,
-        ):
-            signal.connect(self.look)
+        store.watch(select.dataset, self._begin_anew)
+        store.watch(lambda s: (s.field, select.mode(s), s.committed), self.look)
+        self.follow(store, review.statusChanged, review.notVisibleChanged)
 
     @property
     def wanted(self) -> bool:

@@ -16,7 +16,6 @@ from procc_annotator.field.load import field_for_frame
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state.blind_lock import BlindLock
 from procc_annotator.gui.state.derived import Derived, Inputs, Where
-from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
 from procc_annotator.image.decoding import FrameCache
 from procc_annotator.image.pixels import PixelArray
@@ -36,9 +35,7 @@ class Proposals(QObject):
 
     changed = Signal()  # what is known of the frame on screen, or that it is looked for
 
-    def __init__(
-        self, store: Store, signals: Signals, blind_lock: BlindLock, cache: FrameCache
-    ) -> None:
+    def __init__(self, store: Store, blind_lock: BlindLock, cache: FrameCache) -> None:
         super().__init__(store)
         self._store, self._blind_lock, self._cache = store, blind_lock, cache
         self._wanted = True
@@ -54,15 +51,7 @@ class Proposals(QObject):
             patience=lambda _: _STAYED_MS,
         )
         self._derived.changed.connect(self._take)
-        for signal in (
-            signals.frameChanged,
-            signals.pictureChanged,
-            signals.annotationChanged,
-            signals.modeChanged,
-            signals.frameScoresChanged,  # a frame committed in blind mode
-            signals.fieldChanged,
-        ):
-            signal.connect(self._derived.look_later)
+        self._derived.follow(store)
 
     @property
     def wanted(self) -> bool:
@@ -165,16 +154,14 @@ class Corrections(QObject):
 
     changed = Signal(str)  # the frame whose camera is corrected otherwise, or not any more
 
-    def __init__(self, store: Store, signals: Signals, proposals: Proposals) -> None:
+    def __init__(self, store: Store, proposals: Proposals) -> None:
         super().__init__(store)
         self._store, self._proposals = store, proposals
         self._before: dict[str, list[CameraCorrection | None]] = {}  # steps that can be taken back
         self._look = Derived(self._to_look_at, _look_at, Where.BESIDE, self, stoppable=True)
         self._look.changed.connect(self._take)
-        for signal in (signals.frameChanged, signals.pictureChanged, signals.modeChanged):
-            signal.connect(self._look.look_later)
-        signals.datasetChanged.connect(self._forget)
-        signals.fieldChanged.connect(self._forget)
+        store.watch(lambda s: (s.workspace, s.field), self._forget)
+        self._look.follow(store)
 
     @property
     def here(self) -> CameraCorrection | None:
@@ -222,7 +209,7 @@ class Corrections(QObject):
         others = {n: c for n, c in self._store.state.corrected.items() if n != name}
         if correction is not None:
             others[name] = correction
-        self._store.set(corrected=others)
+        self._store.update(corrected=others)
         self._look.look()
         self.changed.emit(name)
 
@@ -241,7 +228,7 @@ class Corrections(QObject):
     def _forget(self) -> None:
         self._before.clear()
         if self._store.state.corrected:
-            self._store.set(corrected={})
+            self._store.update(corrected={})
             self.changed.emit("")
 
 

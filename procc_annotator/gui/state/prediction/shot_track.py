@@ -10,10 +10,10 @@ from procc_annotator.calibration.result import FitResult
 from procc_annotator.calibration.tracking.track import Track, TrackedFrame
 from procc_annotator.dataset.computed_cameras import TrackedCameras
 from procc_annotator.field.model import Element, Field
+from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.scoring.camera_sources import Sources
 from procc_annotator.gui.state.sequences import SequenceWatch
-from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.store import Store
 from procc_annotator.interaction.palette import TRACK
 
@@ -31,9 +31,7 @@ class ShotTrack(QObject):
     followed = Signal(object)  # these frames came while a shot is followed
     forgotten = Signal()  # nothing of what is under way is wanted either
 
-    def __init__(
-        self, store: Store, signals: Signals, sequence: SequenceWatch, sources: Sources
-    ) -> None:
+    def __init__(self, store: Store, sequence: SequenceWatch, sources: Sources) -> None:
         super().__init__(store)
         self._store, self._sequence, self._sources = store, sequence, sources
         self.tracked: dict[int, TrackedFrame] = {}
@@ -42,8 +40,8 @@ class ShotTrack(QObject):
         self._cameras = TrackedCameras()
         self.source = CameraSource(self._cameras, TRACK, visible=False)
         self._elements = _own_elements(store.state.field)
-        signals.datasetChanged.connect(self._begin_anew)
-        signals.fieldChanged.connect(self._leave_other_field)
+        store.watch(select.dataset, self._begin_anew)
+        store.watch(select.field, self._leave_other_field)
 
     @property
     def here(self) -> TrackedFrame | None:

@@ -175,7 +175,7 @@ class Sources(QObject):
     def clear_sources(self) -> None:
         """Forget all sources."""
         self._list((), None)
-        self._store.set(compared_choice=(None, False))
+        self._store.update(compared_choice=(None, False))
 
     # --- which is judged ----------------------------------------------------------------------
 
@@ -187,7 +187,7 @@ class Sources(QObject):
     def compare_with(self, source: CameraSource | None) -> None:
         """Hold the active source against this one, until another is chosen; None: against the one
         that was active before."""
-        self._store.set(compared_choice=(source, source is not None))
+        self._store.update(compared_choice=(source, source is not None))
 
     def swap_sources(self) -> None:
         """Judge against the compared source, and compare with the one that was active."""
@@ -224,7 +224,7 @@ class Sources(QObject):
     # --- inside -------------------------------------------------------------------------------
 
     def _show_looks(self) -> None:
-        self._store.set(looks=tuple(source.look for source in self._store.state.sources))
+        self._store.update(looks=tuple(source.look for source in self._store.state.sources))
 
     def _list(self, sources: Sequence[CameraSource], active: CameraSource | None) -> None:
         """List these sources and judge against one of them."""
@@ -234,7 +234,7 @@ class Sources(QObject):
         stays = choice[1] and state.compared is not active
         if before is not None and before is not active and not stays:
             choice = (before, choice[1])
-        self._store.set(
+        self._store.update(
             sources=tuple(sources),
             looks=tuple(source.look for source in sources),
             active=active,

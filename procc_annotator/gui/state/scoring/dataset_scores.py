@@ -22,7 +22,6 @@ from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.saying import say
 from procc_annotator.gui.state.scoring.frame_cameras import SourceFrame, SourceFrames
 from procc_annotator.gui.state.scoring.frame_score import Judge
-from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.state import State, same
 from procc_annotator.gui.state.store import Store
 from procc_annotator.gui.worker import JobControl
@@ -293,13 +292,12 @@ class Auditing(QObject):
     def __init__(
         self,
         store: Store,
-        signals: Signals,
         judge: Judge,
         source_frames: SourceFrames,
         set_scores: SetScores,
     ) -> None:
         super().__init__(store)
-        self._store, self._signals, self._judge = store, signals, judge
+        self._store, self._judge = store, judge
         self._source_frames, self._set_scores = source_frames, set_scores
         self._edited = False  # the frame on screen, since it was judged
         self._refitted: dict[CameraSource, None] = {}  # to the frame on screen, since then
@@ -377,8 +375,8 @@ class Auditing(QObject):
                 source.forget(names)
         self._start(self._store.state)
         for source in sources:
-            self._signals.sourceAuditsChanged.emit(source)
-        self._signals.frameScoresChanged.emit("")
+            self._store.events.sourceAuditsChanged.emit(source)
+        self._store.events.frameScoresChanged.emit("")
 
     # --- inside -------------------------------------------------------------------------------
 
@@ -447,9 +445,9 @@ class Auditing(QObject):
 
     def _tell(self, source: CameraSource, frame: str) -> None:
         if source in self._store.state.sources:
-            self._signals.sourceAuditsChanged.emit(source)
+            self._store.events.sourceAuditsChanged.emit(source)
         if source is self._store.state.active:
-            self._signals.frameScoresChanged.emit(frame)
+            self._store.events.frameScoresChanged.emit(frame)
 
     def _say_failed(self, text: str) -> None:
         say(self._store, text, "error")

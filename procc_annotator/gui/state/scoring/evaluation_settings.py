@@ -13,7 +13,6 @@ from procc_annotator.field.load import with_stadiums
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state.review_state import ReviewState
 from procc_annotator.gui.state.selection import class_that_fits
-from procc_annotator.gui.state.signals import Signals
 from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU, ChosenElement
 from procc_annotator.gui.state.store import Store
 
@@ -21,13 +20,13 @@ from procc_annotator.gui.state.store import Store
 class Terms(QObject):
     """Changes what scores are computed with."""
 
-    def __init__(self, store: Store, signals: Signals, review: ReviewState) -> None:
+    def __init__(self, store: Store, review: ReviewState) -> None:
         super().__init__(store)
-        self._store, self._signals, self._review = store, signals, review
+        self._store, self._review = store, review
 
     def set_tau(self, tau: float) -> None:
         """Change the threshold within its limits; nothing is measured again."""
-        self._store.set(tau=round(min(max(tau, MIN_TAU), MAX_TAU), 1))
+        self._store.update(tau=round(min(max(tau, MIN_TAU), MAX_TAU), 1))
 
     def set_protocol(
         self,
@@ -45,11 +44,11 @@ class Terms(QObject):
             off_plane=off_plane or setup.off_plane,
         )
         if other != setup:
-            self._store.set(setup=other)
+            self._store.update(setup=other)
 
     def set_noise_floor(self, floor: tuple[float, float] | None) -> None:
         """Median and 95 % of the distances between two annotators, px; shown next to tau."""
-        self._store.set(noise_floor=floor)
+        self._store.update(noise_floor=floor)
 
     def set_sized_field(self, field: Field, *, keep: bool = True) -> None:
         """Give the field other dimensions, or lines elsewhere; all that is shown and judged goes by
@@ -83,7 +82,7 @@ class Terms(QObject):
         chosen = state.selected_class
         # What is under way belongs to the field of before, unless that is only written anew.
         if keep or not (chosen is None or field.knows(chosen)):
-            self._signals.aboutToLeave.emit()
+            self._store.events.aboutToLeave.emit()
         field = self._with_own_landmarks(field)
         database = self._review.database
         if keep and state.workspace is not None and database is not None:
@@ -92,8 +91,8 @@ class Terms(QObject):
         state = self._store.state
         chosen = state.selected_class
         if class_that_fits(chosen, field, state.annotation) != chosen:
-            self._store.set(selection=ChosenElement())
-        self._store.set(hovered_class=None)
+            self._store.update(selection=ChosenElement())
+        self._store.update(hovered_class=None)
 
     def take_field(self, field: Field) -> None:
         """Go by a field; what the dataset keeps of its field stays."""
@@ -105,7 +104,7 @@ class Terms(QObject):
             state.workspace.set_field(field)
             if state.frame is not None:
                 changes["annotation"] = state.workspace.state(state.frame_index).history.current
-        self._store.set(**changes)
+        self._store.update(**changes)
 
     def _with_own_landmarks(self, field: Field) -> Field:
         own = self._store.state.field
