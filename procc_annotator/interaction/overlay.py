@@ -363,8 +363,8 @@ def dragged_overlay(shown: OverlayContent) -> Overlay:
         ring, labels = finding_signs(shown.found, annotation, size, shown.field, looked_at)
         marks.append(ring)
     carried = _pointer_label(shown.field, shown.highlight, None, shown.pointer)
-    strokes = (*halos(drawn, verdict, highlight, selected), *lines)
-    return Overlay(strokes, tuple(marks), (*labels, carried))
+    strokes = [s for s in halos(drawn, verdict, highlight, selected) if len(s.segments)]
+    return Overlay((*strokes, *lines), tuple(marks), (*labels, carried))
 
 
 def _all(make: Callable[P, Iterable[T]]) -> Callable[P, tuple[T, ...]]:

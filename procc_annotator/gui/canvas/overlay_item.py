@@ -252,6 +252,7 @@ def changed_areas(old: Overlay, new: Overlay, scale: float) -> list[QRectF]:
     point = 1.0 / scale
     areas: list[QRectF] = []
     looked_at: set[tuple[int, int]] = set()  # lines of several looks, one over the other
+    times = text_times()
     groups = chain(zip_longest(old.strokes, new.strokes), zip_longest(old.marks, new.marks))
     for was, now in [(was, now) for was, now in groups if was is not now]:
         if _seen(was) or _seen(now):
@@ -263,7 +264,7 @@ def changed_areas(old: Overlay, new: Overlay, scale: float) -> list[QRectF]:
     for labels, after in zip_longest(old.labels, new.labels):
         if labels is not after:
             for place, text, _ in _texts(labels) ^ _texts(after):
-                _add(areas, _reach_of_label(place, text, point))
+                _add(areas, _reach_of_label(place, text, point, times))
     return areas
 
 
@@ -324,7 +325,7 @@ def _whole_area(overlay: Overlay, scale: float) -> QRectF:
     area = _bounds(places, _NO_PLACES, _MARGIN * point)
     for labels in overlay.labels:
         for place, text, _ in _texts(labels):
-            area |= _reach_of_label(place, text, point)
+            area |= _reach_of_label(place, text, point, text_times())
     return area
 
 
@@ -352,15 +353,17 @@ def _bounds(was: Positions, now: Positions, margin: float) -> QRectF:
     return QRectF(left + 0.5, top + 0.5, right - left, bottom - top)
 
 
-def _reach_of_label(place: Sequence[float], text: str, point: float) -> QRectF:
-    """Return where a text may lie around its point, scene coordinates; ``point`` in picture px."""
+def _reach_of_label(place: Sequence[float], text: str, point: float, times: float) -> QRectF:
+    """Return the bounds of a text around its point, scene coordinates.
+
+    Args:
+        place: of the point, picture px.
+        point: picture px.
+        times: the size of texts relative to the usual one.
+    """
     x, y = place
-    reach, above, below = (points * point for points in _reach(text))
-    return QRectF(x - reach, y - above, 2 * reach, above + below)
-
-
-def _reach(text: str) -> tuple[float, float, float]:
-    """Return how far a text may reach aside, above and below its point, points."""
-    times = text_times()
     letter = _LETTER if text.isascii() else _WIDE_LETTER
-    return (len(text) * letter + _SIGNS) * times + 20, _ABOVE * times, _BELOW * times
+    reach = ((len(text) * letter + _SIGNS) * times + 20) * point
+    return QRectF(
+        x - reach, y - _ABOVE * times * point, 2 * reach, (_ABOVE + _BELOW) * times * point
+    )
