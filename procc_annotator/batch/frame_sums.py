@@ -330,38 +330,15 @@ def mean_band(
         order: the dataset's table of frames; without it names show which ones are of one shot.
     """
     names = [name for name in frames if name in audits]
-    return _band([audits[name].jac.astype(np.float64) for name in names], names, 0.0, order)
-
-
-def difference_band(
-    a: Mapping[str, FrameAudit],
-    b: Mapping[str, FrameAudit],
-    frames: Sequence[str],
-    order: FrameOrder | None = None,
-) -> AuditBand:
-    """Return what the mean JaC of one source has more than that of another, over the frames of
-    both.
-
-    Args: as of `mean_band`.
-    """
-    names = [name for name in frames if name in a and name in b]
-    off = [a[name].jac.astype(np.float64) - b[name].jac for name in names]
-    return _band(off, names, -1.0, order)
-
-
-def _band(
-    curves: Sequence[FloatArray], names: Sequence[str], least: float, order: FrameOrder | None
-) -> AuditBand:
     clusters = clusters_of(names, None, {}, order)
-    count = len(TAU_GRID)
-    if not curves:
-        nothing = np.full(count, np.nan)
+    if not names:
+        nothing = np.full(len(TAU_GRID), np.nan)
         return AuditBand(CurveBand(nothing, nothing, nothing), 0, clusters.described)
-    every = np.array(curves, dtype=np.float64)
+    every = np.array([audits[name].jac for name in names], dtype=np.float64)
     found = curve_band(
         bootstrap(RatioMetrics.mean(every[:, ::_EVERY]), clusters.numbers, _DRAWS), _DRAWS
     )
     values, taus = every.mean(axis=0), TAU_GRID[::_EVERY]
     half = np.interp(TAU_GRID, taus, found.high - found.values)
-    low, high = (np.clip(values + sign * half, least, 1.0) for sign in (-1, 1))
+    low, high = (np.clip(values + sign * half, 0.0, 1.0) for sign in (-1, 1))
     return AuditBand(CurveBand(values, low, high), len(names), clusters.described)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -14,11 +14,9 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.arrays import FloatArray, IntArray
 from procc_annotator.batch.execution.executor import Executor
 from procc_annotator.batch.grouping import (
-    FrameOrder,
     NotInOrderError,
     ShotFrames,
     require_in_order,
-    shots_in,
 )
 from procc_annotator.batch.set_run import (
     AnnotationTask,
@@ -31,7 +29,6 @@ from procc_annotator.batch.set_run import (
 from procc_annotator.camera.base import Camera, CameraOrProjections
 from procc_annotator.dataset.camera_set import FrameCameras
 from procc_annotator.errors import CameraError, ImageError, InputError
-from procc_annotator.field.model import Field
 from procc_annotator.formats.cameras.collection import CameraCollection
 from procc_annotator.formats.cameras.fit_record import NOT_FITTED, FitCounts
 from procc_annotator.formats.cameras.loaded_camera import fit_to_size
@@ -63,51 +60,6 @@ from procc_annotator.metrics.temporal.jitter import (
 
 TOO_FAR = 0.25  # of the picture's width: a step by which nothing follows
 _FEWEST_STEPS = 5
-
-
-@dataclass(frozen=True, eq=False)
-class FrameJitter:
-    """Of the F frames of a dataset.
-
-    Attributes:
-        px: (F,) second differences of the projection, as the error of one frame; NaN where a frame
-            or a neighbour of it has no camera, or nothing follows anything.
-        follows: whether frames show what those before them showed.
-    """
-
-    px: FloatArray
-    follows: bool
-
-
-def frame_jitter(
-    cameras: FrameCameras,
-    frames: Sequence[str],
-    field: Field,
-    size: tuple[int, int],
-    hidden: Container[str] = (),
-    order: FrameOrder | None = None,
-) -> FrameJitter:
-    """Return how far every frame is from steady motion between its neighbours in its shot.
-
-    Args:
-        cameras: of one source; a damaged one counts as none.
-        frames: names of all frames.
-        size: (width, height) px of the figures.
-        hidden: frames of which nothing may be reported.
-        order: the dataset's table of frames; without it names give the shots.
-    """
-    found = np.full(len(frames), np.nan)
-    at = {name: place for place, name in enumerate(frames)}
-    points, steps = field_ground_points(field), []
-    for shot in shots_in([name for name in frames if name in cameras.frames], order):
-        given = [_camera(cameras, name, size) for name in shot.frames]
-        steady = projection_jitter(given, shot.numbers, points, size)
-        steps.append(steady.step_px)
-        found[[at[name] for name in shot.frames]] = steady.px
-    if not moves_on(np.concatenate(steps) if steps else np.empty(0), size):
-        return FrameJitter(np.full(len(frames), np.nan), False)
-    found[[place for name, place in at.items() if name in hidden]] = np.nan
-    return FrameJitter(found, True)
 
 
 def moves_on(steps_px: FloatArray, size: tuple[int, int]) -> bool:

@@ -16,7 +16,6 @@ from procc_annotator.dataset.database.connection import FOLDER as WORKSPACE_FOLD
 from procc_annotator.dataset.diagnostics import camera_suffixes
 from procc_annotator.errors import InputError, SaveError, UsageError
 from procc_annotator.formats.annotations.label_map import LABELS_FILE
-from procc_annotator.formats.annotations.registry import PLAIN, detect_formats
 from procc_annotator.formats.file_listing import ANNOTATIONS_FOLDER, CAMERA_PREFIX, list_annotations
 from procc_annotator.formats.file_source import FileSource, open_source, suffix_of, walk
 from procc_annotator.formats.frame_names import PICTURE_FOLDERS
@@ -397,34 +396,6 @@ def json_names(folder: Path) -> list[str]:
             return [e.name for e in entries if e.name.lower().endswith(".json")]
     except OSError:  # usually: no such folder
         return []
-
-
-@dataclass(frozen=True)
-class ForeignAnnotations:
-    """Annotations of another program.
-
-    Attributes:
-        place: their folder.
-        title: of their format.
-    """
-
-    place: Path
-    title: str
-
-
-def find_foreign_annotations(folder: Path) -> ForeignAnnotations | None:
-    """Return what is in a dataset's folder of another program; None where there is nothing of the
-    kind, where it is of several formats, or next to annotations of this program, for then a person
-    has taken it in already."""
-    try:
-        place = annotations_of(folder)
-        with open_source(place) as source:
-            told = detect_formats(source)
-    except (InputError, UsageError):  # is told by whoever needs it
-        return None
-    if len(told) != 1 or told[0].name == PLAIN:
-        return None
-    return ForeignAnnotations(place, told[0].title)
 
 
 def copy_sample(sample: Path) -> Path:

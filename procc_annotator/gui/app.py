@@ -104,7 +104,6 @@ def main(
     window = build_window(path, annotations=annotations, cameras=cameras, field=field)
     window.error_reports.install()
     window.installEventFilter(_FirstPaint(partial(go_to_work, app), window))
-    window.coach.begin()
     return show_until_closed(app, window)
 
 

@@ -19,11 +19,9 @@ from procc_annotator.gui.commands.field.view_grouping import ViewGrouping
 from procc_annotator.gui.commands.files.exporting import Exporter
 from procc_annotator.gui.commands.files.exporting_as import ExportAs
 from procc_annotator.gui.commands.files.fit_saving import FitSaving
-from procc_annotator.gui.commands.files.import_offer import ImportBar, ImportOffer
 from procc_annotator.gui.commands.files.importing import AnnotationImporter
 from procc_annotator.gui.commands.files.opening import OpeningTask, sample_folder
 from procc_annotator.gui.commands.files.overlay_saving import OverlaySaving
-from procc_annotator.gui.commands.files.overview_command import OverviewCommand
 from procc_annotator.gui.commands.files.source_memory import SourceMemory
 from procc_annotator.gui.commands.review.blind_locking import BlindLocking
 from procc_annotator.gui.commands.review.label_check import LabelCheckCommands
@@ -44,23 +42,20 @@ from procc_annotator.gui.messages import (
     ask_to_leave_unsaved,
 )
 from procc_annotator.gui.panels.agreement import AgreementPanel
-from procc_annotator.gui.panels.cameras.panel import CamerasPanel
+from procc_annotator.gui.panels.cameras.cameras_panel import CamerasPanel
 from procc_annotator.gui.panels.elements import ElementsPanel
-from procc_annotator.gui.panels.field_map.panel import FieldMapPanel
-from procc_annotator.gui.panels.findings.panel import FindingsPanel
-from procc_annotator.gui.panels.frames.panel import FramesPanel
-from procc_annotator.gui.panels.judged.fit import FitPanel
-from procc_annotator.gui.panels.judged.scores import ScoresPanel
+from procc_annotator.gui.panels.field_map.field_map_panel import FieldMapPanel
+from procc_annotator.gui.panels.findings.findings_panel import FindingsPanel
+from procc_annotator.gui.panels.fit import FitPanel
+from procc_annotator.gui.panels.frames.frames_panel import FramesPanel
 from procc_annotator.gui.panels.landmarks import LandmarksPanel
-from procc_annotator.gui.panels.plots.panel import PlotsPanel
+from procc_annotator.gui.panels.plots.plots_panel import PlotsPanel
 from procc_annotator.gui.panels.review import ReviewPanel
-from procc_annotator.gui.panels.timeline.filmstrip import Filmstrip
-from procc_annotator.gui.panels.timeline.place import StripPlace
-from procc_annotator.gui.panels.timeline.shot_strip import ShotStrip
+from procc_annotator.gui.panels.scores import ScoresPanel
+from procc_annotator.gui.panels.timeline.shot_strip import ShotStrip, StripPlace
 from procc_annotator.gui.settings import RECENT, SECOND, Settings
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.window.coach import Coach
 from procc_annotator.gui.window.command_palette import CommandPalette
 from procc_annotator.gui.window.commands import Commands
 from procc_annotator.gui.window.context_menu import canvas_menu
@@ -153,8 +148,6 @@ class MainWindow(QMainWindow):
         """What watches the window and helps: tips, keys, what is reported."""
         self.keys_back = KeysBack(self.canvas)
         self.finding_tips = FindingTips(self.document, self.canvas)
-        self.coach = Coach(self.document, self.canvas, self.actions_, self.settings)
-        self.bars.heightChanged.connect(self.coach.set_covered)
         self.focus_ring = FocusRing(self)
         self.element_shortcuts = ElementShortcuts(self, self.document)
         self.digit_row = DigitRow(self)
@@ -197,7 +190,6 @@ class MainWindow(QMainWindow):
         self.export_as = ExportAs(document, self)
         self.importer = AnnotationImporter(document, self)
         self.overlay_saving = OverlaySaving(document, self)
-        self.overview = OverviewCommand(document, self)
         self.versions = Versions(document, self)
         self.view_grouping = ViewGrouping(document, self)
         self.opening = OpeningTask(document, self.settings, self)
@@ -220,10 +212,8 @@ class MainWindow(QMainWindow):
         column.addWidget(self.pages)
         self.strip = ShotStrip(self.document)
         self.strip.show_tasks(self.shot_following, self.stretch_accepting)
-        self.filmstrip = Filmstrip(self.document, self.frames.model)
-        self.strip_place = StripPlace(self.document, self.canvas.editor, self.strip, self.filmstrip)
+        self.strip_place = StripPlace(self.document, self.canvas.editor, self.strip)
         column.addWidget(self.strip)
-        column.addWidget(self.filmstrip)
         self.drawer = Drawer(self._docks)
         self.panels = PanelCommands(
             self._docks,
@@ -238,11 +228,7 @@ class MainWindow(QMainWindow):
         )
         self.drawer.clicked.connect(self.panels.toggle_plots)
         column.addWidget(self.drawer)
-        self.import_bar = ImportBar()
-        self.import_offer = ImportOffer(self.document, self.importer, self.import_bar)
-        self._bars = (
-            self.message_bar, self.frame_bar, self.conflict_bar, self.field_bar, self.import_bar,
-        )  # fmt: skip
+        self._bars = (self.message_bar, self.frame_bar, self.conflict_bar, self.field_bar)
         self.bars = BarStack(self._bars, self.pages)
         self.bars.heightChanged.connect(self.canvas.set_covered)
         self.setCentralWidget(centre)

@@ -181,7 +181,6 @@ FIELD_FOLDER = Setting("field_folder", TEXT, _HOME, "Where a field file was chos
 RECENT = Setting("recent", PATHS, (), "What was opened last, newest first", most=8)
 KEYS = Setting("keys", Kind(_keymap, lambda keymap: json.dumps(to_values(keymap))), USUAL,
                "The keys that are not the usual ones")
-COACHED = Setting("coached", FLAG, False, "Whether the three first steps were done, or put away")
 CALLED = Setting("called", TEXTS, (), "What the command palette called last, newest first", most=8)
 OWN_FIELDS = Setting("own_fields", PATHS, (), "The user's own field files, newest first", most=6)
 SOURCES = Setting("sources", ENTRIES, {}, "The camera sources of a dataset",

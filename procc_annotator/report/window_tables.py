@@ -3,33 +3,30 @@
 from __future__ import annotations
 
 import math
-from bisect import bisect_right
-from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime
-from itertools import pairwise
-from statistics import median
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.batch.audit import PlotData
 from procc_annotator.batch.triage import JudgedVerdict
-from procc_annotator.dataset.filter_query import STATUSES
+from procc_annotator.dataset.database.database import WorkspaceDatabase
+from procc_annotator.dataset.records import Origin, PointKey, count_points_by_origin
+from procc_annotator.dataset.review import BlindStatus, blind_status, setting_of
+from procc_annotator.dataset.workspace import Workspace
+from procc_annotator.errors import InputError
 from procc_annotator.field.model import Field
 from procc_annotator.metrics.setup import EvaluationSetup
 from procc_annotator.report.tables.data_files import CRLF, csv_bytes
 from procc_annotator.report.tables.table import Column, MetricTable, Value
 
-FINISHED = frozenset({"done", "approved"})
 TABLE_COLUMNS = (
     "name", "status", "elements", "points", "seconds", "comments", "open_comments", "jac", "blind",
 )  # fmt: skip
-# Seconds; a bar of the histogram of times is one of these wide.
-_STEPS = (1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600)
-_BARS = 20
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,154 +62,53 @@ class OverviewRow:
         return sum(self.classes.values())
 
 
-@dataclass(frozen=True, slots=True)
-class Times:
-    """Time of the frames a person worked on (more than 0 s), in seconds; median None if none."""
+def overview_rows(
+    workspace: Workspace,
+    database: WorkspaceDatabase | None,
+    scores: Mapping[str, float],
+    progress: Callable[[int, int], None],
+) -> list[OverviewRow]:
+    """Return one row per frame; unreadable annotations count as not annotated.
 
-    frames: int
-    total: float
-    median: float | None
+    Args:
+        scores: JaC by frame name.
+        progress: receives the number of finished frames and of all frames; may raise to stop.
 
-
-@dataclass(frozen=True, slots=True)
-class StatusFigures:
-    """The frames of one status; ``share`` of all frames, 0 to 1."""
-
-    status: str
-    frames: int
-    share: float
-    times: Times
-
-
-@dataclass(frozen=True, slots=True)
-class ClassFigures:
-    """One class in the set: frames in which it is annotated and the points there."""
-
-    name: str
-    title: str
-    frames: int
-    points: int
-
-
-@dataclass(frozen=True, slots=True)
-class TimeHistogram:
-    """Histogram of times a frame: bar i counts times in (i step, (i + 1) step], in seconds.
-
-    The last bar also counts what took longer, if ``open_ended``: a frame left open over lunch would
-    squeeze all others into one bar.
+    Raises:
+        InputError: the database cannot be read completely.
     """
-
-    step: int
-    counts: tuple[int, ...]
-    open_ended: bool
-
-
-@dataclass(frozen=True, slots=True)
-class SetOverview:
-    """The figures of a set.
-
-    Attributes:
-        progress: share of frames that are done or approved; None without frames.
-        statuses: every status in its order, also those without frames; unknown ones at the end.
-        classes: every element of the field in its order, then other classes that occur.
-        elements_per_frame: entry n counts the frames with n annotated elements.
-        median_jac: of the ``scored`` frames that have a score; None without any.
-        frames_with_open_comments: frames with at least one.
-        origins: (origin, points), most points first.
-    """
-
-    frames: int
-    progress: float | None
-    statuses: tuple[StatusFigures, ...]
-    classes: tuple[ClassFigures, ...]
-    points: int
-    elements_per_frame: tuple[int, ...]
-    median_elements: float | None
-    times: Times
-    time_histogram: TimeHistogram
-    scored: int
-    median_jac: float | None
-    comments: int
-    open_comments: int
-    frames_with_open_comments: int
-    origins: tuple[tuple[str, int], ...]
-
-
-def summarise(rows: Iterable[OverviewRow], field: Field) -> SetOverview:
-    """The overview of a set; classes are named and ordered by the field."""
-    rows = list(rows)
-    elements = [row.elements for row in rows]
-    counted = Counter(elements)
-    jacs = [row.jac for row in rows if row.jac is not None]
-    origins: Counter[str] = Counter()
-    for row in rows:
-        origins.update(row.origins)
-    statuses = _statuses(rows)
-    finished = sum(s.frames for s in statuses if s.status in FINISHED)
-    return SetOverview(
-        frames=len(rows),
-        progress=finished / len(rows) if rows else None,
-        statuses=statuses,
-        classes=_classes(rows, field),
-        points=sum(row.points for row in rows),
-        elements_per_frame=tuple(counted[n] for n in range(max(elements) + 1)) if rows else (),
-        median_elements=median(elements) if rows else None,
-        times=_times(rows),
-        time_histogram=_time_histogram(sorted(row.seconds for row in rows if row.seconds > 0)),
-        scored=len(jacs),
-        median_jac=median(jacs) if jacs else None,
-        comments=sum(row.comments for row in rows),
-        open_comments=sum(row.open_comments for row in rows),
-        frames_with_open_comments=sum(row.open_comments > 0 for row in rows),
-        origins=tuple(sorted(origins.items(), key=lambda item: (-item[1], item[0]))),
-    )
-
-
-def _statuses(rows: list[OverviewRow]) -> tuple[StatusFigures, ...]:
-    by_status: dict[str, list[OverviewRow]] = {status: [] for status in STATUSES}
-    for row in rows:
-        by_status.setdefault(row.status.replace("_", " "), []).append(row)
-    return tuple(
-        StatusFigures(status, len(those), len(those) / len(rows) if rows else 0.0, _times(those))
-        for status, those in by_status.items()
-    )
-
-
-def _classes(rows: list[OverviewRow], field: Field) -> tuple[ClassFigures, ...]:
-    frames: Counter[str] = Counter()
-    points: Counter[str] = Counter()
-    for row in rows:
-        for name, count in row.classes.items():
-            if count > 0:
-                name = field.canonical_name(name)
-                frames[name] += 1
-                points[name] += count
-    others = sorted(frames.keys() - field.index.keys())
-    titles = {e.name: e.title for e in field.elements}
-    return tuple(
-        ClassFigures(name, titles.get(name, name), frames[name], points[name])
-        for name in (*titles, *others)
-    )
-
-
-def _times(rows: list[OverviewRow]) -> Times:
-    seconds = [row.seconds for row in rows if row.seconds > 0]
-    return Times(len(seconds), sum(seconds), median(seconds) if seconds else None)
-
-
-def _time_histogram(seconds: list[float]) -> TimeHistogram:
-    """Bars for sorted times; all but the longest twentieth decide how wide they are."""
-    if not seconds:
-        return TimeHistogram(_STEPS[0], (), False)
-    usual = seconds[-(-19 * len(seconds) // 20) - 1]
-    step = next((s for s in _STEPS if usual <= s * _BARS), _STEPS[-1])
-    bars = max(1, min(_BARS, int(-(-seconds[-1] // step))))
-    upto = [bisect_right(seconds, i * step) for i in range(bars)] + [len(seconds)]
-    counts = tuple(b - a for a, b in pairwise(upto))
-    return TimeHistogram(step, counts, seconds[-1] > bars * step)
-
-
-# -------------------------------------------------------------------------------- table
+    rows: list[OverviewRow] = []
+    for index, frame in enumerate(workspace.frames):
+        progress(index, len(workspace.frames))
+        work = BlindStatus.UNKNOWN
+        try:
+            annotation = workspace.read(index)
+        except InputError:  # reported when that frame is opened
+            annotation = FrameAnnotation()
+        else:
+            if database is not None:
+                work = blind_status(database.setting(setting_of(frame.name)), annotation)
+        classes = {p.class_name: len(p.points) for p in annotation.polylines if p.points}
+        origins: Mapping[PointKey, Origin] = {}
+        if database is not None and classes:
+            origins = database.read_origins(frame.name, complete=True)
+        record = database.record(frame.name) if database is not None else None
+        rows.append(
+            OverviewRow(
+                name=frame.name,
+                status=record.status.value if record is not None else "untouched",
+                classes=classes,
+                seconds=record.seconds if record is not None else 0.0,
+                comments=record.comments if record is not None else 0,
+                open_comments=record.open_comments if record is not None else 0,
+                jac=scores.get(frame.name),
+                origins={
+                    k.value: n for k, n in count_points_by_origin(annotation, origins).items()
+                },
+                blind=work.value,
+            )
+        )
+    return rows
 
 
 def overview_csv(rows: Iterable[OverviewRow]) -> bytes:

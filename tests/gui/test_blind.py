@@ -18,8 +18,8 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.dataset.records import Status
 from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.panels.element_states import ElementState, element_states
 from procc_annotator.gui.panels.plots.curves import TauPage, TimelinePage
-from procc_annotator.gui.panels.states import ElementState, element_states
 from procc_annotator.interaction.overlay_primitives import EMPTY_OVERLAY
 from procc_annotator.report.overlay_scene import OverlayLook
 from tests.gui.conftest import Hand, MakeWindow, all_done, settle
@@ -169,22 +169,9 @@ class Look:
         return HERE in self._written("verdicts.csv", self.window.triage.export)
 
     def exported_overview(self) -> object:
-        text = self._written("overview.csv", self.window.overview.write)
+        text = self._written("overview.csv", self.window.exporter.write_overview)
         rows = {row["name"]: row for row in csv.DictReader(io.StringIO(text, newline=""))}
         return rows[HERE]["jac"]
-
-    def overview_window(self) -> object:
-        self.window.overview.show()
-        overview = self.window.overview.window
-        caption = overview._figures["jac"].caption
-        said: list[str] = []
-        overview.show_overview, shown = said.append, overview.show_overview
-        self.window.overview.refresh()
-        self.qtbot.waitUntil(lambda: bool(said))
-        overview.show_overview = shown
-        shown(said[0])
-        overview.close()
-        return caption.text().endswith("of 2")
 
     def overlay_picture(self) -> object:
         text = self._written("picture.svg", self._write_picture)
@@ -345,7 +332,7 @@ def said_in_review(window: MainWindow, qtbot: QtBot) -> str:
 
 
 def in_overview(window: MainWindow, path: Path, qtbot: QtBot) -> dict[str, str]:
-    window.overview.write(path)
+    window.exporter.write_overview(path)
     qtbot.waitUntil(path.exists, timeout=20_000)
     rows = csv.DictReader(io.StringIO(path.read_text(encoding="utf-8"), newline=""))
     return {row["name"]: row["blind"] for row in rows}

@@ -399,7 +399,7 @@ def test_the_words_about_every_format_have_room(window: MainWindow, qtbot: QtBot
     dialog.close_button.click()
 
 
-def test_annotations_of_another_program_in_the_dataset_are_offered(
+def test_annotations_of_another_program_in_the_dataset_are_imported_apart(
     make_window: MakeWindow, qtbot: QtBot, tmp_path: Path, striped: list[bytes]
 ) -> None:
     """labelme's files lie where this program's would: both stay apart."""
@@ -409,23 +409,14 @@ def test_annotations_of_another_program_in_the_dataset_are_offered(
         (folder / f"{name}.png").write_bytes(picture)
         (folder / f"{name}.json").write_text(labelme(name, 100))
     window = make_window(folder)
-    bar = window.import_bar
-    qtbot.waitUntil(bar.isVisible)
-    assert "labelme JSON" in bar.label.text()
     assert not window.frame_bar.isVisible()  # the frame can be edited
-    bar.import_button.click()
+    window.importer.ask()
     dialog = window.importer.dialog
     assert dialog is not None
-    assert dialog.path.text() == str(folder)
+    dialog.path.setText(str(folder))
     dialog.start_button.click()
     qtbot.waitUntil(lambda: bool(dialog.report.toPlainText()) and not dialog.bar.isVisible())
     assert "2 of 2 frames imported" in dialog.report.toPlainText()
     dialog.close_button.click()
-    assert not bar.isVisible()
     assert LINE in on_disk(folder / "annotations", "a")
     assert (folder / "a.json").read_text() == labelme("a", 100)
-
-
-def test_own_annotations_are_not_offered(window: MainWindow, qtbot: QtBot) -> None:
-    qtbot.waitUntil(lambda: not window.import_offer.looking)
-    assert not window.import_bar.isVisible()

@@ -13,7 +13,7 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.dataset.records import Status
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.panels.frames.folder_row import folder_words
+from procc_annotator.gui.panels.frames.delegate import folder_words
 from procc_annotator.gui.panels.frames.model import FolderInfo
 from tests.gui.conftest import Hand, MakeWindow, all_done
 
@@ -72,17 +72,6 @@ def test_a_click_on_a_folder_folds_it_and_stays_on_the_frame(
     assert window.document.state.frame_index == 0
     qtbot.mouseClick(view.viewport(), Qt.MouseButton.LeftButton, pos=place)
     assert _rows(window) == ["[a/img1]", "0", "1", "2", "[b/img1]"]
-
-
-def test_a_click_on_a_folder_in_the_strip_unfolds_it(window: MainWindow, qtbot: QtBot) -> None:
-    strip = window.filmstrip
-    qtbot.waitUntil(strip.isVisible)
-    column = _rows(window).index("[b/img1]")
-    strip.scrollTo(strip.model().index(0, column))
-    place = strip.visualRect(strip.model().index(0, column)).center()
-    qtbot.mouseClick(strip.viewport(), Qt.MouseButton.LeftButton, pos=place)
-    assert _rows(window) == ["[a/img1]", "0", "1", "2", "[b/img1]", "0", "1", "2"]
-    assert window.document.state.frame_index == 0
 
 
 def test_keys_fold_and_unfold(window: MainWindow, qtbot: QtBot) -> None:

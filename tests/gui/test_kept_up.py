@@ -10,10 +10,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
-from PySide6.QtWidgets import QLabel
 from pytestqt.qtbot import QtBot
 
-from procc_annotator.annotation import FrameAnnotation, Point, Polyline
+from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.dataset.locks import FrameLocks, locks_folder
 from procc_annotator.dataset.records import Status
 from procc_annotator.field.load import load_field
@@ -40,28 +39,6 @@ def second_annotator(annotated: Path, tmp_path: Path) -> Path:
     for path in annotated.glob("*.json"):
         shutil.copy(path, other)
     return other
-
-
-def test_the_overview_follows_what_is_done_and_another_dataset(
-    window: MainWindow, qtbot: QtBot, annotated: Path
-) -> None:
-    window.actions_["overview"].trigger()
-    overview = window.overview.window
-
-    def says(figure: str) -> None:
-        qtbot.waitUntil(
-            lambda: any(figure in label.text() for label in overview.findChildren(QLabel))
-        )
-
-    says("0 points")
-    line = Polyline(MIDDLE, (Point(0.1, 0.1), Point(0.2, 0.2)))
-    window.document.editing.commit_edit("drawn", FrameAnnotation((line,)))
-    says("2 points")
-    window.document.opening.open_path(annotated)
-    qtbot.waitUntil(
-        lambda: not any(", 2 points" in label.text() for label in overview.findChildren(QLabel))
-    )
-    overview.close()
 
 
 def test_of_two_sources_of_one_colour_the_legend_names_the_one_that_is_drawn(

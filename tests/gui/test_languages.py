@@ -41,7 +41,7 @@ from procc_annotator.gui.actions import ACTIONS, MENUS
 from procc_annotator.gui.keymap import NATIVE
 from procc_annotator.gui.languages import CONTEXT, LANGUAGES, take_up
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.panels.titles import short_titles
+from procc_annotator.gui.panels.tables import short_titles
 from procc_annotator.gui.window.docks import DESKS
 from procc_annotator.gui.window.keymap_dialog import KeymapDialog
 from procc_annotator.gui.window.menus import mnemonics
@@ -348,7 +348,7 @@ def test_the_guide_says_that_it_is_in_english(german: None, window: MainWindow) 
 
 
 _DIALOGS = ("settings", "keys", "keymap", "import_annotations", "export_as", "save_overlay",
-            "versions", "overview", "group_views", "field_dimensions", "guide")  # fmt: skip
+            "versions", "group_views", "field_dimensions", "guide")  # fmt: skip
 
 
 def _longer(text: str, about: str, count: int) -> str:

@@ -26,7 +26,7 @@ from procc_annotator.calibration.result import ill_conditioned_reason
 from procc_annotator.dataset.editing import delete_point
 from procc_annotator.formats.cameras.soccernet import read_camera
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.panels.plots.sources import PlotSources
+from procc_annotator.gui.panels.plots.data import PlotSources
 from procc_annotator.gui.settings import SOURCES, Settings
 from procc_annotator.gui.state.prediction import live_fit
 from tests.gui.conftest import Hand, MakeWindow, all_done, let_work_end, settle

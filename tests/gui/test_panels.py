@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -20,12 +19,12 @@ from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.field.load import field_names, load_field
 from procc_annotator.formats.annotations.soccernet import write_annotation
 from procc_annotator.formats.cameras.soccernet import write_camera
-from procc_annotator.gui.panels.cameras.panel import CamerasPanel
+from procc_annotator.gui.panels.cameras.cameras_panel import CamerasPanel
+from procc_annotator.gui.panels.element_states import ElementState, element_states, state_pen
 from procc_annotator.gui.panels.elements import NAME, POINTS, STATUS, ElementsPanel
-from procc_annotator.gui.panels.field_map.panel import FieldMapPanel
-from procc_annotator.gui.panels.judged.scores import ScoresPanel
-from procc_annotator.gui.panels.states import ElementState, element_states, state_pen
-from procc_annotator.gui.panels.titles import short_titles
+from procc_annotator.gui.panels.field_map.field_map_panel import FieldMapPanel
+from procc_annotator.gui.panels.scores import ScoresPanel
+from procc_annotator.gui.panels.tables import short_titles
 from procc_annotator.gui.state.document import Document
 from procc_annotator.metrics.projection import project_field
 from procc_annotator.metrics.setup import EvaluationSetup
@@ -394,21 +393,6 @@ def test_blind_mode_hides_every_figure(
     assert not panel.jac.isVisible()
     judged.editing.commit_frame()
     qtbot.waitUntil(panel.jac.isVisible)
-
-
-def test_the_plot_is_made_when_it_is_first_looked_at(
-    qtbot: QtBot, judged: Document, show: Callable[[QWidget], None]
-) -> None:
-    panel = ScoresPanel(judged)
-    show(panel)
-    qtbot.waitUntil(lambda: bool(panel.model.rows))
-    assert panel.findChild(QWidget, "scores_plot") is None
-    panel.tabs.setCurrentIndex(1)
-    qtbot.waitUntil(lambda: panel.findChild(QWidget, "scores_plot") is not None)
-    assert "pyqtgraph" in sys.modules
-    assert panel._plot is not None
-    panel._plot.tauChosen.emit(7.0)
-    assert judged.state.tau == 7.0
 
 
 def test_without_camera_the_panel_says_what_to_do(

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import csv
 import io
-import json
 from dataclasses import replace
 from pathlib import Path
 
@@ -14,37 +13,22 @@ import pytest
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QColor, QGuiApplication, QImage, QPainter, QPalette
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.formats.cameras.fit_record import FitCounts
 from procc_annotator.gui import theme
 from procc_annotator.gui.main_window import MainWindow
-from procc_annotator.gui.panels.plots.curves import DifferencePage, TauPage, TimelinePage
-from procc_annotator.gui.panels.plots.errors import HistogramPage, RadiusPage
-from procc_annotator.gui.panels.plots.looks import dash_of, symbol_of
-from procc_annotator.gui.panels.plots.poses import AnglesPage, PosesPage, PositionPage
-from procc_annotator.gui.panels.plots.request import PlotRequest, PlottedSource
-from procc_annotator.gui.panels.plots.residuals import DirectionsPage, VectorsPage
-from procc_annotator.gui.panels.plots.steady import SteadyPage
+from procc_annotator.gui.panels.plots.curves import TauPage, TimelinePage
+from procc_annotator.gui.panels.plots.data import PlotRequest, PlottedSource
+from procc_annotator.gui.panels.plots.errors import HistogramPage, VectorsPage
+from procc_annotator.gui.panels.plots.legend import dash_of, symbol_of
 from procc_annotator.gui.theme import contrast, readable
 from procc_annotator.interaction.palette import SOURCE_COLOURS
-from tests.cli.conftest import camera_file
 from tests.gui.conftest import MakeWindow, all_done
 
 SETS = ("true", "bad", "homography")
-PAGES = (
-    TauPage,
-    DifferencePage,
-    TimelinePage,
-    SteadyPage,
-    HistogramPage,
-    RadiusPage,
-    VectorsPage,
-    DirectionsPage,
-    AnglesPage,
-    PositionPage,
-)
+PAGES = (TauPage, TimelinePage, HistogramPage, VectorsPage)
 
 
 @pytest.fixture
@@ -86,9 +70,9 @@ def settle(window: MainWindow, qtbot: QtBot) -> None:
     all_done(qtbot)
 
 
-def click_at(page: TimelinePage | PosesPage, x: float, plot: int = 0) -> None:
+def click_at(page: TimelinePage, x: float) -> None:
     """A mouse click on the plot where its axis says x."""
-    item = page.plots[plot]
+    item = page.plots[0]
     low, high = item.vb.viewRange()[1]
     at = page.view.mapFromScene(item.vb.mapViewToScene(QPointF(x, (low + high) / 2)))
     QTest.mouseClick(page.view.viewport(), Qt.MouseButton.LeftButton, pos=at)
@@ -105,48 +89,6 @@ def numbers(window: MainWindow, qtbot: QtBot, path: Path) -> list[dict[str, str]
     qtbot.waitUntil(path.exists)
     all_done(qtbot)
     return list(csv.DictReader(io.StringIO(path.read_bytes().decode())))
-
-
-class TestSteady:
-    @pytest.fixture
-    def sample(self, sample_copy: Path) -> Path:
-        return sample_copy
-
-    @pytest.fixture
-    def panning(self, plotted: MainWindow, tmp_path: Path) -> MainWindow:
-        """Cameras of all frames, annotated or not, that pan evenly but for the seventh."""
-        folder = tmp_path / "panning"
-        folder.mkdir()
-        for number in range(1, 15):
-            pan = number + (0.2 if number == 7 else 0.0)
-            text = json.dumps(camera_file(pan))
-            (folder / f"camera_{number:05d}.json").write_text(text)
-        assert plotted.document.camera_sources.load_cameras(folder)
-        return plotted
-
-    def test_the_frame_that_leaps_stands_out_and_a_click_leads_there(
-        self, panning: MainWindow, qtbot: QtBot, tmp_path: Path
-    ) -> None:
-        show(panning, qtbot, SteadyPage)
-        page = panning.plots.page
-        assert not page.is_empty
-        rows = numbers(panning, qtbot, tmp_path / "steady.csv")
-        found = {row["frame"]: float(row["jitter_px panning"] or "nan") for row in rows}
-        assert max(found, key=lambda name: np.nan_to_num(found[name])) == "00007"
-        assert found["00003"] < 0.1 * found["00007"]
-        assert np.isnan([found["00001"], found["00014"]]).all()
-        assert not any(row["jitter_px bad"] for row in rows)  # strewn cameras
-        click_at(page, 7)
-        assert panning.document.state.frame_index == 6
-
-    def test_blind_mode_shows_committed_frames_only(
-        self, panning: MainWindow, qtbot: QtBot, tmp_path: Path
-    ) -> None:
-        panning.document.blind_lock.set_blind(True)
-        panning.document.editing.commit_frame()  # the second
-        show(panning, qtbot, SteadyPage)
-        rows = numbers(panning, qtbot, tmp_path / "steady.csv")
-        assert [row["frame"] for row in rows if row["jitter_px panning"]] == ["00002"]
 
 
 class TestTimeline:
@@ -247,8 +189,7 @@ class TestTau:
         table = plotted.document.state.workspace.folder / "frames.csv"
         rows = [f"{name},{'abc'[place // 5]},{place}" for place, name in enumerate(names)]
         table.write_text("frame,shot,number\n" + "\n".join(rows) + "\n")
-        show(plotted, qtbot, DifferencePage, "set")
-        assert "3 clusters of one shot each, by frames.csv" in said(plotted)
+        show(plotted, qtbot, TimelinePage, "set")
         show(plotted, qtbot, TauPage, "set")
         assert "3 clusters of one shot each, by frames.csv" in said(plotted)
         clustered = numbers(plotted, qtbot, tmp_path / "clustered.csv")
@@ -262,7 +203,7 @@ class TestTau:
         (plotted.document.state.workspace.folder / "frames.csv").write_text(
             "frame,shot\n1,a\n1,a\n"
         )
-        show(plotted, qtbot, DifferencePage, "set")
+        show(plotted, qtbot, TauPage, "set")
         assert "not clustered" in said(plotted)
         assert "Shots are told by names, since" in said(plotted)
         assert "line 3: frame '1' again" in said(plotted)
@@ -275,33 +216,6 @@ class TestTau:
             "clear", document.state.annotation.without(document.state.annotation.annotated[0])
         )
         qtbot.waitUntil(lambda: not np.array_equal(plotted.plots._data.curves[1], before))
-
-
-class TestDifference:
-    def test_the_judged_source_less_the_others_on_the_frames_both_have(
-        self, plotted: MainWindow, qtbot: QtBot, tmp_path: Path
-    ) -> None:
-        show(plotted, qtbot, DifferencePage, "set")
-        rows = numbers(plotted, qtbot, tmp_path / "t.csv")
-        assert list(rows[0])[1:4] == [f"{kind} bad less true" for kind in ("jac", "low", "high")]
-        bad, true = (plotted.document.state.sources[at].audits for at in (1, 0))
-        off = np.mean(
-            [bad[name].jac_at(5.0) - true[name].jac_at(5.0) for name in bad if name in true]
-        )
-        at_5 = next(row for row in rows if row["tau_px"] == "5.0")
-        assert float(at_5["jac bad less true"]) == pytest.approx(off, abs=1e-5)
-        assert float(at_5["low bad less true"]) <= off <= float(at_5["high bad less true"])
-
-    def test_one_source_alone_has_nothing_to_be_compared_with(
-        self, plotted: MainWindow, qtbot: QtBot
-    ) -> None:
-        show(plotted, qtbot, DifferencePage, "set")
-        for at in (0, 2):
-            plotted.document.camera_sources.set_source_visible(
-                plotted.document.state.sources[at], False
-            )
-        settle(plotted, qtbot)
-        assert "One source alone" in plotted.plots.page.empty.text()
 
 
 class TestErrors:
@@ -334,14 +248,13 @@ class TestErrors:
     def test_the_numbers_of_a_frame_are_its_points(
         self, plotted: MainWindow, qtbot: QtBot, tmp_path: Path
     ) -> None:
-        show(plotted, qtbot, RadiusPage, "frame")
+        show(plotted, qtbot, VectorsPage, "frame")
         rows = [r for r in numbers(plotted, qtbot, tmp_path / "p.csv") if r["source"] == "bad"]
         labelling = plotted.document.judge.score.labelling
         errors = sorted(float(row["error_px"]) for row in rows)
         assert errors == pytest.approx(sorted(labelling.all_distances), abs=2e-3)
         assert {row["frame"] for row in rows} == {"00002"}
         for row in rows:
-            assert 0 <= float(row["radius"]) <= 1.01
             assert np.hypot(float(row["dx_px"]), float(row["dy_px"])) == pytest.approx(
                 float(row["error_px"]), abs=1e-4
             )
@@ -373,36 +286,6 @@ class TestErrors:
                 float(row["error_px"]), abs=1e-4
             )
 
-    def test_a_bias_is_said_in_words(self, plotted: MainWindow, qtbot: QtBot) -> None:
-        show(plotted, qtbot, DirectionsPage)
-        dx, dy = plotted.plots._data.biases[1]
-        across = "right" if dx >= 0 else "left"
-        down = "down" if dy >= 0 else "up"
-        assert f"bad: {abs(dx):.2f} px {across}, {abs(dy):.2f} px {down}" in (
-            plotted.plots.notes.text()
-        )
-
-
-class TestPoses:
-    @pytest.fixture
-    def sample(self, sample_copy: Path) -> Path:
-        return sample_copy
-
-    def test_values_a_click_and_models_without_pose(
-        self, plotted: MainWindow, qtbot: QtBot, tmp_path: Path
-    ) -> None:
-        show(plotted, qtbot, AnglesPage)
-        rows = numbers(plotted, qtbot, tmp_path / "p.csv")
-        audits = plotted.document.state.sources[0].audits
-        for row in rows:
-            if row["frame"] in audits:
-                assert float(row["pan_deg true"]) == pytest.approx(
-                    audits[row["frame"]].pose.pan_deg, abs=1e-3
-                )
-        assert "homography: its model has no pose." in plotted.plots.notes.text()
-        click_at(plotted.plots.page, 9, plot=2)
-        assert plotted.document.state.frame_index == 8
-
 
 class TestWords:
     def test_without_cameras_and_frames_it_says_what_to_do(
@@ -418,7 +301,7 @@ class TestWords:
 
     def test_a_frame_without_score_says_so(self, plotted: MainWindow, qtbot: QtBot) -> None:
         plotted.document.walk.go_to(4)  # nothing is annotated
-        for page in (TauPage, HistogramPage, VectorsPage, DirectionsPage):
+        for page in (TauPage, HistogramPage, VectorsPage):
             show(plotted, qtbot, page, "frame")
             assert plotted.plots.page.is_empty
             assert plotted.plots.page.empty.text()
@@ -454,8 +337,7 @@ class TestBlind:
 
 
 class TestTakingAlong:
-    # Of the sample, whose frames do not follow each other, there is no jitter to take along.
-    @pytest.mark.parametrize("page", [page for page in PAGES if page is not SteadyPage])
+    @pytest.mark.parametrize("page", PAGES)
     def test_pictures_and_numbers_of_every_plot(
         self, plotted: MainWindow, qtbot: QtBot, tmp_path: Path, page: type
     ) -> None:
@@ -527,19 +409,12 @@ class TestLooks:
         finally:
             qapp.setPalette(before)
 
-    @pytest.mark.parametrize("panel", ["plots", "scores"])
     def test_the_ground_follows_the_theme(
-        self, plotted: MainWindow, qtbot: QtBot, qapp: QApplication, panel: str
+        self, plotted: MainWindow, qtbot: QtBot, qapp: QApplication
     ) -> None:
         before = qapp.palette()
-        plotted.panels.show(panel)
-        if panel == "plots":
-            show(plotted, qtbot, HistogramPage)
-            view = plotted.plots.page.view
-        else:
-            plotted.scores.tabs.setCurrentWidget(plotted.scores._plot_page)
-            qtbot.waitUntil(lambda: plotted.findChild(QWidget, "scores_plot") is not None)
-            view = plotted.findChild(QWidget, "scores_plot")
+        show(plotted, qtbot, HistogramPage)
+        view = plotted.plots.page.view
         qtbot.waitUntil(view.isVisible)
         try:
             for dark in (True, False, True):

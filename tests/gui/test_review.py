@@ -14,9 +14,9 @@ from pytestqt.qtbot import QtBot
 
 from procc_annotator.dataset.database.database import WorkspaceDatabase
 from procc_annotator.dataset.records import OriginKind, Status
-from procc_annotator.gui.commands.files.overview_command import gather_rows
 from procc_annotator.gui.commands.review.versions_command import apply_version
 from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.report.window_tables import overview_rows
 from tests.gui.conftest import all_done, until_kept
 
 if TYPE_CHECKING:
@@ -276,18 +276,17 @@ class TestOverview:
         hand.key(Qt.Key.Key_Return, CTRL)
         document = window.document
         assert document.state.workspace is not None
-        found = gather_rows(document.state.workspace, document.review.database, {})
+        workspace, database = document.state.workspace, document.review.database
+        found = overview_rows(workspace, database, {}, lambda *_: None)
         assert [row.status for row in found] == ["done", "untouched", "untouched"]
         assert dict(found[0].classes) == {MIDDLE: 2}
-        window.overview.show()
-        assert window.overview.window is not None
 
     def test_the_csv_has_a_row_a_frame(
         self, window: MainWindow, hand: Hand, tmp_path: Path, qtbot: QtBot
     ) -> None:
         hand.draw(MIDDLE, (100, 100), (200, 200))
         target = tmp_path / "overview.csv"
-        window.overview.write(target)
+        window.exporter.write_overview(target)
         qtbot.waitUntil(target.exists)
         assert len(target.read_text().splitlines()) == 4
 
@@ -296,7 +295,7 @@ class TestOverview:
     ) -> None:
         (dataset / "frame_1.json").write_text("{")
         target = tmp_path / "overview.csv"
-        make_window(dataset).overview.write(target)
+        make_window(dataset).exporter.write_overview(target)
         qtbot.waitUntil(target.exists)
         assert len(target.read_text().splitlines()) == 4
 
@@ -306,7 +305,7 @@ class TestOverview:
         target = tmp_path / "gone" / "overview.csv"
         said = window.document.store.events.message
         with qtbot.waitSignal(said, check_params_cb=lambda m: str(target) in m.text):
-            window.overview.write(target)
+            window.exporter.write_overview(target)
 
 
 class TestSecondAnnotator:

@@ -34,7 +34,6 @@ KEPT = {
     "recent",
     "own_fields",
     "called",
-    "coached",
     "keys",
     "sources",
     "snapping",

@@ -101,19 +101,17 @@ def test_the_overview_is_exported_whole_or_not_at_all(
 ) -> None:
     window = make_window(dataset)
     let_work_end(qtbot)
-    for name in ("refreshed.csv", "stopped.csv"):
+    for name in ("whole.csv", "stopped.csv"):
         slow = Stop(window.document.state.workspace.read, 2)  # type: ignore[union-attr]
         monkeypatch.setattr(window.document.state.workspace, "read", slow)
-        window.overview.write(tmp_path / name)
+        window.exporter.write_overview(tmp_path / name)
         assert slow.reached.wait(10)
         monkeypatch.undo()
         if name == "stopped.csv":
             background.cancel_all()  # as at the end of the program
-        else:
-            window.overview.show()
         slow.go.set()
         let_work_end(qtbot)
-    with (tmp_path / "refreshed.csv").open(newline="") as file:
+    with (tmp_path / "whole.csv").open(newline="") as file:
         assert len(list(csv.DictReader(file))) == 3
     assert not (tmp_path / "stopped.csv").exists()
 
@@ -127,9 +125,8 @@ def test_where_points_come_from_is_exported_whole_or_not_at_all(
     window.document.walk.next_frame()
     let_work_end(qtbot)
     told, path = messages(window), tmp_path / "out"
-    write = window.overview.write if what == "overview" else window.exporter.write_provenance
     with busy():
-        write(path)
+        getattr(window.exporter, f"write_{what}")(path)
         assert window.document.opening.open_path(
             other
         )  # what is remembered of the first one is put away
@@ -151,14 +148,14 @@ def test_what_is_exported_while_the_set_is_scored_is_said_to_be_unfinished(
             patch.setattr(dataset_scores, "_audit", slow)
             assert window.document.camera_sources.load_cameras(annotated / "cameras" / "true")
             assert slow.reached.wait(10)
-        window.overview.write(tmp_path / "overview.csv")
+        window.exporter.write_overview(tmp_path / "overview.csv")
     try:
         qtbot.waitUntil(lambda: any("overview.csv" in text for text in told))
     finally:
         slow.go.set()
     assert "some frames have no JaC yet" in next(t for t in told if "overview.csv" in t)
     let_work_end(qtbot)
-    window.overview.write(tmp_path / "later.csv")
+    window.exporter.write_overview(tmp_path / "later.csv")
     qtbot.waitUntil(lambda: any("later.csv" in text for text in told))
     assert "JaC" not in next(t for t in told if "later.csv" in t)
 

@@ -12,7 +12,7 @@ import pytest
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.batch import audit as figures
 from procc_annotator.batch.audit import TAU_GRID, FrameAudit, Pose, audit_frame
-from procc_annotator.batch.frame_sums import difference_band, mean_band
+from procc_annotator.batch.frame_sums import mean_band
 from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.field.landmarks import element_titles, with_landmarks
@@ -330,5 +330,3 @@ def test_a_band_stays_within_what_a_score_can_be() -> None:
     band = mean_band(audits, tuple(audits)).band
     assert band.low.min() == 0
     assert band.high.max() == 1
-    difference = difference_band(audits, dict.fromkeys(audits, audits["a"]), tuple(audits)).band
-    assert -1 <= difference.low.min() < 0

@@ -115,7 +115,7 @@ def test_a_rectangle_is_gone_through_in_order_unless_much_more_is_to_be_had_else
     ("query", "name", "found"),
     [
         ("regall", "Regularise all elements", True),
-        ("overset", "Overview of the set…", True),
+        ("expover", "Export overview…", True),
         ("egall", "Regularise all elements", False),  # begins within a word
         ("rz", "Regularise all elements", False),
         ("open", "Zoom in", False),

@@ -9,11 +9,13 @@ from PySide6.QtWidgets import QWidget
 
 from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.dataset.workspace import Workspace, dataset_frames
+from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.gui.state.background import JobControl, run_in_background
 from procc_annotator.gui.state.document import Document
-from procc_annotator.gui.writing import ask_where, opened_frame
+from procc_annotator.gui.writing import ask_where, opened_frame, write
 from procc_annotator.report.export import Exported, Scoring, export_dataset, export_scores
 from procc_annotator.report.provenance import export_provenance
+from procc_annotator.report.window_tables import OverviewRow, overview_csv, overview_rows
 from procc_annotator.translation import tr, tr_count
 
 Work = Callable[[Workspace, Callable[[int, int], None]], Exported]
@@ -44,6 +46,39 @@ class Exporter:
     def ask_provenance(self) -> None:
         """Ask for a file and write how every point came to be."""
         self._ask("provenance.json", "JSON (*.json)", self.write_provenance)
+
+    def ask_overview(self) -> None:
+        """Ask for a file and write the status, counts and time of every frame there."""
+        asked = self._document, self._parent, tr("Export the overview")
+        if (path := ask_where(*asked, "overview.csv", tr("Table (*.csv)"))) is not None:
+            self.write_overview(path)
+
+    def write_overview(self, path: Path) -> None:
+        """Write the status, counts and time of every frame as CSV."""
+        document = self._document
+        workspace, database = document.state.workspace, document.review.database
+        document.review.note_activity()
+        scores = dict(document.auditing.frame_scores.items())
+        scoring = document.set_scores.running
+
+        def work(control: JobControl) -> int:
+            rows: list[OverviewRow] = []
+            if workspace is not None:
+                rows = overview_rows(workspace, database, scores, control.progress_or_stop)
+            write_atomic(path, overview_csv(rows))
+            return len(rows)
+
+        def said(count: int) -> str:
+            done = tr_count(
+                count,
+                "exported {n:,} frame to {path}",
+                "exported {n:,} frames to {path}",
+                path=path,
+            )
+            more = tr("the set was being scored still: some frames have no JaC yet")
+            return f"{done}; {more}" if scoring else done
+
+        write(document, work, said, again="export_overview")
 
     def write_provenance(self, path: Path) -> None:
         """Write the origin of every point of the set as JSON."""

@@ -7,7 +7,6 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QWidget
 
 from procc_annotator.dataset.records import OriginKind
@@ -38,8 +37,6 @@ class AnnotationImporter(DialogTask):
     """Asks what to import, reads it in the background, asks what labels stand for that are no
     class, and saves it frame by frame."""
 
-    imported = Signal()  # frames were edited
-
     dialog: ImportDialog | None
     names: LabelDialog | None = None
 
@@ -49,12 +46,8 @@ class AnnotationImporter(DialogTask):
         self._edits.progressed.connect(self._advance)
         self._edits.finished.connect(self._finish)
 
-    def ask(self, place: Path | None = None) -> None:
-        """Show the dialog.
-
-        Args:
-            place: filled in as what is to be imported; None: the user looks for it.
-        """
+    def ask(self) -> None:
+        """Show the dialog."""
         from procc_annotator.gui.commands.files.dialogs import ImportDialog
 
         workspace = self._document.state.workspace
@@ -64,8 +57,6 @@ class AnnotationImporter(DialogTask):
         self.dialog = dialog = ImportDialog(self._parent, str(workspace.folder))
         dialog.started.connect(lambda: self.start(Path(dialog.path.text().strip())))
         dialog.cancelled.connect(self.cancel)
-        if place is not None:
-            dialog.path.setText(str(place))
         dialog.open()
 
     def start(self, path: Path) -> None:
@@ -160,8 +151,6 @@ class AnnotationImporter(DialogTask):
                 edited=edited,
             )
         )
-        if outcome.edited:
-            self.imported.emit()
         if self.dialog is None:
             return
         self.dialog.set_running(False)

@@ -9,13 +9,23 @@ import numpy as np
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QPalette, QResizeEvent
 
-from procc_annotator.batch.audit import TAU_GRID, FloatArray, PlotData, mean_curve, timeline
-from procc_annotator.batch.frame_sums import AuditBand, difference_band, mean_band
-from procc_annotator.gui.panels.plots.base import PlotPage
-from procc_annotator.gui.panels.plots.request import PlotRequest, PlottedSource, Scope
+from procc_annotator.batch.audit import (
+    TAU_GRID,
+    FloatArray,
+    PlotData,
+    envelope,
+    mean_curve,
+    timeline,
+)
+from procc_annotator.batch.frame_sums import AuditBand, mean_band
+from procc_annotator.gui.panels.plots.data import PlotRequest, PlottedSource, Scope
+from procc_annotator.gui.panels.plots.legend import symbol_of
+from procc_annotator.gui.panels.plots.page import PlotPage
 from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU
 from procc_annotator.translation import tr, word
 
+_ROOM = 7  # logical px a frame must have for a symbol
+_MARK_EVERY = 70  # logical px between the symbols of a line with more frames
 _SMALL = 120  # logical px: a plot less high or wide than this has no line to drag
 
 
@@ -118,90 +128,6 @@ class TauPage(PlotPage[JacCurves]):
 
 
 @dataclass(frozen=True, eq=False)
-class Differences:
-    """The judged source less each other one, over `TAU_GRID`.
-
-    Attributes:
-        first: the source that the others are taken from.
-        others, bands: one each.
-        problem: with the table of frames.
-    """
-
-    first: PlottedSource | None
-    others: tuple[PlottedSource, ...]
-    bands: tuple[AuditBand, ...]
-    problem: str = ""
-
-
-class DifferencePage(PlotPage[Differences]):
-    """JaC of the judged source less that of others over tau, on the frames both have."""
-
-    title = word("JaC over tau, differences")
-    scopes: tuple[Scope, ...] = ("set",)
-
-    def __init__(self) -> None:
-        super().__init__("plot_difference")
-        self.item = self.add_plot(0, tr("tau (px)"), tr("JaC, difference"), movable=False)
-        self.item.setXRange(0, MAX_TAU, padding=0.01)
-        self.zero = self.pg.InfiniteLine(angle=0, movable=False)
-        self.item.addItem(self.zero, ignoreBounds=True)
-        self.restyle()
-
-    @staticmethod
-    def compute(request: PlotRequest) -> Differences:
-        first = next((s for s in request.sources if s.active), next(iter(request.sources), None))
-        others = tuple(s for s in request.sources if s is not first)
-        if first is None:
-            return Differences(None, (), ())
-        order, problem = request.order()
-        found = tuple(
-            difference_band(first.audits, s.audits, request.frames, order) for s in others
-        )
-        return Differences(first, others, found, problem)
-
-    def draw(self, data: Differences, request: PlotRequest) -> str:
-        items = self.items[0]
-        items.start()
-        shown = [own for own in data.bands if own.frames]
-        for source, own in zip(data.others, data.bands, strict=True):
-            if own.frames:
-                self.shade(source, TAU_GRID, own.band.low, own.band.high)
-                line = items.take("curve", source.number, self.pg.PlotCurveItem)
-                line.setData(TAU_GRID, own.band.values, pen=self.pen(source))
-        items.finish()
-        self.item.vb.autoRange(padding=0.05)
-        self.say_empty("" if shown else request.why_nothing(_nothing_to_compare(data)))
-        if not shown or data.first is None:
-            return ""
-        said = tr(
-            "{name} less each other source, on the frames both have. Beyond chance where the 95 %"
-            " band lies beside 0; {drawn}.",
-            name=data.first.name,
-            drawn=shown[0].clustered,
-        )
-        return f"{said} {data.problem}".rstrip()
-
-    def restyle(self) -> None:
-        self.zero.setPen(self.pg.mkPen(self.palette().color(QPalette.ColorRole.Text), width=1))
-
-    @staticmethod
-    def table(data: Differences, request: PlotRequest) -> PlotData:
-        header, columns = ["tau_px"], [TAU_GRID]
-        for source, own in zip(data.others, data.bands, strict=True):
-            first = "" if data.first is None else data.first.name
-            names = f"{first} less {source.name}"  # not shown
-            header += [f"{kind} {names}" for kind in ("jac", "low", "high")]
-            columns += [own.band.values, own.band.low, own.band.high]
-        return PlotData(tuple(header), tuple(columns))
-
-
-def _nothing_to_compare(data: Differences) -> str:
-    if len(data.others) < 1:
-        return tr("One source alone has nothing to be compared with.\nLoad or show another one.")
-    return tr("No frame that two of the shown sources have is scored yet.")
-
-
-@dataclass(frozen=True, eq=False)
 class Timelines:
     """Per source (F,) JaC, NaN if absent."""
 
@@ -214,10 +140,9 @@ class TimelinePage(PlotPage[Timelines]):
     title = word("JaC over the frames")
     scopes: tuple[Scope, ...] = ("set",)
     follows_tau = True
-    digits = 3
 
-    def __init__(self, name: str = "plot_timeline") -> None:
-        super().__init__(name)
+    def __init__(self) -> None:
+        super().__init__("plot_timeline")
         self.item = self.add_plot(0, tr("frame"), "JaC")
         self.item.setMouseEnabled(x=True, y=False)
         self.item.disableAutoRange()
@@ -245,7 +170,7 @@ class TimelinePage(PlotPage[Timelines]):
         self._lines = []
         for source, values in zip(request.sources, data.values, strict=True):
             line = items.take("line", source.number, self.pg.PlotDataItem)
-            marks = items.take("marks", source.number, self.pg.ScatterPlotItem)
+            marks = self.dots("marks", source, size=8)
             self._lines.append((source, values, line, marks))
         items.finish()
         if request.frames != self._frames:
@@ -288,7 +213,43 @@ class TimelinePage(PlotPage[Timelines]):
         """Give each line no more points than the screen can show."""
         low, high = self.item.vb.viewRange()[0]
         for source, values, line, marks in self._lines:
-            self.draw_over_frames(line, marks, source, values, (low, high, self.item.vb.width()))
+            self._draw_line(line, marks, source, values, (low, high, self.item.vb.width()))
+
+    def _draw_line(
+        self,
+        line: Any,
+        marks: Any,
+        source: PlottedSource,
+        values: FloatArray,
+        span: tuple[float, float, float],
+    ) -> None:
+        """Show what is in view of values over the frames, with gaps where there are none.
+
+        Args:
+            line, marks: a curve and dots of the plot, for the source alone.
+            values: (F,) of the frames, which are counted from 1 on the axis.
+            span: the first and the last place in view, and how many logical px wide that is.
+        """
+        low, high, width = span
+        positions, shown = envelope(values, int(low) - 2, int(high) + 2, max(400, round(4 * width)))
+        if not np.isfinite(shown).any():  # pyqtgraph takes the extremes of nothing, and complains
+            positions = shown = np.empty(0)
+        symbols = width >= _ROOM * (high - low)
+        pen = self.pen(source, 1.4)
+        if 2 * (high - low) > width:  # dashes could not be told there, and take long to paint
+            pen = self.pg.mkPen(self.colour(source), width=1)
+        line.setData(
+            positions + 1.0,
+            shown,
+            connect="finite",
+            pen=pen,
+            symbol=symbol_of(source) if symbols else None,
+            symbolSize=7,
+            symbolBrush=self.colour(source),
+            symbolPen=None,
+        )
+        at = np.empty(0, dtype=int) if symbols else _sparse(values, source.number, span)
+        marks.setData(x=at + 1.0, y=values[at])
 
     def _hover(self, at: QPointF) -> None:
         index = self.frame_at(at)
@@ -296,7 +257,7 @@ class TimelinePage(PlotPage[Timelines]):
             self.readout.emit("")
             return
         values = [
-            f"{source.name} {values[index]:.{self.digits}f}" if np.isfinite(values[index]) else
+            f"{source.name} {values[index]:.3f}" if np.isfinite(values[index]) else
             f"{source.name} –"
             for source, values, *_ in self._lines
         ]  # fmt: skip
@@ -316,3 +277,21 @@ def _nothing(request: PlotRequest) -> str:
     if request.scope == "frame":
         return tr("No score of this frame: it is not annotated, or no shown source has its camera.")
     return tr("No scores yet. They are computed in the background, frame by frame.")
+
+
+def _sparse(values: FloatArray, number: int, span: tuple[float, float, float]) -> Any:
+    """(m,) positions of a few values in view, evenly apart; other numbers get others in between.
+
+    Args:
+        values, span: as in `TimelinePage._draw_line`.
+    """
+    low, high, width = span
+    step = max(1.0, _MARK_EVERY * (high - low) / max(width, 1.0))
+    wanted = np.arange(0.0, len(values), step) + step * (number % 6) / 6
+    known = np.flatnonzero(np.isfinite(values))
+    wanted = wanted[(wanted >= low - 1) & (wanted <= high - 1)]
+    if not len(known) or not len(wanted):
+        return np.empty(0, dtype=int)
+    after = np.minimum(np.searchsorted(known, wanted), len(known) - 1)
+    found = known[after]
+    return np.unique(found[np.abs(found - wanted) <= step / 2])

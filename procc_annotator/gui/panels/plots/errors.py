@@ -1,30 +1,30 @@
-"""Errors as histograms, and over the distance from the picture's centre."""
+"""Residual vectors over the picture."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import count
 from typing import Any
 
 import numpy as np
 from PySide6.QtCore import QPointF
-from PySide6.QtGui import QPalette
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel
 
 from procc_annotator.batch.audit import (
+    Arrows,
+    FloatArray,
     Histogram,
     PlotData,
     Points,
-    RadialErrors,
+    cell_arrows,
     gather,
     histogram,
-    radial_errors,
+    point_arrows,
 )
-from procc_annotator.gui.panels.overview.plots import count_ticks
-from procc_annotator.gui.panels.plots.base import PlotPage
-from procc_annotator.gui.panels.plots.request import PlotRequest
+from procc_annotator.gui.panels.plots.data import PlotRequest, PlottedSource
+from procc_annotator.gui.panels.plots.page import PlotPage
+from procc_annotator.gui.theme import muted
 from procc_annotator.translation import tr, tr_count, word
-
-MOST_DOTS = 6000  # painted in all; medians and files are of every point
-_LARGEST = 50  # of every source that are painted in any case
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,7 +73,7 @@ class HistogramPage(PlotPage[ErrorBars]):
         highest = max((int(c.max()) for c in data.bars.counts if len(c)), default=0)
         self.item.setXRange(0, float(edges[-1]), padding=0.01)
         self.item.setYRange(0, max(highest, 1) * 1.05, padding=0)
-        self.item.getAxis("left").setTicks([count_ticks(highest)])
+        self.item.getAxis("left").setTicks([_count_ticks(highest)])
         self.say_empty("" if highest else no_points(request))
         beyond = tr("The last bar holds all larger errors.") if data.bars.open_ended else ""
         return " ".join(filter(None, (beyond, left_out(data.points))))
@@ -114,90 +114,11 @@ class HistogramPage(PlotPage[ErrorBars]):
         self.readout.emit(" · ".join([interval, *counts]))
 
 
-@dataclass(frozen=True, eq=False)
-class RadialPlot:
-    """Per source: its points, their errors by radius, and which of them are painted.
-
-    ``top``: px, all but one in a hundred errors are below, and all medians.
-    """
-
-    points: tuple[Points, ...]
-    radial: tuple[RadialErrors, ...]
-    painted: tuple[Any, ...]
-    top: float
-
-
-class RadiusPage(PlotPage[RadialPlot]):
-    """Error against image radius: a rise towards the corners is unmodelled distortion."""
-
-    title = word("Errors, by image radius")
-    by_class = True
-
-    def __init__(self) -> None:
-        super().__init__("plot_radius")
-        self.item = self.add_plot(
-            0, tr("distance from the centre (corner = 1)"), tr("reprojection error (px)")
-        )
-        self.item.vb.setLimits(xMin=-0.05, yMin=-0.05)
-
-    @staticmethod
-    def compute(request: PlotRequest) -> RadialPlot:
-        points = tuple(gather(request.audits(s), request.class_row) for s in request.sources)
-        radial = tuple(radial_errors(p, request.size) for p in points)
-        share = MOST_DOTS // max(1, sum(len(p.errors_px) > 0 for p in points))
-        painted = tuple(thinned_errors(p.errors_px, share) for p in points)
-        highest = [float(np.percentile(p.errors_px, 99)) for p in points if len(p.errors_px)]
-        highest += [float(r.medians.max()) for r in radial if len(r.medians)]
-        return RadialPlot(points, radial, painted, 1.1 * max(highest, default=1.0) + 0.1)
-
-    def draw(self, data: RadialPlot, request: PlotRequest) -> str:
-        items = self.items[0]
-        items.start()
-        total = painted = 0
-        for source, radial, chosen in zip(request.sources, data.radial, data.painted, strict=True):
-            self.cloud(source, radial.radius[chosen], radial.errors_px[chosen])
-            total, painted = total + len(radial.radius), painted + len(chosen)
-        for source, radial in zip(request.sources, data.radial, strict=True):
-            if len(radial.centres) > 1:
-                rim = self.pg.mkPen(self.palette().color(QPalette.ColorRole.Base), width=6)
-                for kind, z, pen in (("rim", 4, rim), ("median", 5, self.pen(source, 2.6))):
-                    line = items.take(kind, source.number, self.pg.PlotCurveItem)
-                    line.setData(radial.centres, radial.medians, pen=pen)
-                    line.setZValue(z)
-        items.finish()
-        self.item.setXRange(0, 1, padding=0.02)
-        self.item.setYRange(0, data.top, padding=0)
-        self.say_empty("" if total else no_points(request))
-        some = tr_count(
-            total,
-            "Dots: {painted:,} of {n:,} point, the largest errors among them.",
-            "Dots: {painted:,} of {n:,} points, the largest errors among them.",
-            painted=painted,
-        )
-        medians = any(len(radial.centres) > 1 for radial in data.radial)
-        return " ".join(
-            filter(None, (some if painted < total else "",
-                          tr("Lines: running median of all points.") if medians else "",
-                          left_out(data.points)))
-        )  # fmt: skip
-
-    @staticmethod
-    def table(data: RadialPlot, request: PlotRequest) -> PlotData:
-        return point_table(
-            request,
-            data.points,
-            radius=np.concatenate([r.radius for r in data.radial]) if data.radial else np.empty(0),
-        )
-
-
-def thinned_errors(errors: Any, most: int) -> Any:
-    """(m,) at most so many positions: the largest errors and an even choice of the others."""
-    count = len(errors)
-    if count <= most:
-        return np.arange(count)
-    largest = np.argpartition(errors, -_LARGEST)[-_LARGEST:]
-    others = np.linspace(0, count - 1, most - _LARGEST).astype(np.intp)
-    return np.union1d(largest, others)
+def _count_ticks(highest: int, most: int = 4) -> list[tuple[float, str]]:
+    """Return round whole numbers from 0 up to a count, ``most`` or one more of them."""
+    steps = (digit * 10**power for power in count() for digit in (1, 2, 5))
+    step = next(step for step in steps if highest / step <= most)
+    return [(float(value), f"{value:,}") for value in range(0, highest + 1, step)]
 
 
 def no_points(request: PlotRequest) -> str:
@@ -228,8 +149,8 @@ def left_out(points: tuple[Points, ...]) -> str:
     )
 
 
-def point_table(request: PlotRequest, points: tuple[Points, ...], **more: Any) -> PlotData:
-    """One row a point: source, frame, class, place, residual, error, and further columns."""
+def point_table(request: PlotRequest, points: tuple[Points, ...]) -> PlotData:
+    """One row a point: source, frame, class, place, residual, error."""
 
     def joined(parts: list[Any], kind: Any = float) -> Any:
         return np.concatenate(parts) if parts else np.empty(0, dtype=kind)
@@ -244,6 +165,130 @@ def point_table(request: PlotRequest, points: tuple[Points, ...], **more: Any) -
     )
     errors = joined([p.errors_px for p in points])
     return PlotData(
-        ("source", "frame", "element", "x_px", "y_px", "dx_px", "dy_px", "error_px", *more),
-        (sources, frames, classes, *at.T, *residuals.T, errors, *more.values()),
+        ("source", "frame", "element", "x_px", "y_px", "dx_px", "dy_px", "error_px"),
+        (sources, frames, classes, *at.T, *residuals.T, errors),
     )
+
+
+_FACTORS = (1, 2, 5, 10, 20, 50, 100, 200)
+_AUTOMATIC = 0
+_TYPICAL = 0.045  # of the picture's width: how long most arrows are when the factor is automatic
+_HEAD = 0.3  # of an arrow's length
+
+
+@dataclass(frozen=True, eq=False)
+class Vectors:
+    """Per source: its points, and arrows of them or of cells of the picture."""
+
+    points: tuple[Points, ...]
+    arrows: tuple[Arrows, ...]
+
+
+class VectorsPage(PlotPage[Vectors]):
+    """Where in the picture the projection lies next to the clicks, and which way."""
+
+    title = word("Residuals over the picture")
+    by_class = True
+
+    def __init__(self) -> None:
+        super().__init__("plot_vectors")
+        self.item = self.add_plot(0, "x (px)", "y (px)")
+        self.item.setAspectLocked(True)
+        self.item.invertY(True)
+        self.item.showGrid(x=False, y=False)
+        self.border = self.pg.PlotCurveItem()
+        self.item.addItem(self.border)
+        self._framed: tuple[int, int] | None = None
+        self.factor = QComboBox()
+        self.factor.setObjectName("plot_vectors_factor")
+        self.factor.setAccessibleName(tr("Arrows drawn longer"))
+        self.factor.setToolTip(tr("How many times longer than they are arrows are drawn"))
+        self.factor.addItem(tr("automatic"), _AUTOMATIC)
+        for factor in _FACTORS:
+            self.factor.addItem(f"{factor} ×", factor)
+        self.factor.currentIndexChanged.connect(lambda _: self.changed.emit())
+        row = QHBoxLayout()
+        row.addWidget(QLabel(tr("Arrows")))
+        row.addWidget(self.factor)
+        row.addStretch(1)
+        layout = self.layout()
+        layout.insertLayout(0, row)  # type: ignore[union-attr]
+        self.restyle()
+
+    @staticmethod
+    def compute(request: PlotRequest) -> Vectors:
+        points = tuple(gather(request.audits(s), request.class_row) for s in request.sources)
+        if request.scope == "frame":
+            return Vectors(points, tuple(map(point_arrows, points)))
+        return Vectors(points, tuple(cell_arrows(p, request.size) for p in points))
+
+    def draw(self, data: Vectors, request: PlotRequest) -> str:
+        self.items[0].start()
+        width, height = request.size
+        x = [-0.5, width - 0.5, width - 0.5, -0.5, -0.5]
+        y = [-0.5, -0.5, height - 0.5, height - 0.5, -0.5]
+        self.border.setData(x, y)
+        factor = self.factor.currentData() or automatic_factor(data.arrows, width)
+        for source, arrows in zip(request.sources, data.arrows, strict=True):
+            self._draw_arrows(source, arrows, factor)
+        self.items[0].finish()
+        if self._framed != request.size:
+            self._framed = request.size
+            self.item.setRange(xRange=(0, width), yRange=(0, height), padding=0.02)
+        count = sum(len(arrows.counts) for arrows in data.arrows)
+        if not count and request.scope == "set" and any(len(p.errors_px) for p in data.points):
+            self.say_empty(
+                tr("Too few points so far: five in a part of the picture make an arrow.")
+            )
+        else:
+            self.say_empty("" if count else no_points(request))
+        if request.scope == "frame":
+            said = tr(
+                "Arrows {factor} times as long as they are: from the click towards the projection.",
+                factor=factor,
+            )
+        else:
+            said = tr(
+                "Arrows {factor} times as long as they are: the median residual of each part of"
+                " the picture with 5 points or more.",
+                factor=factor,
+            )
+        return " ".join(filter(None, (said, left_out(data.points))))
+
+    def _draw_arrows(self, source: PlottedSource, arrows: Arrows, factor: float) -> None:
+        lines = arrow_lines(arrows.at_px, arrows.vectors_px * factor)
+        curve = self.items[0].take("arrows", source.number, self.pg.PlotCurveItem)
+        curve.setData(
+            lines[:, 0], lines[:, 1], connect="pairs", pen=self._solid(source), antialias=True
+        )
+        feet = self.dots("feet", source, size=4)
+        feet.setData(x=arrows.at_px[:, 0], y=arrows.at_px[:, 1])
+
+    def _solid(self, source: PlottedSource) -> Any:
+        """Arrows are too short for dashes; their feet have the source's symbol."""
+        return self.pg.mkPen(self.colour(source), width=1.4)
+
+    def restyle(self) -> None:
+        self.border.setPen(self.pg.mkPen(muted(self.palette()), width=1))
+
+    @staticmethod
+    def table(data: Vectors, request: PlotRequest) -> PlotData:
+        return point_table(request, data.points)
+
+
+def automatic_factor(arrows: tuple[Arrows, ...], width: int) -> int:
+    """The round factor that gives most arrows a length one sees and that keeps them apart."""
+    lengths = [np.hypot(*a.vectors_px.T) for a in arrows if len(a.vectors_px)]
+    typical = float(np.percentile(np.concatenate(lengths), 80)) if lengths else 0.0
+    if typical <= 0:
+        return 1
+    return max((f for f in _FACTORS if f * typical <= _TYPICAL * width), default=1)
+
+
+def arrow_lines(at: FloatArray, vectors: FloatArray) -> FloatArray:
+    """(6n, 2) ends of the lines that make arrows: shaft and two barbs each."""
+    tips = at + vectors
+    back = -_HEAD * vectors
+    side = np.stack([-back[:, 1], back[:, 0]], axis=1) * 0.6
+    ends = np.stack([at, tips, tips, tips + back + side, tips, tips + back - side], axis=1)
+    return np.asarray(ends.reshape(-1, 2), dtype=np.float64)

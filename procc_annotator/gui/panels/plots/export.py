@@ -1,16 +1,34 @@
-"""Plots as pictures and as numbers, to the clipboard and to files."""
+"""Taking a plot along: as a picture or as numbers, to the clipboard or a file."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QRectF, QSizeF, Qt
-from PySide6.QtGui import QFont, QFontMetricsF, QImage, QImageWriter, QPainter, QPalette
+from PySide6.QtGui import (
+    QFont,
+    QFontMetricsF,
+    QGuiApplication,
+    QImage,
+    QImageWriter,
+    QPainter,
+    QPalette,
+)
+from PySide6.QtWidgets import QWidget
 
-from procc_annotator.gui.panels.plots.base import PlotPage
+from procc_annotator.formats.atomic import write_atomic
+from procc_annotator.gui.panels.plots.data import PlotRequest
 from procc_annotator.gui.panels.plots.legend import Legend
+from procc_annotator.gui.panels.plots.page import PlotPage
+from procc_annotator.gui.state.background import run_in_background
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.writing import ask_where, write
+from procc_annotator.report.tables.data_files import CRLF, csv_bytes
+from procc_annotator.report.window_tables import plot_table
+from procc_annotator.translation import tr, tr_count
 
 SHARPNESS = 3.0  # pixels of a picture for every pixel of the window, whatever its scale
 _MARGIN = 10.0
@@ -123,3 +141,126 @@ def _png(image: QImage) -> bytes:
     buffer.open(QIODevice.OpenModeFlag.WriteOnly)
     QImageWriter(buffer, QByteArray(b"png")).write(image)
     return bytes(held.data())
+
+
+class TakingAlong(QWidget):
+    """A panel with one plot on show, which can be copied and saved."""
+
+    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._document = document
+        self.legend = Legend()
+        # What is drawn, and what there is to say of it; None until something of this page is.
+        self._data: Any = None
+        self._request: PlotRequest | None = None
+        self._said = ""
+
+    @property
+    def page(self) -> PlotPage[Any]:
+        """The plot on show."""
+        raise NotImplementedError
+
+    def copy_picture(self) -> None:
+        """Put the plot on the clipboard as a picture."""
+        if (picture := self._picture()) is not None:
+            with self._drawn_sharp(SHARPNESS):
+                image = picture.image()
+            QGuiApplication.clipboard().setImage(image)
+            self._document.say(tr("the plot is on the clipboard as a picture"))
+
+    def copy_numbers(self) -> None:
+        """Put the plotted numbers on the clipboard as CSV."""
+        self._numbers(self._put_text)
+
+    def ask_picture(self) -> None:
+        """Ask for a file and write the plot there."""
+        path = self._ask("png", tr("Picture (*.png);;Vector graphics (*.svg)"))
+        if path is not None:
+            self.save_picture(path)
+
+    def ask_numbers(self) -> None:
+        """Ask for a file and write the plotted numbers there."""
+        path = self._ask("csv", tr("Table (*.csv)"))
+        if path is not None:
+            self.save_numbers(path)
+
+    def save_picture(self, path: Path) -> None:
+        """Write the plot as .png or .svg."""
+        if (picture := self._picture()) is not None:
+            with self._drawn_sharp(1.0 if path.suffix.lower() == ".svg" else SHARPNESS):
+                content = picture_writer(picture, path)
+            self._write(path, content)
+
+    def save_numbers(self, path: Path) -> None:
+        """Write the plotted numbers as CSV."""
+        self._numbers(lambda text: self._write(path, text.encode))
+
+    @property
+    def _unfinished(self) -> bool:
+        """Return whether the plot is not of all frames yet."""
+        request = self._request
+        of_set = request is not None and request.scope == "set"
+        return of_set and self._document.set_scores.running
+
+    def _numbers(self, use: Callable[[str], None]) -> None:
+        page, data, request = self.page, self._data, self._request
+        if request is None or page.is_empty:
+            self._document.say(tr("there is nothing plotted to take along"))
+            return
+        run_in_background(
+            lambda _: csv_bytes(plot_table(page.table(data, request)), line_end=CRLF).decode(),
+            on_result=use,
+            on_error=lambda text: self._document.say(text, "error"),
+            owner=self,
+        )
+
+    def _put_text(self, text: str) -> None:
+        QGuiApplication.clipboard().setText(text)
+        self._document.say(tr("the plotted numbers are on the clipboard"))
+
+    def _picture(self) -> PlotPicture | None:
+        page, request = self.page, self._request
+        if request is None or page.is_empty:
+            self._document.say(tr("there is nothing plotted to take along"))
+            return None
+        if request.scope == "frame":
+            what = request.frames[request.current]
+        else:
+            what = tr_count(len(request.frames), "{n:,} frame", "{n:,} frames")
+            if self._unfinished:
+                what = tr("{frames}, as far as scored", frames=what)
+        if request.class_row is not None:
+            what += f", {tr(request.titles[request.class_row])}"
+        terms = f"{what}; {self._document.state.setup.describe()}"
+        return PlotPicture(page, self.legend, (tr(page.title), terms, self._said))
+
+    @contextmanager
+    def _drawn_sharp(self, sharpness: float) -> Iterator[None]:
+        """The plot with lines as wide as a picture needs them."""
+        page, data, request = self.page, self._data, self._request
+        if request is None:
+            return
+        try:
+            page.sharpness = sharpness
+            page.draw(data, request)
+            yield
+        finally:
+            page.sharpness = None
+            page.draw(data, request)
+
+    def _ask(self, suffix: str, filters: str) -> Path | None:
+        if self._document.state.frame is None or self._request is None:
+            self._document.say(tr("there is nothing plotted to take along"))
+            return None
+        words = "".join(c for c in self.page.title.lower() if c.isalnum() or c == " ")
+        name = f"{words.replace(' ', '_')}.{suffix}"
+        return ask_where(self._document, self, tr("Save the plot"), name, filters)
+
+    def _write(self, path: Path, content: Callable[[], bytes]) -> None:
+        said = tr("wrote {path}, as far as scored") if self._unfinished else tr("wrote {path}")
+        write(
+            self._document,
+            lambda _: write_atomic(path, content()),
+            lambda _: said.format(path=path),
+            owner=self,
+        )

@@ -5,12 +5,38 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QPaintEvent, QPalette
+from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QPaintEvent, QPalette, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from procc_annotator.gui.panels.plots.looks import source_pen, symbol_of
-from procc_annotator.gui.panels.plots.request import PlottedSource
+from procc_annotator.gui.panels.plots.data import PlottedSource
+from procc_annotator.gui.theme import readable
 from procc_annotator.translation import tr
+
+# Sources are distinguished without colour, too.
+_DASHES: tuple[tuple[float, ...], ...] = ((), (6, 3), (2, 2), (8, 2, 2, 2), (12, 4), (4, 2, 1, 2))
+_SYMBOLS = ("o", "s", "t", "d", "+", "x")
+
+
+def symbol_of(source: PlottedSource) -> str:
+    """The symbol of a source, as pyqtgraph calls it."""
+    count = len(_SYMBOLS)
+    return _SYMBOLS[(source.number + 2 * (source.number // count)) % count]
+
+
+def dash_of(source: PlottedSource) -> tuple[float, ...]:
+    """The dashes of a source; they and its colour together are its own among 36 sources."""
+    count = len(_DASHES)
+    return _DASHES[(source.number + source.number // count) % count]
+
+
+def source_pen(source: PlottedSource, palette: QPalette, width: float) -> QPen:
+    """The line of a source: its colour, made readable on the theme, and its dashes."""
+    pen = QPen(readable(source.colour, palette), width)
+    pen.setCapStyle(Qt.PenCapStyle.FlatCap)
+    if dash := dash_of(source):
+        pen.setDashPattern([d / width * 1.5 for d in dash])
+    return pen
+
 
 _SYMBOL = 8.0  # logical px
 

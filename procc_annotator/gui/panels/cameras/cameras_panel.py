@@ -1,0 +1,319 @@
+"""The camera sources to judge and compare, and how they are judged."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import QSignalBlocker, QSize, Qt
+from PySide6.QtGui import QAction, QPalette
+from PySide6.QtWidgets import (
+    QComboBox,
+    QFileDialog,
+    QFormLayout,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QSizePolicy,
+    QVBoxLayout,
+    QWidget,
+)
+
+from procc_annotator.formats.cameras.registry import format_titles, suffixes_of
+from procc_annotator.gui.panels.cameras.sources import SourceList, colour_icon
+from procc_annotator.gui.panels.widgets import (
+    ScrolledContent,
+    box_of,
+    choice,
+    empty_state,
+    note_label,
+    scrolling,
+    show_note,
+)
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.maps import Compared
+from procc_annotator.gui.state.selectors import judged
+from procc_annotator.gui.theme import fixed_width
+from procc_annotator.metrics.error_maps import OFFSIDE_ACCURACY_M, MapSummary
+from procc_annotator.metrics.setup import OFF_PLANE, PROTOCOLS
+from procc_annotator.translation import tr, word
+
+_FIGURES = ("minimum", "median", "maximum")
+
+
+class ComparingSection(QWidget):
+    """Part of the cameras panel; there only while there is something to compare."""
+
+    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._document = document
+        self.other = choice("cameras_compared", tr("Source to compare with"))
+        self.other.setToolTip(tr("Held against the active source: comma, split view, disagreement"))
+        self.other.activated.connect(self._choose)
+        caption = QLabel(tr("Compare with"))
+        caption.setBuddy(self.other)
+        row = QHBoxLayout()
+        row.addWidget(caption)
+        row.addWidget(self.other, 1)
+        self._boxes = QHBoxLayout()
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 4, 0, 0)
+        layout.setSpacing(4)
+        layout.addLayout(row)
+        layout.addLayout(self._boxes)
+        self.figures = _Figures()
+        layout.addWidget(self.figures)
+        self.problem = note_label("disagreement_problem")
+        layout.addWidget(self.problem)
+
+    def add_actions(self, *actions: QAction) -> None:
+        """Offer these as boxes to be ticked."""
+        for action in actions:
+            self._boxes.addWidget(box_of(action, f"cameras_{action.objectName()}"))
+
+    def refresh(self) -> None:
+        """Show the choice and the figures as they are now."""
+        document = self._document
+        compared = document.state.compared
+        others = [s for s in document.state.sources if s is not document.state.active]
+        with QSignalBlocker(self.other):
+            self.other.clear()
+            for source in others:
+                icon = colour_icon(source.colour, self.devicePixelRatioF())
+                self.other.addItem(icon, source.name, source)
+            self.other.setCurrentIndex(others.index(compared) if compared is not None else -1)
+        self.other.setEnabled(compared is not None)
+        wanted = compared is not None or document.disagreement.enabled
+        self.setVisible(wanted and bool(document.state.sources))
+        found = document.disagreement.value
+        self.figures.show_found(found)
+        show_note(self.problem, document.disagreement.problem)
+
+    def _choose(self, index: int) -> None:
+        self._document.camera_sources.compare_with(self.other.itemData(index))
+
+
+class _Figures(QWidget):
+    """Least, median and largest disagreement, in metres and in pixels."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("disagreement_figures")
+        grid = QGridLayout(self)
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.setHorizontalSpacing(10)
+        grid.setVerticalSpacing(1)
+        self._values: dict[tuple[str, str], QLabel] = {}
+        right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+        for column, title in enumerate((tr("min"), tr("median"), tr("max")), start=1):
+            head = QLabel(title)
+            head.setForegroundRole(QPalette.ColorRole.PlaceholderText)
+            grid.addWidget(head, 0, column, right)
+        for row, (unit, tip) in enumerate(
+            (
+                ("m", tr("Between the two points on the ground that a pixel means")),
+                ("px", tr("From a pixel to where the compared camera shows its ground point")),
+            ),
+            start=1,
+        ):
+            name = QLabel(tr("on the ground, m") if unit == "m" else tr("in the picture, px"))
+            name.setToolTip(tip)
+            name.setForegroundRole(QPalette.ColorRole.PlaceholderText)
+            grid.addWidget(name, row, 0)
+            for column, figure in enumerate(_FIGURES, start=1):
+                value = QLabel()
+                value.setObjectName(f"disagreement_{figure}_{unit}")
+                value.setFont(fixed_width(self.font()))
+                value.setToolTip(tip)
+                self._values[unit, figure] = value
+                grid.addWidget(value, row, column, right)
+        grid.setColumnStretch(0, 1)
+        self.within = QLabel()
+        self.within.setObjectName("disagreement_within")
+        self.within.setWordWrap(True)
+        grid.addWidget(self.within, 3, 0, 1, 4)
+        self.hide()
+
+    def show_found(self, found: Compared | None) -> None:
+        """Show the figures of a comparison; without any they take no room."""
+        share = found.values.share_within(OFFSIDE_ACCURACY_M) if found is not None else None
+        self.setVisible(share is not None)
+        if found is None or share is None:
+            return
+        statistics = found.values.statistics
+        self._show_spread("m", statistics.metres, 2)
+        self._show_spread("px", statistics.pixels, 1)
+        covered = found.values.compared_share
+        self.within.setText(
+            tr(
+                "{share:.0f} % within {far:g} m, over {covered:.0f} % of the picture",
+                share=100 * share,
+                far=OFFSIDE_ACCURACY_M,
+                covered=100 * covered,
+            )
+        )
+
+    def _show_spread(self, unit: str, spread: MapSummary, decimals: int) -> None:
+        for figure in _FIGURES:
+            value = getattr(spread, figure)
+            self._values[unit, figure].setText("–" if value is None else f"{value:.{decimals}f}")
+
+
+PROTOCOL_TITLES = {
+    "soccernet": word("soccernet (official)"),
+    "procc": word("procc (paper)"),
+}
+OFF_PLANE_TITLES = {"missed": word("count as missed"), "left_out": word("are left out")}
+
+_SPELLED = ".homographyMatrix"  # as it is always written; not every file dialog ignores case
+
+
+class CamerasPanel(QWidget):
+    """Loaded sources with the active one marked; loading; comparing; protocol; what is wrong."""
+
+    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("cameras_panel")
+        self._document = document
+        self._build()
+        self._refresher = document.store.watch_visible(
+            self,
+            self._refresh,
+            lambda s: (judged(s), s.looks, s.compared, s.blind),
+            document.store.events.sourceAuditsChanged,
+            document.source_frames.changed,
+            document.disagreement.changed,
+        )
+
+    def sizeHint(self) -> QSize:
+        return QSize(300, 280)
+
+    # --- building ------------------------------------------------------------------------------
+
+    def _build(self) -> None:
+        self.empty = empty_state(
+            tr(
+                "No cameras loaded.\nLoad a folder of SoccerNet camera files or homographies "
+                "to see them judged against your clicks."
+            ),
+            "cameras_empty",
+        )
+        self.list = SourceList(self._document)
+        self.comparing = ComparingSection(self._document)
+        self.notice = note_label("cameras_notice")
+        self.error = note_label("cameras_error")
+        content = ScrolledContent()
+        layout = QVBoxLayout(content)
+        layout.setContentsMargins(6, 6, 6, 6)
+        layout.addWidget(self.empty)
+        layout.addWidget(self.list)
+        layout.addWidget(self.notice)
+        layout.addWidget(self.error)
+        layout.addWidget(self.comparing)
+        layout.addLayout(self._build_buttons())
+        layout.addLayout(self._build_form())
+        layout.addStretch(1)
+        around = QVBoxLayout(self)
+        around.setContentsMargins(0, 0, 0, 0)
+        around.addWidget(scrolling(content))
+
+    def _build_buttons(self) -> QHBoxLayout:
+        self.load_folder = QPushButton(tr("Load folder…"))
+        self.load_folder.setObjectName("cameras_load_folder")
+        self.load_folder.setToolTip(tr("A folder with one camera file a frame"))
+        self.load_folder.clicked.connect(self.choose_folder)
+        self.load_file = QPushButton(tr("Load file…"))
+        self.load_file.setObjectName("cameras_load_file")
+        self.load_file.setToolTip(tr("A zip archive of cameras, or the camera of one frame"))
+        self.load_file.clicked.connect(self.choose_file)
+        buttons = QHBoxLayout()
+        for button in (self.load_folder, self.load_file):
+            button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+            buttons.addWidget(button)
+        return buttons
+
+    def _build_form(self) -> QFormLayout:
+        self.format = choice("cameras_format")
+        self.format.setToolTip(tr("How the files loaded next are read"))
+        self.protocol = _combo("cameras_protocol", PROTOCOLS, PROTOCOL_TITLES)
+        self.protocol.setToolTip(
+            tr(
+                "soccernet: the official evaluation with its quirks\n"
+                "procc: the paper's definition, closed circles and fine curves"
+            )
+        )
+        self.protocol.activated.connect(
+            lambda: self._document.terms.set_protocol(self.protocol.currentData())
+        )
+        self.off_plane = _combo("cameras_off_plane", OFF_PLANE, OFF_PLANE_TITLES)
+        self.off_plane.setToolTip(
+            tr("A homography knows the ground only: how posts and crossbars count for it")
+        )
+        self.off_plane.activated.connect(
+            lambda: self._document.terms.set_protocol(off_plane=self.off_plane.currentData())
+        )
+        form = QFormLayout()
+        form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        form.addRow(tr("Read as"), self.format)
+        form.addRow(tr("Protocol"), self.protocol)
+        form.addRow(tr("Off the ground"), self.off_plane)
+        return form
+
+    # --- loading -------------------------------------------------------------------------------
+
+    def choose_folder(self) -> None:
+        """Ask for a folder of cameras and load it."""
+        chosen = QFileDialog.getExistingDirectory(self, tr("Load a folder of cameras"))
+        if chosen:
+            self.load(Path(chosen))
+
+    def choose_file(self) -> None:
+        """Ask for an archive or a single camera and load it."""
+        endings = " ".join(f"*{suffix}" for suffix in (*sorted(suffixes_of()), _SPELLED, ".zip"))
+        kinds = tr("Cameras ({endings});;All files (*)", endings=endings)
+        chosen, _ = QFileDialog.getOpenFileName(self, tr("Load cameras"), "", kinds)
+        if chosen:
+            self.load(Path(chosen))
+
+    def load(self, path: Path) -> None:
+        """Load cameras as the chosen format says; what goes wrong is reported by the document."""
+        self._offer_formats()
+        self._document.camera_sources.load_cameras(path, self.format.currentData())
+
+    def _offer_formats(self) -> None:
+        """Those of this program and of plug-ins, which are looked for when they can be chosen."""
+        if self.format.count() == 0:
+            for name, title in format_titles().items():
+                self.format.addItem(tr(title), name)
+
+    # --- showing -------------------------------------------------------------------------------
+
+    def _refresh(self) -> None:
+        self._offer_formats()
+        self.list.refresh()
+        self.empty.setVisible(not self._document.state.sources)
+        self.comparing.refresh()
+        self._show_details()
+        setup = self._document.state.setup
+        self.protocol.setCurrentIndex(self.protocol.findData(setup.protocol))
+        self.off_plane.setCurrentIndex(self.off_plane.findData(setup.off_plane))
+
+    def _show_details(self) -> None:
+        document = self._document
+        notice, error = document.judge.shown.notice, document.judge.shown.error
+        notice = tr("This frame: {notice}", notice=notice) if notice else ""
+        if document.state.active_cameras is None:
+            notice = error = ""
+        elif not document.state.projection_visible:
+            notice, error = tr("Blind: the projection is hidden until this frame is committed."), ""
+        show_note(self.notice, notice)
+        if error:
+            error = tr("⚠ This frame's camera cannot be used: {error}", error=error)
+        show_note(self.error, error)
+
+
+def _combo(name: str, values: tuple[str, ...], titles: dict[str, str]) -> QComboBox:
+    combo = choice(name)
+    for value in values:
+        combo.addItem(tr(titles.get(value, value)), value)
+    return combo

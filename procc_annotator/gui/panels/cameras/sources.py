@@ -1,0 +1,519 @@
+"""The list of camera sources: one row each, and one for no camera at all."""
+
+from __future__ import annotations
+
+from itertools import islice, takewhile
+from weakref import WeakKeyDictionary
+
+from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import (
+    QAction,
+    QColor,
+    QIcon,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPalette,
+    QPen,
+    QPixmap,
+    QResizeEvent,
+)
+from PySide6.QtWidgets import (
+    QButtonGroup,
+    QCheckBox,
+    QColorDialog,
+    QFrame,
+    QGridLayout,
+    QLabel,
+    QLineEdit,
+    QMenu,
+    QRadioButton,
+    QSizePolicy,
+    QStackedLayout,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from procc_annotator.camera.base import projects_only_ground
+from procc_annotator.dataset.camera_set import FrameCameras
+from procc_annotator.dataset.computed_cameras import TRACK_NAME
+from procc_annotator.dataset.workspace import Workspace
+from procc_annotator.gui.panels.widgets import note_label, show_note
+from procc_annotator.gui.state.camera_sources import CameraSource
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.theme import blend, fixed_width
+from procc_annotator.interaction.palette import SOURCE_COLOURS
+from procc_annotator.translation import tr, tr_count, word
+
+_COLOUR_NAMES = (
+    word("Yellow"),
+    word("Violet"),
+    word("Blue"),
+    word("Mint"),
+    word("Navy"),
+    word("Cyan"),
+)
+_PATCH = 14
+
+
+class SourceRow(QFrame):
+    """Shows a source, and emits what the user wants of it."""
+
+    activated = Signal()
+    renamed = Signal(str)
+    recoloured = Signal(str)
+    shown = Signal(bool)  # drawn beside the active one, or not
+    removed = Signal()
+
+    def __init__(self, index: int, source: CameraSource, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName(f"cameras_row_{index}")
+        self._active = False
+        self._fixed = source.files is None  # the fit keeps its name and colour
+        self._colour = ""
+        self.radio = ElidedRadio(source.name)
+        self.radio.setObjectName(f"cameras_set_{index}")
+        self.radio.installEventFilter(self)
+        self.edit = QLineEdit()
+        self.edit.setObjectName(f"cameras_name_{index}")
+        self.edit.setAccessibleName(tr("Name of the source"))
+        self.edit.installEventFilter(self)
+        self.edit.editingFinished.connect(self._finish_name)
+        self.colour = QToolButton(autoRaise=True)
+        self.colour.setObjectName(f"cameras_colour_{index}")
+        self.colour.setIconSize(QSize(_PATCH, _PATCH))
+        self.colour.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        self.colour.setStyleSheet("QToolButton::menu-indicator { image: none; }")
+        if not self._fixed:
+            self.colour.setMenu(self._colour_menu())
+        self.drawn = QCheckBox()
+        self.drawn.setObjectName(f"cameras_drawn_{index}")
+        self.drawn.setToolTip(tr("Draw as a wireframe while another source is judged"))
+        self.drawn.clicked.connect(self.shown)
+        self.jac = _detail(f"cameras_jac_{index}")
+        self.jac.setFont(fixed_width(self.font()))
+        self.model = ElidedDetail()
+        self.model.setObjectName(f"cameras_model_{index}")
+        self.matched = _detail(f"cameras_matched_{index}")
+        self.remove = QToolButton(autoRaise=True)
+        self.remove.setText("✕")
+        self.remove.setObjectName(f"cameras_remove_{index}")
+        self.remove.setToolTip(_what_remove_does(source))
+        self.remove.clicked.connect(self.removed)
+        self.problem = note_label(f"cameras_problem_{index}")
+        self._arrange()
+        self.radio.clicked.connect(self.activated)
+        self.show_source(source)
+
+    def _arrange(self) -> None:
+        self._names = QStackedLayout()
+        layout = QGridLayout(self)
+        layout.setContentsMargins(2, 3, 2, 3)
+        layout.setHorizontalSpacing(4)
+        layout.setVerticalSpacing(1)
+        middle = Qt.AlignmentFlag.AlignCenter
+        layout.addWidget(self.colour, 0, 0, middle)
+        layout.addLayout(self._names, 0, 1)
+        self._names.addWidget(self.radio)  # the first one is shown: only now, as a part of this
+        self._names.addWidget(self.edit)
+        layout.addWidget(self.jac, 0, 2, Qt.AlignmentFlag.AlignRight)
+        layout.addWidget(self.remove, 0, 3)
+        layout.addWidget(self.drawn, 1, 0, middle)
+        layout.addWidget(self.model, 1, 1)
+        layout.addWidget(self.matched, 1, 2, 1, 2, Qt.AlignmentFlag.AlignRight)
+        layout.addWidget(self.problem, 2, 1, 1, 3)
+        layout.setColumnStretch(1, 1)
+
+    # --- showing -------------------------------------------------------------------------------
+
+    def show_source(self, source: CameraSource) -> None:
+        """Name, colour and whether it is drawn."""
+        self.radio.set_full_text(source.name)
+        lines = [tr("Judge against {name}", name=source.name), tr(source.camera_set.origin)]
+        if not self._fixed:
+            lines.append(tr("Double-click or F2 gives it another name"))
+        self.radio.setToolTip("\n".join(lines))
+        self.remove.setAccessibleName(tr("Remove {name}", name=source.name))
+        self.drawn.setChecked(source.visible)
+        self.drawn.setAccessibleName(tr("Draw {name}", name=source.name))
+        if source.colour != self._colour:
+            self._colour = source.colour
+            self.colour.setIcon(colour_icon(source.colour, self.devicePixelRatioF()))
+            words = tr("Colour of {name}", name=source.name)
+            self.colour.setToolTip(words)
+            self.colour.setAccessibleName(words)
+
+    def show_state(
+        self, *, active: bool, jac: str, jac_tip: str, model: str, matched: str, matched_tip: str,
+        problem: str,
+    ) -> None:  # fmt: skip
+        """How the source does, in words."""
+        if active != self._active:
+            self._active = active
+            self.update()
+        if active != self.radio.isChecked():
+            self.radio.setChecked(active)
+        for label, text in ((self.jac, jac), (self.matched, matched)):
+            if label.text() != text:
+                label.setText(text)
+        self.jac.setToolTip(jac_tip)
+        self.matched.setToolTip(matched_tip)
+        self.model.set_full_text(model)
+        show_note(self.problem, f"⚠ {problem}" if problem else "")
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        if self._active:
+            colours = self.palette()
+            ground = colours.color(QPalette.ColorRole.Window)
+            tone = blend(ground, colours.color(QPalette.ColorRole.Highlight), 0.16)
+            painter = QPainter(self)
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(tone)
+            painter.drawRoundedRect(QRectF(self.rect()), 4, 4)
+            painter.end()
+        super().paintEvent(event)
+
+    # --- hands ---------------------------------------------------------------------------------
+
+    def begin_rename(self) -> None:
+        """Let the name be typed, where it is the user's to give."""
+        if self._fixed:
+            return
+        self.edit.setText(self.radio.full_text)
+        self._names.setCurrentWidget(self.edit)
+        self.edit.selectAll()
+        self.edit.setFocus()
+
+    def _finish_name(self) -> None:
+        if self._names.currentWidget() is self.edit:
+            self._names.setCurrentWidget(self.radio)
+            self.renamed.emit(self.edit.text())
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        if event.button() == Qt.MouseButton.LeftButton:
+            event.accept()
+            self.activated.emit()
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        if event.button() == Qt.MouseButton.LeftButton:
+            event.accept()
+            self.begin_rename()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if watched is self.radio:
+            twice = event.type() == QEvent.Type.MouseButtonDblClick
+            key = event.key() if isinstance(event, QKeyEvent) else None
+            pressed = event.type() == QEvent.Type.KeyPress and key == Qt.Key.Key_F2
+            if twice or pressed:
+                self.begin_rename()
+                return True
+        elif isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Escape:
+            if event.type() == QEvent.Type.ShortcutOverride:
+                event.accept()  # not the window's Esc
+                return True
+            if event.type() == QEvent.Type.KeyPress:
+                self._names.setCurrentWidget(self.radio)
+                self.radio.setFocus()
+                return True
+        return False
+
+    def _colour_menu(self) -> QMenu:
+        menu = QMenu(self)
+        for name, colour in zip(_COLOUR_NAMES, SOURCE_COLOURS, strict=True):
+            action = QAction(colour_icon(colour, self.devicePixelRatioF()), tr(name), menu)
+            action.triggered.connect(lambda _=False, chosen=colour: self.recoloured.emit(chosen))
+            menu.addAction(action)
+        other = QAction(tr("Other…"), menu)
+        other.triggered.connect(self._ask_colour)
+        menu.addAction(other)
+        return menu
+
+    def _ask_colour(self) -> None:
+        chosen = QColorDialog.getColor(QColor(self._colour), self, tr("Colour of the source"))
+        if chosen.isValid():
+            self.recoloured.emit(chosen.name())
+
+
+class ElidedRadio(QRadioButton):
+    """A radio button whose text gives way in a narrow panel; the tooltip has it in full."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.full_text = ""
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self.set_full_text(text)
+
+    def set_full_text(self, text: str) -> None:
+        """Show another text, as much of it as there is room for."""
+        if text != self.full_text:
+            self.full_text = text
+            self.setAccessibleName(text)
+            self._elide(self.width())
+
+    def _elide(self, width: int) -> None:
+        room = width - self.iconSize().width() - 12
+        elided = self.fontMetrics().elidedText(self.full_text, Qt.TextElideMode.ElideMiddle, room)
+        self.setText(elided.replace("&", "&&"))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        self._elide(event.size().width())
+        super().resizeEvent(event)
+
+
+class ElidedDetail(QLabel):
+    """A small text that gives way in a narrow panel; the tooltip has it in full."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._full = ""
+        self.setForegroundRole(QPalette.ColorRole.PlaceholderText)
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self.setTextFormat(Qt.TextFormat.PlainText)
+
+    def set_full_text(self, text: str) -> None:
+        """Show another text, as much of it as there is room for."""
+        if text != self._full:
+            self._full = text
+            self.setToolTip(text)
+            self._elide(self.width())
+
+    def _elide(self, width: int) -> None:
+        mode = Qt.TextElideMode.ElideRight
+        self.setText(self.fontMetrics().elidedText(self._full, mode, width))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        self._elide(event.size().width())
+        super().resizeEvent(event)
+
+
+def colour_icon(colour: str, ratio: float) -> QIcon:
+    """A patch of a colour with a rim that shows on light and on dark ground."""
+    pixmap = QPixmap(round(_PATCH * ratio), round(_PATCH * ratio))
+    pixmap.setDevicePixelRatio(ratio)
+    pixmap.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(pixmap)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setPen(QPen(QColor("#707070"), 1))
+    painter.setBrush(QColor(colour))
+    corner = QPointF(1.5, 1.5)
+    painter.drawRoundedRect(QRectF(corner.x(), corner.y(), _PATCH - 3, _PATCH - 3), 2.5, 2.5)
+    painter.end()
+    return QIcon(pixmap)
+
+
+def _detail(name: str) -> QLabel:
+    label = QLabel()
+    label.setObjectName(name)
+    label.setTextFormat(Qt.TextFormat.PlainText)
+    return label
+
+
+def _what_remove_does(source: CameraSource) -> str:
+    if source.files is not None:
+        return tr("Remove from the list; the files stay")
+    if source.name == TRACK_NAME:
+        return tr("Forget what was followed (T follows the shot again)")
+    return tr("Switch the live fit off (Ctrl+T switches it on again)")
+
+
+NO_CAMERA = -1
+_NO_CAMERA_ID = -2  # -1 asks Qt for a number of its own
+
+_COMPLETENESS = word("Frames of this dataset that have a camera (completeness)")
+_FITTED_TIP = word(
+    "Frames visited in this window whose clicks gave a camera; their JaC is of the clicks that the"
+    " fit was made from.\nprocc-annotator calibrate fits and scores the whole set"
+)
+_FOLLOWED_TIP = word(
+    "Frames of this dataset that were followed through their shot and have a camera.\n"
+    "procc-annotator track follows a whole video and writes its cameras"
+)
+_NAMED = 12  # unreadable cameras in a tip
+_Counted = tuple[
+    Workspace, FrameCameras, int
+]  # what was counted, and how many were known as damaged
+
+
+class SourceList(QWidget):
+    """Displays the document's sources and does with them what hands want."""
+
+    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._document = document
+        self._listed: tuple[CameraSource, ...] = ()
+        self.rows: list[SourceRow] = []
+        self._counted: WeakKeyDictionary[CameraSource, tuple[_Counted, int]] = WeakKeyDictionary()
+        self._group = QButtonGroup(self)
+        self.none = QRadioButton(tr("no camera"))
+        self.none.setObjectName("cameras_none")
+        self.none.setToolTip(tr("Judge nothing, draw no camera"))
+        self.none.clicked.connect(lambda: document.camera_sources.set_active_camera(NO_CAMERA))
+        self._group.addButton(self.none, _NO_CAMERA_ID)
+        self._layout = QVBoxLayout(self)
+        self._layout.setContentsMargins(0, 0, 0, 0)
+        self._layout.setSpacing(2)
+        self._layout.addWidget(self.none)
+
+    def refresh(self) -> None:
+        """Show the sources as they are now."""
+        sources = tuple(self._document.state.sources)
+        if sources != self._listed:
+            self._build(sources)
+        self.none.setVisible(bool(sources))
+        self.none.setChecked(self._document.state.active is None)
+        for row, source in zip(self.rows, sources, strict=True):
+            row.show_source(source)
+            self._show_state(row, source)
+
+    def _build(self, sources: tuple[CameraSource, ...]) -> None:
+        """Rows in front that stay the same are kept: a name may be typed into one just now."""
+        pairs = zip(self._listed, sources, strict=False)
+        kept = len(tuple(takewhile(lambda pair: pair[0] is pair[1], pairs)))
+        self._listed = sources
+        for row in self.rows[kept:]:
+            self._group.removeButton(row.radio)
+            self._layout.removeWidget(row)
+            row.deleteLater()
+        del self.rows[kept:]
+        for index, source in enumerate(sources[kept:], start=kept):
+            row = SourceRow(index, source)
+            self._group.addButton(row.radio, index)
+            self._connect(row, source)
+            self._layout.insertWidget(index, row)
+            self.rows.append(row)
+
+    def _connect(self, row: SourceRow, source: CameraSource) -> None:
+        document = self._document
+        row.activated.connect(lambda: self._activate(source))
+        row.renamed.connect(lambda name: document.camera_sources.rename_source(source, name))
+        row.recoloured.connect(
+            lambda colour: document.camera_sources.set_source_colour(source, colour)
+        )
+        row.shown.connect(lambda shown: document.camera_sources.set_source_visible(source, shown))
+        row.removed.connect(lambda: self._remove(source))
+
+    def _activate(self, source: CameraSource) -> None:
+        if self._document.state.active is not source:
+            self._document.camera_sources.set_active_camera(
+                self._document.state.sources.index(source)
+            )
+
+    def _remove(self, source: CameraSource) -> None:
+        if source is self._document.shot_track.source:
+            self._document.shot_track.forget()
+        elif source.files is None:
+            self._document.live_fit.set_wanted(False)
+        else:
+            self._document.camera_sources.remove_camera_set(
+                self._document.state.sources.index(source)
+            )
+
+    # --- what a row says -----------------------------------------------------------------------
+
+    def _show_state(self, row: SourceRow, source: CameraSource) -> None:
+        document = self._document
+        jac, tip = self._jac(source)
+        matched, matched_tip = self._matched(source)
+        row.show_state(
+            active=source is document.state.active,
+            jac=jac,
+            jac_tip=tip,
+            model=self._model(source),
+            matched=matched,
+            matched_tip=matched_tip,
+            problem=self._problem(source),
+        )
+
+    def _jac(self, source: CameraSource) -> tuple[str, str]:
+        """Mean JaC of the set, and what it is the mean of."""
+        document = self._document
+        if document.state.blind:
+            return "JaC –", tr("Blind mode hides how the sources do")
+        mean = source.mean_jac(document.state.tau)
+        if mean is None:
+            return "JaC –", tr("No frame has both annotated elements and a camera of this source")
+        frames = tr_count(len(source.audits), "{n:,} frame", "{n:,} frames")
+        if document.set_scores.running:
+            frames = tr("{frames} so far", frames=frames)
+        tip = tr("Mean JaC at {tau:.1f} px over {frames}", tau=document.state.tau, frames=frames)
+        if bad := len(source.problems):
+            tip = tr_count(
+                bad,
+                "{mean}; {n:,} camera cannot be read and takes no part",
+                "{mean}; {n:,} cameras cannot be read and take no part",
+                mean=tip,
+            )
+        return f"JaC {mean:.3f}", f"{tip}\n{document.state.setup.describe()}"
+
+    def _model(self, source: CameraSource) -> str:
+        """The camera model: of the set when it has one, else of the frame on screen."""
+        words = self._model_words(source)
+        return f"{words}, {tr(source.fitted.mark)}" if words and source.fitted else words
+
+    def _model_words(self, source: CameraSource) -> str:
+        models = source.models
+        known = self._document.source_frames.of(source)
+        camera = known.camera if known is not None else None
+        if len(models) == 1:
+            words = models[0]
+        elif known is None or camera is None:
+            return tr("several models") if models else ""
+        else:
+            words = known.model
+        if camera is not None and projects_only_ground(camera):
+            words = tr("{model} (ground)", model=words)
+        return tr("{model} here, several models", model=words) if len(models) > 1 else words
+
+    def _matched(self, source: CameraSource) -> tuple[str, str]:
+        """Return how many frames have a camera, and which of these cannot be used."""
+        workspace, cameras = self._document.state.workspace, source.camera_set
+        if source is self._document.shot_track.source:
+            count = len(cameras.frames)
+            words = tr_count(count, "{n:,} frame followed", "{n:,} frames followed")
+            return words, tr(_FOLLOWED_TIP)
+        if source.files is None:
+            count = len(cameras.frames)
+            words = tr_count(count, "{n:,} frame fitted", "{n:,} frames fitted")
+            return words, tr(_FITTED_TIP)
+        if workspace is None or not workspace.frames:
+            return tr_count(len(cameras.frames), "{n:,} camera", "{n:,} cameras"), ""
+        of = workspace, cameras, len(source.problems)
+        before, matched = self._counted.get(source, (None, 0))
+        if before != of:  # counting a large set takes a while
+            matched = source.matched(frame.name for frame in workspace.frames)
+            self._counted[source] = of, matched
+        total = len(workspace.frames)
+        share = f"{100 * matched / total:.0f} %"
+        if not source.problems:
+            words = tr("{n} of {total} ({share})", n=matched, total=total, share=share)
+            return words, tr(_COMPLETENESS)
+        bad, names = len(source.problems), ", ".join(islice(source.problems, _NAMED))
+        if bad > _NAMED:
+            names = tr_count(
+                bad - _NAMED, "{names} and {n:,} more", "{names} and {n:,} more", names=names
+            )
+        unreadable = tr("Unreadable (filter camera:unreadable): {names}", names=names)
+        words = tr_count(
+            bad,
+            "{matched} of {total}, {n} unreadable",
+            "{matched} of {total}, {n} unreadable",
+            matched=matched,
+            total=total,
+        )
+        return words, f"{tr(_COMPLETENESS)}: {share}\n{unreadable}"
+
+    def _problem(self, source: CameraSource) -> str:
+        """Why a source that is not judged has nothing to show of this frame; the panel's notes say
+        it of the active one."""
+        document = self._document
+        known = document.source_frames.of(source)
+        if known is None or source is document.state.active:
+            return ""
+        if source.files is None:
+            return known.notice if document.state.projection_visible and not known.camera else ""
+        if known.error:
+            return tr("cannot be used here: {error}", error=known.error)
+        return tr("no camera for this frame") if known.camera is None else ""

@@ -1,0 +1,288 @@
+"""Painting the field map: its place in the widget, the ground, the signs of states."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QPainter, QPainterPath, QPalette, QPolygonF, QTransform
+
+from procc_annotator.arrays import FloatArray
+from procc_annotator.gui.canvas.metre_map_picture import paint_shapes
+from procc_annotator.gui.panels.element_states import ElementState, paint_symbol, state_colour
+from procc_annotator.gui.panels.field_map.field_shape import Bounds, FieldShape
+from procc_annotator.gui.state.map_shapes import MapShapes
+from procc_annotator.gui.state.maps import MapSight
+from procc_annotator.gui.theme import blend, muted
+from procc_annotator.interaction import palette as tones
+from procc_annotator.interaction.camera_view import VisibleField
+
+_LARGEST = 40.0
+_STEP = 1.0015  # an eighth of a degree of the wheel
+_DRAG = 4.0  # widget points: less is a click
+
+
+@dataclass(frozen=True, eq=False)
+class Placement:
+    """A field laid into a part of a widget as large as it fits.
+
+    Attributes:
+        scale: points of the widget per metre of the map.
+        transform: from metres of the map to the widget.
+        polygons: the line of each element.
+        anchors: where each element bears its sign: no other line crosses there.
+        ground: the field without what stands upright.
+    """
+
+    scale: float
+    transform: QTransform
+    polygons: tuple[QPolygonF, ...]
+    anchors: tuple[QPointF, ...]
+    ground: QRectF
+
+    @classmethod
+    def of(
+        cls,
+        shape: FieldShape,
+        room: QRectF,
+        view: MapView,
+        turns: int = 0,
+        part: Bounds | None = None,
+    ) -> Placement:
+        """Lay a field into a part of a widget.
+
+        Args:
+            shape: the field.
+            room: the part, which it fits into at zoom 1.
+            view: so many times as large, and moved by hand.
+            turns: so many quarter turns clockwise.
+            part: the part of the map to lay into the room, metres of the map; None: all of it.
+        """
+        part = part or shape.bounds
+        scale = view.zoom * scale_to_fit(part, room, turns)
+        middle = _turned(part, turns).center() * scale
+        origin = room.topLeft() + QPointF(*_size(room)) / 2 - middle + view.shift
+        moved = QTransform(scale, 0, 0, scale, origin.x(), origin.y())
+        transform = QTransform().rotate(90.0 * turns) * moved
+        matrix = np.array([[transform.m11(), transform.m12()], [transform.m21(), transform.m22()]])
+
+        def place(line: FloatArray) -> list[QPointF]:
+            at = line @ matrix + (origin.x(), origin.y())
+            return [QPointF(x, y) for x, y in at.tolist()]
+
+        corners = place(np.reshape(shape.ground, (2, 2)))
+        return cls(
+            scale,
+            transform,
+            tuple(QPolygonF(place(line)) for line in shape.lines),
+            tuple(place(shape.anchors)),
+            QRectF(*corners).normalized(),
+        )
+
+    def to_widget(self, x: float, y: float) -> QPointF:
+        """The position in the widget of metres on the map."""
+        return self.transform.map(QPointF(x, y))
+
+    def to_field(self, position: QPointF) -> tuple[float, float]:
+        """Metres on the map at a position of the widget."""
+        back, _ = self.transform.inverted()
+        at = back.map(position)
+        return at.x(), at.y()
+
+
+def scale_to_fit(part: Bounds, room: QRectF, turns: int) -> float:
+    """Points of the widget per metre, so that a part of the map fits into a room."""
+    extent, (width, height) = _turned(part, turns), _size(room)
+    return min(width / extent.width(), height / extent.height())
+
+
+def _turned(part: Bounds, turns: int) -> QRectF:
+    left, top, right, bottom = part
+    turned = QTransform().rotate(90.0 * turns)
+    return turned.mapRect(QRectF(left, top, right - left, bottom - top))
+
+
+def _size(room: QRectF) -> tuple[float, float]:
+    return max(1.0, room.width()), max(1.0, room.height())
+
+
+class MapView:
+    """Zoom and shift of a map, changed by hands.
+
+    Attributes:
+        zoom: 1 where the whole map is in sight.
+        shift: widget points.
+        dragging: whether the map is being moved, and the button that is held means no click.
+    """
+
+    def __init__(self) -> None:
+        self.zoom, self.shift, self.dragging = 1.0, QPointF(), False
+        self._pressed: QPointF | None = None
+        self._before = QPointF()
+
+    def reset(self) -> None:
+        """Show the whole map."""
+        self.zoom, self.shift = 1.0, QPointF()
+
+    def wheel(self, turned: float, cursor: QPointF, centre: QPointF) -> None:
+        """Magnify; what is under the cursor stays there.
+
+        Args:
+            turned: eighths of a degree, forward is larger.
+            cursor, centre: the mouse, and the middle of the map's room, widget points.
+        """
+        zoom = min(_LARGEST, max(1.0, self.zoom * _STEP**turned))
+        beside = cursor - centre
+        self.shift = beside - (beside - self.shift) * (zoom / self.zoom)
+        self.zoom = zoom
+        if zoom == 1.0:
+            self.shift = QPointF()
+
+    def press(self, cursor: QPointF) -> None:
+        """A button went down: the map may be moved from now on."""
+        self._pressed, self._before, self.dragging = cursor, self.shift, False
+
+    def move(self, cursor: QPointF) -> bool:
+        """The mouse moved; whether the map did."""
+        if self._pressed is None or self.zoom == 1.0:
+            return False
+        moved = cursor - self._pressed
+        self.dragging = self.dragging or moved.manhattanLength() > _DRAG
+        if self.dragging:
+            self.shift = self._before + moved
+        return self.dragging
+
+    def release(self) -> bool:
+        """The button came up; whether it moved the map."""
+        moved, self.dragging, self._pressed = self.dragging, False, None
+        return moved
+
+
+_STEEPEST = 3.0  # how much farther aside than along the way something may lie
+_ASIDE = 2.0  # how much farther counts what lies aside of the way
+
+
+def nearest(start: QPointF, anchors: Mapping[str, QPointF], way: QPointF) -> str | None:
+    """The element that lies next in a direction; None at the edge."""
+    best, least = None, math.inf
+    for name, anchor in anchors.items():
+        gap = anchor - start
+        along = QPointF.dotProduct(gap, way)
+        aside = abs(gap.x() * way.y()) + abs(gap.y() * way.x())
+        if along > max(0.5, aside / _STEEPEST) and (far := along + _ASIDE * aside) < least:
+            best, least = name, far
+    return best
+
+
+_RIM = 4.0  # widget points of grass around the lines
+_ACROSS = 0.08  # of the map's length that is shown of the half that is out of sight
+_WORTH_IT = 1.2  # so many times as large
+_FAINT = 0.35  # of the ground's tone, where it is out of sight
+
+
+def ground_colour(palette: QPalette, share: float = 1.0) -> QColor:
+    """The field's surface, on either theme; fainter by a share."""
+    return blend(palette.color(QPalette.ColorRole.Base), QColor("#3f9b4f"), 0.14 * share)
+
+
+def part_to_show(
+    shape: FieldShape, sight: MapSight, needed: Collection[str | None], room: QRectF
+) -> Bounds | None:
+    """The part of the map to lay out; None: all of it.
+
+    The half that is out of sight leaves its room to the other one, unless that would not be drawn
+    much larger.
+
+    Args:
+        shape: the field.
+        sight: what is seen of it.
+        needed: elements that must be seen, wherever they are.
+        room: what the map has of the widget.
+    """
+    if sight.half == 0:
+        return None
+    left, top, right, bottom = shape.bounds
+    across = _ACROSS * (right - left)
+    for name, line in zip(shape.names, shape.lines, strict=True):
+        if name in needed and (sight.half * line[:, 0]).max() < -across:
+            return None
+    part = (-across, top, right, bottom) if sight.half > 0 else (left, top, across, bottom)
+    gain = scale_to_fit(part, room, sight.turns) / scale_to_fit(shape.bounds, room, sight.turns)
+    return part if gain > _WORTH_IT else None
+
+
+def paint_ground(
+    painter: QPainter, placed: Placement, sight: VisibleField | None, palette: QPalette
+) -> None:
+    """Grass; fainter where the camera does not see it."""
+    around = placed.ground.adjusted(-_RIM, -_RIM, _RIM, _RIM)
+    if sight is None:
+        painter.fillRect(around, ground_colour(palette))
+        return
+    painter.fillRect(around, ground_colour(palette, _FAINT))
+    path = QPainterPath()
+    path.setFillRule(Qt.FillRule.OddEvenFill)
+    for outlines in sight.ground:
+        for outline in outlines:
+            path.addPolygon(QPolygonF([QPointF(x, y) for x, y in outline.tolist()]))
+    painter.save()
+    painter.setClipRect(around, Qt.ClipOperation.IntersectClip)
+    painter.fillPath(placed.transform.map(path), ground_colour(palette, 2.0))
+    painter.restore()
+
+
+def paint_metres(painter: QPainter, placed: Placement, shapes: MapShapes) -> None:
+    """Bands of a map in metres, as far as the field reaches."""
+    painter.save()
+    painter.setClipRect(placed.ground, Qt.ClipOperation.IntersectClip)
+    paint_shapes(painter, shapes, placed.transform, unit=0.75)
+    painter.restore()
+
+
+_SPOT = 2.2  # radius of a single place
+
+
+def paint_spot(
+    painter: QPainter,
+    at: QPointF,
+    state: ElementState,
+    palette: QPalette,
+    *,
+    chosen: bool,
+    hovered: bool,
+) -> None:
+    """A single place: a dot until there is something to say of it, then the state's sign."""
+    painter.setPen(Qt.PenStyle.NoPen)
+    if chosen:
+        for colour, radius in ((tones.OUTLINE, _SPOT + 5), (tones.HALO, _SPOT + 4)):
+            painter.setBrush(QColor(colour))
+            painter.drawEllipse(at, radius, radius)
+    elif hovered:
+        painter.setBrush(muted(palette, 0.75))
+        painter.drawEllipse(at, _SPOT + 4, _SPOT + 4)
+    if state is ElementState.UNTOUCHED:
+        painter.setBrush(state_colour(state, palette))
+        painter.drawEllipse(at, _SPOT, _SPOT)
+        return
+    painter.setBrush(palette.color(QPalette.ColorRole.Base))
+    painter.drawEllipse(at, _SPOT + 3, _SPOT + 3)
+    _paint_sign(painter, at, 2 * _SPOT + 7, state, palette)
+
+
+def paint_badge(painter: QPainter, at: QPointF, state: ElementState, palette: QPalette) -> None:
+    """Both solid lines bear their sign as well: tick or cross."""
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(palette.color(QPalette.ColorRole.Base))
+    painter.drawEllipse(at, 5, 5)
+    _paint_sign(painter, at, 11, state, palette)
+
+
+def _paint_sign(
+    painter: QPainter, at: QPointF, side: float, state: ElementState, palette: QPalette
+) -> None:
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    box = QRectF(at.x() - side / 2, at.y() - side / 2, side, side)
+    paint_symbol(painter, box, state, state_colour(state, palette))

@@ -1,0 +1,431 @@
+"""What the label check found, as a list to walk through and to fix from."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from html import escape
+
+from PySide6.QtCore import QEvent, QModelIndex, QSize, Qt, QTextBoundaryFinder, Signal
+from PySide6.QtGui import QKeyEvent, QResizeEvent
+from PySide6.QtWidgets import (
+    QComboBox,
+    QHBoxLayout,
+    QProgressBar,
+    QPushButton,
+    QStackedLayout,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from procc_annotator.calibration.label_check.finding import Severity
+from procc_annotator.dataset.review import by_severity
+from procc_annotator.gui.canvas.finding_sign import finding_icon
+from procc_annotator.gui.panels.findings.finding_rows import (
+    Entry,
+    FindingDelegate,
+    FindingsList,
+    FindingsModel,
+)
+from procc_annotator.gui.panels.widgets import empty_state, note_label, show_note
+from procc_annotator.gui.state.document import Document
+from procc_annotator.translation import tr, tr_count
+
+
+def frame_words(document: Document) -> str:
+    """Of the frame on screen: nothing found, or which rules have not been examined and why.
+
+    Empty if there are findings and every rule was examined.
+    """
+    check, frame = document.label_check, document.state.frame
+    if frame is None:
+        return tr("No frames.\nOpen a folder of pictures to check their labels.")
+    if not document.state.annotation.annotated:
+        return tr("Nothing is annotated in this frame.")
+    checked = check.checked
+    if checked is None:
+        return "" if check.shown else tr("Checking this frame…")
+    found = bool(check.shown)
+    limit = _limit(document, checked.failure)
+    if limit:
+        nothing = tr("Nothing found by the rules that need no camera.")
+        return limit if found else f"{nothing}\n{limit}"
+    ignored = check.known.ignored_here()
+    if found:
+        return ""
+    if ignored:
+        return tr_count(
+            ignored,
+            "Nothing found but {n:,} ignored finding.",
+            "Nothing found but {n:,} ignored findings.",
+        )
+    return tr("Nothing found in this frame.")
+
+
+def _limit(document: Document, failure: str) -> str:
+    if not document.state.projection_visible:
+        return tr(
+            "Blind: findings that need a camera wait until this frame is committed (Ctrl+Enter)."
+        )
+    checked = document.label_check.checked
+    if checked is not None and not checked.fitted:
+        return tr("The live fit is off: only the rules that need no camera are looked at.")
+    if failure:
+        return tr(
+            "No camera fits yet ({why}): only the rules that need none are looked at.", why=failure
+        )
+    return ""
+
+
+def set_words(document: Document) -> str:
+    """Of the whole set: nothing found, or what was not checked.
+
+    Empty if there are findings and every frame was checked.
+    """
+    check, workspace = document.label_check, document.state.workspace
+    if workspace is None or not workspace.frames:
+        return tr("No frames.\nOpen a folder of pictures to check their labels.")
+    if check.running:
+        return "" if check.known.in_set() else tr("Checking the set…")
+    problems = ""
+    if document.state.blind:
+        problems = tr("Blind: only committed frames are checked with a camera.")
+    if check.problems:
+        count = len(check.problems)
+        name, why = next(iter(check.problems.items()))
+        said = tr_count(
+            count,
+            "{n:,} frame cannot be checked, such as {name}: {why}",
+            "{n:,} frames cannot be checked, such as {name}: {why}",
+            name=name,
+            why=why,
+        )
+        problems = "\n".join(filter(None, (problems, said)))
+    if not check.set_checked:
+        return tr_count(
+            check.known.count,
+            "The set is not checked yet; {n:,} frame looked at so far.",
+            "The set is not checked yet; {n:,} frames looked at so far.",
+        )
+    if check.known.in_set():
+        return problems
+    nothing = tr_count(
+        check.known.count, "Nothing found in {n:,} frame.", "Nothing found in {n:,} frames."
+    )
+    return "\n".join(filter(None, (nothing, problems)))
+
+
+def so_many(severity: Severity, count: int) -> str:
+    """Return how many findings are that sure: "2 errors"."""
+    match severity:
+        case Severity.ERROR:
+            return tr_count(count, "{n:,} error", "{n:,} errors")
+        case Severity.WARNING:
+            return tr_count(count, "{n:,} warning", "{n:,} warnings")
+        case Severity.HINT:
+            return tr_count(count, "{n:,} hint", "{n:,} hints")
+
+
+_FRAME, _SET = range(2)
+_MOST_REMEDIES = 4
+
+
+class FindingsPanel(QWidget):
+    """Displays `document.label_check`; anyone who does the work listens to its signals."""
+
+    goTo = Signal(str, object)  # a frame and what was found in it
+    remedyWanted = Signal(object, object)  # what was found, and the remedy
+    ignoreWanted = Signal(str, object)
+    restoreWanted = Signal()
+    checkWanted = Signal()
+    stopWanted = Signal()
+    exportWanted = Signal()
+
+    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("findings_panel")
+        self._document = document
+        self._check = document.label_check
+        self._following = False
+        self._build()
+        self._refresher = document.store.watch_visible(
+            self,
+            self._refresh,
+            lambda s: (s.workspace, s.frame_index, s.field, s.projection_visible),
+            self._check.changed,
+            self._check.framesChanged,
+            self._check.currentChanged,
+            document.live_fit.changed,
+        )
+        self._check.progressed.connect(self._show_progress)
+        self._refresh()
+
+    def sizeHint(self) -> QSize:
+        return QSize(300, 320)
+
+    # --- building -------------------------------------------------------------------------
+
+    def _build(self) -> None:
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(4, 4, 4, 4)
+        layout.setSpacing(4)
+        layout.addLayout(self._make_head())
+        self.note = note_label("findings_note")
+        self.note.setTextFormat(Qt.TextFormat.RichText)
+        self.note.linkActivated.connect(lambda _: self.restoreWanted.emit())
+        layout.addWidget(self.note)
+        self.model = FindingsModel(self._document)
+        self.model.setParent(self)
+        self.list = FindingsList()
+        self.list.setObjectName("findings_list")
+        self.list.setAccessibleName(tr("Findings"))
+        self.list.setModel(self.model)
+        self.list.selectionModel().currentChanged.connect(self._choose)
+        self.list.clicked.connect(self._go)
+        self.list.activated.connect(self._go)
+        self.list.installEventFilter(self)
+        self.empty = empty_state("", "findings_empty")
+        self._stack = QStackedLayout()
+        self._stack.addWidget(self.list)
+        self._stack.addWidget(self.empty)
+        layout.addLayout(self._stack, 1)
+        self.remedies = QVBoxLayout()
+        self.remedies.setSpacing(3)
+        self.remedy_buttons: list[WrappingButton] = []
+        layout.addLayout(self.remedies)
+        layout.addLayout(self._make_foot())
+
+    def _make_head(self) -> QHBoxLayout:
+        self.scope = QComboBox()
+        self.scope.setObjectName("findings_scope")
+        self.scope.setAccessibleName(tr("Which findings are listed"))
+        self.scope.addItems([tr("This frame"), tr("Whole set")])
+        self.scope.currentIndexChanged.connect(lambda _: self._refresh())
+        self.severity_buttons: dict[Severity, QToolButton] = {}
+        head = QHBoxLayout()
+        head.setSpacing(2)
+        head.addWidget(self.scope, 1)
+        for severity in Severity:
+            button = QToolButton()
+            button.setObjectName(f"findings_{severity}")
+            button.setCheckable(True)
+            button.setChecked(True)
+            button.setIcon(finding_icon(severity, self.devicePixelRatioF()))
+            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+            button.clicked.connect(self._take_severities)
+            self.severity_buttons[severity] = button
+            head.addWidget(button)
+        return head
+
+    def _make_foot(self) -> QHBoxLayout:
+        self.check_button = QPushButton(tr("Check the whole set"))
+        self.check_button.setObjectName("findings_check")
+        self.check_button.setToolTip(tr("Look for wrong labels in every annotated frame"))
+        self.check_button.clicked.connect(self.checkWanted)
+        self.progress = QProgressBar()
+        self.progress.setObjectName("findings_progress")
+        self.progress.setAccessibleName(tr("Frames checked"))
+        self.progress.setFormat("%v / %m")
+        self.stop_button = QPushButton(tr("Stop"))
+        self.stop_button.setObjectName("findings_stop")
+        self.stop_button.clicked.connect(self.stopWanted)
+        self.export_button = QPushButton(tr("Export…"))
+        self.export_button.setObjectName("findings_export")
+        self.export_button.setToolTip(tr("Write the findings of all checked frames as CSV"))
+        self.export_button.clicked.connect(self.exportWanted)
+        foot = QHBoxLayout()
+        foot.setSpacing(4)
+        foot.addWidget(self.check_button, 1)
+        foot.addWidget(self.progress, 1)
+        foot.addWidget(self.stop_button)
+        foot.addWidget(self.export_button)
+        self._show_progress(0, 0)
+        return foot
+
+    # --- showing --------------------------------------------------------------------------
+
+    def _refresh(self) -> None:
+        check, frame = self._check, self._document.state.frame
+        whole_set = self.scope.currentIndex() == _SET
+        every: list[Entry]
+        if whole_set:
+            every = list(check.known.in_set())
+        else:
+            every = [(frame.name, found) for found in check.shown] if frame is not None else []
+        counts = by_severity(found for _, found in every)
+        for severity, button in self.severity_buttons.items():
+            button.setText(_short(counts[severity]))
+            button.setChecked(severity in check.severities)
+            many = so_many(severity, counts[severity])
+            button.setToolTip(tr("{findings}; click to list them or not", findings=many))
+            button.setAccessibleName(many)
+        entries = [(n, f) for n, f in every if f.finding.severity in check.severities]
+        words = set_words(self._document) if whole_set else frame_words(self._document)
+        hidden = len(every) - len(entries)
+        if hidden and not entries:
+            words = tr_count(
+                hidden,
+                "{n:,} more is not listed: switch the signs above on.",
+                "{n:,} more are not listed: switch the signs above on.",
+            )
+        self._show_entries(entries, whole_set)
+        self.empty.setText(words)
+        self._stack.setCurrentWidget(self.list if entries else self.empty)
+        self._show_note(words if entries else "", whole_set)
+        self._show_remedies()
+        self.check_button.setEnabled(self._document.state.workspace is not None)
+        self.export_button.setEnabled(check.known.count > 0)
+
+    def _show_entries(self, entries: list[Entry], whole_set: bool) -> None:
+        self._following = True
+        self.model.show_entries(entries, with_frames=whole_set)
+        frame = self._document.state.frame
+        row = self.model.row_of(frame.name if frame is not None else "", self._check.current)
+        index = self.model.index(row) if row >= 0 else QModelIndex()
+        if row >= 0 and index != self.list.currentIndex():
+            self.list.show_row(row)
+        elif row < 0:
+            self.list.setCurrentIndex(index)
+            self.list.clearSelection()
+        self._following = False
+
+    def _show_note(self, words: str, whole_set: bool) -> None:
+        """What limits the list, and how to see what is ignored."""
+        notes = [escape(words)] if words else []
+        ignored = 0 if whole_set else self._check.known.ignored_here()
+        if ignored:
+            notes.append(
+                tr_count(
+                    ignored,
+                    '{n:,} ignored here. <a href="restore">Show again</a>',
+                    '{n:,} ignored here. <a href="restore">Show again</a>',
+                )
+            )
+        show_note(self.note, "<br>".join(notes).replace("\n", " "))
+
+    def _show_remedies(self) -> None:
+        """Buttons for what can be done about the current finding."""
+        found = self._check.current
+        listed = self._stack.currentWidget() is self.list
+        wanted: list[tuple[str, str, Callable[[], None]]] = []
+        if found is not None and listed:
+            for at, remedy in enumerate(found.finding.remedies[:_MOST_REMEDIES]):
+                said = tr(remedy.text)
+                text = said[:1].upper() + said[1:]
+
+                def do(found: object = found, remedy: object = remedy) -> None:
+                    self.remedyWanted.emit(found, remedy)
+
+                wanted.append((f"{text} (F12)" if at == 0 else text, "", do))
+            frame = self._document.state.frame
+            name = frame.name if frame is not None else ""
+            tip = tr("Do not show it again until the points of its elements change")
+            wanted.append(
+                (tr("Ignore this finding"), tip, lambda: self.ignoreWanted.emit(name, found))
+            )
+        while len(self.remedy_buttons) < len(wanted):
+            button = WrappingButton()
+            button.setObjectName(f"findings_remedy_{len(self.remedy_buttons)}")
+            self.remedies.addWidget(button)
+            self.remedy_buttons.append(button)
+        for at, button in enumerate(self.remedy_buttons):
+            button.setVisible(at < len(wanted))
+            if at < len(wanted):
+                button.offer(*wanted[at])
+
+    def _show_progress(self, done: int, total: int) -> None:
+        running = total > 0 and self._check.running
+        self.check_button.setVisible(not running)
+        self.progress.setVisible(running)
+        self.stop_button.setVisible(running)
+        if running:
+            self.progress.setRange(0, total)
+            self.progress.setValue(done)
+
+    def changeEvent(self, event: QEvent) -> None:
+        delegate = self.list.itemDelegate() if hasattr(self, "list") else None
+        if event.type() == QEvent.Type.FontChange and isinstance(delegate, FindingDelegate):
+            delegate.forget()
+            self.list.fit_rows()
+        super().changeEvent(event)
+
+    # --- choosing -------------------------------------------------------------------------
+
+    def _take_severities(self) -> None:
+        chosen = [s for s, button in self.severity_buttons.items() if button.isChecked()]
+        self._check.set_severities(chosen)
+
+    def _choose(self, current: QModelIndex, _: QModelIndex) -> None:
+        """Arrows in the list go from finding to finding; clicks are taken when they end."""
+        if current.isValid() and self.list.hasFocus() and not self._following:
+            self._go(current)
+
+    def _go(self, index: QModelIndex) -> None:
+        if not self._following and 0 <= index.row() < len(self.model.entries):
+            self.goTo.emit(*self.model.entries[index.row()])
+
+    def eventFilter(self, watched: object, event: QEvent) -> bool:
+        deleted = (
+            watched is self.list
+            and event.type() == QEvent.Type.KeyPress
+            and isinstance(event, QKeyEvent)
+            and event.key() == Qt.Key.Key_Delete
+        )
+        row = self.list.currentIndex().row() if deleted else -1
+        if 0 <= row < len(self.model.entries):
+            self.ignoreWanted.emit(*self.model.entries[row])
+            return True
+        return False
+
+
+def _short(count: int) -> str:
+    return str(count) if count < 1000 else f"{count // 1000}k"
+
+
+def _pieces(text: str) -> Iterator[str]:
+    """A text in parts between which a line may end; not every language has spaces there."""
+    finder = QTextBoundaryFinder(QTextBoundaryFinder.BoundaryType.Line, text)
+    start = 0
+    while (end := finder.toNextBoundary()) >= 0:
+        yield text[start:end]
+        start = end
+
+
+class WrappingButton(QPushButton):
+    """A button whose text is wrapped rather than cut off."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._whole = ""
+        self._do: Callable[[], None] | None = None
+        self.clicked.connect(lambda: self._do() if self._do is not None else None)
+
+    def offer(self, text: str, tip: str, do: Callable[[], None]) -> None:
+        """What the button says and does from now on."""
+        self._whole, self._do = text, do
+        self.setAccessibleName(text)
+        self.setToolTip(tip)
+        self._wrap()
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(80, super().minimumSizeHint().height())
+
+    def sizeHint(self) -> QSize:
+        return QSize(80, super().sizeHint().height())
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._wrap()
+
+    def _wrap(self) -> None:
+        metrics, room = self.fontMetrics(), max(60, self.width() - 16)
+        lines: list[str] = []
+        for piece in _pieces(self._whole):
+            longer = f"{lines[-1]}{piece}" if lines else piece
+            if lines and metrics.horizontalAdvance(longer.rstrip()) <= room:
+                lines[-1] = longer
+            else:
+                lines.append(piece)
+        text = "\n".join(map(str.rstrip, lines))
+        if text != self.text():
+            self.setText(text)

@@ -1,0 +1,433 @@
+"""The camera that the clicks of this frame give: which model, how well, how surely, and saving."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from typing import Any, NamedTuple
+
+from PySide6.QtCore import QSignalBlocker, QSize, Qt, QTimer
+from PySide6.QtGui import QAction, QFont, QPalette
+from PySide6.QtWidgets import (
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QSizePolicy,
+    QStackedLayout,
+    QTableView,
+    QVBoxLayout,
+    QWidget,
+)
+
+from procc_annotator.annotation import FrameAnnotation, points_px
+from procc_annotator.assist.frame_analysis import FrameAnalysis
+from procc_annotator.calibration.result import (
+    ILL_CONDITIONED_LIMITS,
+    ElementResidual,
+    FitResult,
+    PosedCamera,
+    ill_conditioned_reason,
+)
+from procc_annotator.camera.base import projects_only_ground
+from procc_annotator.field.model import Field
+from procc_annotator.gui.panels.element_states import ElementState, class_title
+from procc_annotator.gui.panels.tables import RIGHT, ElementRowsModel, ElementTable, Index
+from procc_annotator.gui.panels.widgets import (
+    ScrolledContent,
+    box_of,
+    choice,
+    empty_state,
+    note_label,
+    scrolling,
+    show_note,
+)
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.prediction.live_fit import MODELS
+from procc_annotator.gui.state.scoring.frame_score import SecondOpinion
+from procc_annotator.gui.state.selectors import judged
+from procc_annotator.gui.theme import fixed_width
+from procc_annotator.metrics.score import FrameScore
+from procc_annotator.translation import tr, tr_count, word
+
+ELEMENT, MEAN, LARGEST = range(3)
+_HEADERS = (word("Element"), word("Mean"), word("Largest"))
+_HEADER_TIPS = (
+    word("Worst first; a click shows the worst point"),
+    word("Mean distance of its points to the fitted element, px of the picture"),
+    word("Largest distance of its points to the fitted element, px of the picture"),
+)
+
+
+class FitRow(NamedTuple):
+    """One element.
+
+    Attributes:
+        point: position of the worst point in the polyline; None if unknown.
+        left_out: whether the fit took it for a mistake.
+    """
+
+    class_name: str
+    title: str
+    mean: str
+    largest: str
+    point: int | None
+    left_out: bool
+
+    @property
+    def words(self) -> str:
+        """The title; what was left out says so."""
+        return tr("✕ left out: {title}", title=self.title) if self.left_out else self.title
+
+
+def fit_rows(fit: FitResult, annotation: FrameAnnotation, field: Field) -> list[FitRow]:
+    """The elements of a fit, the one with the largest distance first."""
+    ordered = sorted(fit.elements, key=lambda element: -element.max_px)
+    return [
+        FitRow(
+            element.name,
+            class_title(field, element.name),
+            f"{element.mean_px:.1f}",
+            f"{element.max_px:.1f}",
+            _worst_point(element, annotation, fit.size),
+            element.left_out,
+        )
+        for element in ordered
+    ]
+
+
+def _worst_point(
+    element: ElementResidual, annotation: FrameAnnotation, size: tuple[int, int]
+) -> int | None:
+    """Return where in its polyline the point with the largest distance is."""
+    polyline = annotation.get(element.name)
+    distances = element.distances_of(polyline, size) if polyline is not None else {}
+    return max(distances, key=distances.__getitem__, default=None)
+
+
+class FitTableModel(ElementRowsModel[FitRow]):
+    """How far each element lies off the fitted camera."""
+
+    def __init__(self) -> None:
+        super().__init__(_HEADERS, _HEADER_TIPS, MEAN)
+
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+        row, column = self.rows[index.row()], index.column()
+        if role == Qt.ItemDataRole.DisplayRole:
+            return (row.words, row.mean, row.largest)[column]
+        if role == Qt.ItemDataRole.TextAlignmentRole and column >= MEAN:
+            return RIGHT
+        if role == Qt.ItemDataRole.FontRole and row.left_out:
+            font = QFont()
+            font.setItalic(True)
+            return font
+        if role == Qt.ItemDataRole.ToolTipRole:
+            words = tr(
+                "{title}: mean {mean} px, largest {largest} px",
+                title=row.title,
+                mean=row.mean,
+                largest=row.largest,
+            )
+            if row.left_out:
+                words += "\n" + tr("Taken for a mistake: it had no say in the fit")
+            return words
+        return None
+
+
+def pose_figures(fit: FitResult) -> list[tuple[str, str, str]]:
+    """Return what the camera is and how surely, line by line: name, value, standard deviation;
+    empty for a homography, which has no pose."""
+    camera, sd = fit.camera, fit.deviations
+    if not isinstance(camera, PosedCamera) or sd is None:
+        return []
+    angles = (
+        (tr("Pan", "an angle"), camera.pan_rad, sd.pan_rad),
+        (tr("Tilt"), camera.tilt_rad, sd.tilt_rad),
+        (tr("Roll"), camera.roll_rad, sd.roll_rad),
+    )
+    focal = camera.focal_px[0]
+    share = 100 * sd.focal_px / focal
+    x, y, z = camera.position_world
+    along, across, height = sd.position_m
+    return [
+        *((name, f"{math.degrees(v):.2f}°", f"± {math.degrees(s):.2f}°") for name, v, s in angles),
+        (tr("Focal length"), f"{focal:.0f} px", f"± {sd.focal_px:.0f} px ({share:.1f} %)"),
+        (tr("Along (x)"), f"{x:z.1f} m", f"± {along:.1f} m"),
+        (tr("Across (y)"), f"{y:z.1f} m", f"± {across:.1f} m"),
+        (tr("Height (−z)"), f"{-z:z.1f} m", f"± {height:.1f} m"),
+    ]
+
+
+MODEL_WORDS = {
+    "auto": word("chosen automatically"),
+    "H": word("H: homography of the ground"),
+    "P": word("P: pinhole"),
+    "R": word("R: pinhole, lens distortion"),
+    "R+": word("R+: R, aspect ratio, principal point"),
+    "R2": word("R2: R+, second radial coefficient"),
+    "F": word("F: fisheye"),
+}
+_GREY_AFTER_MS = 100  # most fits are there by then
+
+
+class FitPanel(QWidget):
+    """Displays the live fit; a click on an element flies to its worst point."""
+
+    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("fit_panel")
+        self._document = document
+        self._shown: FrameAnalysis | None = None
+        self._frame: str | None = None
+        self._opinion = SecondOpinion()
+        self._build()
+        self._slow = QTimer(self, singleShot=True, interval=_GREY_AFTER_MS)
+        self._slow.timeout.connect(self._say_working)
+        self._refresher = document.store.watch_visible(
+            self,
+            self._refresh,
+            lambda s: (judged(s), s.selection, s.looks, s.blind_lock),
+            document.live_fit.changed,
+        )
+
+    def sizeHint(self) -> QSize:
+        return QSize(300, 360)
+
+    # --- building ------------------------------------------------------------------------------
+
+    def _build(self) -> None:
+        self.empty = empty_state("", "fit_empty")
+        self.content = ScrolledContent()
+        inner = QVBoxLayout(self.content)
+        inner.setContentsMargins(0, 0, 0, 0)
+        inner.setSpacing(6)
+        inner.addLayout(self._build_headline())
+        self.counted = note_label("fit_counted")
+        self.counted.setToolTip(
+            tr("Elements in sight that are not annotated count against the JaC")
+        )
+        inner.addWidget(self.counted)
+        self.chosen = note_label("fit_chosen")
+        self.weak = note_label("fit_weak")
+        self.weak.setTextFormat(Qt.TextFormat.RichText)
+        self.weak.setToolTip(tr("Hardly determined: {limits}", limits=ILL_CONDITIONED_LIMITS))
+        self.terms = note_label("fit_terms")
+        inner.addWidget(self.weak)
+        inner.addWidget(self.chosen)
+        inner.addWidget(self.terms)
+        inner.addWidget(self._build_table(), 1)
+        inner.addWidget(self._build_pose())
+        self._pages = QStackedLayout()
+        self._pages.addWidget(self.empty)
+        self._shown_page = scrolling(self.content)
+        self._pages.addWidget(self._shown_page)
+        self._buttons = QVBoxLayout()
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(6, 6, 6, 6)
+        layout.setSpacing(6)
+        layout.addLayout(self._build_choice())
+        layout.addLayout(self._pages, 1)
+        layout.addLayout(self._buttons)
+
+    def _build_choice(self) -> QHBoxLayout:
+        self.model = choice("fit_model")
+        self.model.setToolTip(
+            tr("What is fitted. Automatically: the simplest model that the clicks support")
+        )
+        for model in MODELS:
+            self.model.addItem(tr(MODEL_WORDS[model]), model)
+        self.model.activated.connect(
+            lambda: self._document.live_fit.set_model(self.model.currentData())
+        )
+        caption = QLabel(tr("Model"))
+        caption.setBuddy(self.model)
+        row = QHBoxLayout()
+        row.addWidget(caption)
+        row.addWidget(self.model, 1)
+        return row
+
+    def _build_headline(self) -> QHBoxLayout:
+        self.jac = QLabel()
+        self.jac.setObjectName("fit_jac")
+        font = fixed_width(self.font(), 1.6, bold=True)
+        self.jac.setFont(font)
+        self.at_tau = QLabel()
+        self.at_tau.setObjectName("fit_tau")
+        self.mean = QLabel()
+        self.mean.setObjectName("fit_mean")
+        self.mean.setFont(font)
+        self.mean.setToolTip(tr("Mean distance of the points that had a say, px of the picture"))
+        headline = QHBoxLayout()
+        for value, caption in ((self.jac, self.at_tau), (self.mean, QLabel(tr("mean residual")))):
+            column = QVBoxLayout()
+            column.setSpacing(0)
+            column.addWidget(value)
+            column.addWidget(caption)
+            headline.addLayout(column, 1)
+        return headline
+
+    def _build_table(self) -> QTableView:
+        self.rows = FitTableModel()
+        self.table = ElementTable(
+            "fit_table", self.rows, {MEAN: f"{tr('Mean')}  ", LARGEST: f"{tr('Largest')}  "}
+        )
+        self.table.setAccessibleName(tr("Residuals by element"))
+        self.table.chosen.connect(self._fly)
+        return self.table
+
+    def _build_pose(self) -> QWidget:
+        self.figures = QWidget()
+        grid = QGridLayout(self.figures)
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.setHorizontalSpacing(10)
+        grid.setVerticalSpacing(0)
+        self.pose: list[tuple[QLabel, QLabel, QLabel]] = []
+        right = Qt.AlignmentFlag.AlignRight
+        for row in range(7):
+            labels = (QLabel(), QLabel(), QLabel())
+            for column, label in enumerate(labels):
+                label.setFont(fixed_width(self.font()))
+                grid.addWidget(label, row, column, right if column else Qt.AlignmentFlag.AlignLeft)
+            labels[0].setForegroundRole(QPalette.ColorRole.PlaceholderText)
+            labels[2].setObjectName(f"fit_sd_{row}")
+            labels[2].setToolTip(tr("Standard deviation, as the fit estimates it"))
+            self.pose.append(labels)
+        grid.setColumnStretch(0, 1)
+        return self.figures
+
+    def add_actions(self, live: QAction, save: QAction) -> None:
+        """Offer switching on and off and saving as a box and a button."""
+        self.on = box_of(live, "fit_on")
+        self.save = QPushButton(tr("Save as the frame's camera"))
+        self.save.setObjectName("fit_save")
+        self.save.setToolTip(save.toolTip())
+        self.save.clicked.connect(save.trigger)
+        self.save.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self._buttons.addWidget(self.on)
+        self._buttons.addWidget(self.save)
+
+    # --- showing -------------------------------------------------------------------------------
+
+    def _refresh(self) -> None:
+        document, live = self._document, self._document.live_fit
+        with QSignalBlocker(self.model):
+            self.model.setCurrentIndex(self.model.findData(live.model))
+        insight = live.insight
+        frame = document.state.frame.name if document.state.frame is not None else None
+        came, self._frame = frame != self._frame, frame
+        if insight is None and live.working and not came and self._shown is not None:
+            if not self._slow.isActive():
+                self._slow.start()  # what is shown turns grey if the fit takes long
+            return
+        self._slow.stop()
+        self._shown = insight
+        found = insight is not None and insight.fit.camera is not None
+        self.save.setEnabled(found)
+        if insight is None or not found:
+            self.empty.setText(self._why_empty(insight))
+            self._pages.setCurrentWidget(self.empty)
+            return
+        self.content.setEnabled(True)
+        self._show_fit(insight)
+        self._pages.setCurrentWidget(self._shown_page)
+
+    def _say_working(self) -> None:
+        if self._document.live_fit.insight is None:
+            self.content.setEnabled(False)
+            self.save.setEnabled(False)
+            show_note(self.chosen, tr("Fitting the clicks…"))
+
+    def _why_empty(self, insight: FrameAnalysis | None) -> str:
+        document, live = self._document, self._document.live_fit
+        if document.state.frame is None:
+            return tr("Open a folder of pictures to see the camera its clicks give.")
+        if barred := document.blind_lock.no_fit:
+            return tr("{text}.", text=barred)
+        if not live.wanted:
+            return tr("The live fit is off (Ctrl+T).")
+        if not live.allowed:
+            return tr("Hidden: blind mode shows the fit once this frame is committed.")
+        if insight is not None:
+            return tr("No camera yet: {why}.", why=insight.fit.failure)
+        return tr("Fitting the clicks…") if live.working else tr("No fit.")
+
+    def _show_fit(self, insight: FrameAnalysis) -> None:
+        document, fit = self._document, insight.fit
+        known = document.source_frames.of(document.fit_source.source)
+        _, score = self._opinion.of(known, insight.annotation, document.judge)
+        self.jac.setText("–" if score is None else f"{score.jac:.3f}")
+        self.at_tau.setText(tr("JaC at {tau:.1f} px", tau=document.state.tau))
+        show_note(self.counted, "" if score is None else _counted_words(score))
+        self.mean.setText("–" if fit.mean_px is None else f"{fit.mean_px:.2f} px")
+        left_open = ill_conditioned_reason(fit)
+        weak = tr("<b>Hardly determined</b>: {what}", what=left_open) if left_open else ""
+        show_note(self.weak, weak)
+        show_note(self.chosen, _chosen_words(fit))
+        camera = known.camera if known is not None else None
+        ground_only = camera is not None and projects_only_ground(camera)
+        terms = document.state.setup.describe(ground_only=ground_only)
+        width, height = fit.size
+        show_note(
+            self.terms,
+            tr(
+                "JaC: {terms}; residuals: px of the picture, {width}x{height}",
+                terms=terms,
+                width=width,
+                height=height,
+            ),
+        )
+        self.rows.replace(fit_rows(fit, insight.annotation, document.judge.frame_setup.field))
+        self.table.show_chosen(document.state.selected_class)
+        figures = pose_figures(fit)
+        self.figures.setVisible(bool(figures))
+        for labels, texts in zip(self.pose, figures, strict=False):  # none for a homography
+            for label, text in zip(labels, texts, strict=True):
+                label.setText(text)
+
+    # --- choosing ------------------------------------------------------------------------------
+
+    def _fly(self, at: int) -> None:
+        document, row = self._document, self.rows.rows[at]
+        polyline = document.state.annotation.get(row.class_name)
+        if polyline is None or not polyline.points:
+            return
+        # While new clicks are fitted the rows are those of the clicks before.
+        point = row.point if row.point is not None and row.point < len(polyline.points) else None
+        if point is not None:
+            document.selecting.select_point(row.class_name, point)
+        else:
+            document.selecting.select_class(row.class_name)
+        if document.state.picture_size is not None:
+            x, y = points_px(polyline, document.state.picture_size)[point or 0]
+            document.store.events.flyTo.emit(float(x), float(y))
+
+
+def _chosen_words(fit: FitResult) -> str:
+    """Which model it is, and why if it was chosen."""
+    words = tr(MODEL_WORDS.get(fit.model, fit.model))
+    if fit.chosen_because is None:
+        return words
+    return tr("{model}. Chosen: {why}", model=words, why=fit.chosen_because)
+
+
+def _counted_words(score: FrameScore) -> str:
+    """Return what the JaC is made of: few elements in good order give a low one while most are
+    missing."""
+    every = Counter(ElementState(element.status) for element in score.elements)
+    waiting = every.pop(ElementState.NOT_ANNOTATED, 0)
+    passing, annotated = every[ElementState.PASSES], every.total()
+    words = tr_count(
+        annotated,
+        "{passing} of {n:,} annotated element within {px:g} px",
+        "{passing} of {n:,} annotated elements within {px:g} px",
+        passing=passing,
+        px=score.threshold,
+    )
+    if not waiting:
+        return words
+    return tr_count(
+        waiting,
+        "{counted}; {n} in sight not annotated yet",
+        "{counted}; {n} in sight not annotated yet",
+        counted=words,
+    )

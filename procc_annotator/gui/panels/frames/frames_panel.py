@@ -1,0 +1,446 @@
+"""The list of all frames, its filter, and the keys that go through it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import partial
+
+from PySide6.QtCore import QEvent, QModelIndex, QObject, QSize, Qt, QTimer, Signal
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QHeaderView,
+    QLabel,
+    QLineEdit,
+    QStackedLayout,
+    QTableView,
+    QVBoxLayout,
+    QWidget,
+)
+
+from procc_annotator.dataset.filter_query import QUERY_HELP, FrameFacts, FrameQuery, parse_query
+from procc_annotator.dataset.frames import Folder
+from procc_annotator.dataset.records import FrameRecord, Status, Verdict
+from procc_annotator.dataset.workspace import Workspace
+from procc_annotator.errors import InputError, UsageError
+from procc_annotator.gui.panels.frames.delegate import FrameDelegate
+from procc_annotator.gui.panels.frames.model import FramesModel
+from procc_annotator.gui.panels.tables import list_rows
+from procc_annotator.gui.panels.widgets import SEARCH_KEYS, empty_state, note_label, show_note
+from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.background import JobControl, LatestOnlyTask, after_paint
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.scoring.dataset_scores import FrameScores
+from procc_annotator.image.decoding import FrameCache
+from procc_annotator.translation import tr, tr_count
+
+_MANY = 500  # frames that are asked on the interface thread at most
+
+
+class FrameFilter(QObject):
+    """Turns the filter's text into the indices of matching frames; None means all of them."""
+
+    found = Signal(object)  # list[int] | None
+    problem = Signal(str)  # what is wrong with the text, or still missing; "" when nothing is
+
+    def __init__(self, document: Document, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._document = document
+        self._text = ""
+        self._query = parse_query("", document.state.field)
+        document.store.watch(select.field, lambda: self.set_text(self._text))
+        self._searching = LatestOnlyTask(self, self.problem.emit)
+
+    @property
+    def depends_on_work(self) -> bool:
+        """Return whether an edit, a status or a score can change what matches."""
+        return not self._query.is_empty
+
+    def set_text(self, text: str) -> None:
+        """Read a filter; one that cannot be read leaves the frames as they are."""
+        self._text = text
+        try:
+            query = parse_query(text, self._document.state.field)
+        except UsageError as error:
+            self.problem.emit(str(error))
+            return
+        self._query = query
+        self.problem.emit(query.incomplete)
+        self.search()
+
+    def search(self) -> None:
+        """Ask all frames again."""
+        self._searching.cancel()
+        workspace = self._document.state.workspace
+        if workspace is None or self._query.is_empty:
+            self.found.emit(None)
+            return
+        query, ask = self._query, self._asker(workspace)
+        if len(workspace.frames) <= _MANY and not query.needs_annotation:
+            self.found.emit(_matching(query, ask, len(workspace.frames), None))
+            return
+
+        def work(control: JobControl) -> list[int]:
+            return _matching(query, ask, len(workspace.frames), control)
+
+        self._searching.start(work, self.found.emit)
+
+    def _asker(self, workspace: Workspace) -> Callable[[int], FrameFacts]:
+        """Return what is known of each frame, from values that another thread may look at."""
+        document = self._document
+        database = document.review.database
+        records: Mapping[str, FrameRecord] = dict(database.records()) if database else {}
+        unsaved = frozenset(document.state.unsaved)
+        source = document.state.active
+        broken = frozenset(source.problems) if source is not None else frozenset()
+        cameras = source.camera_set.frames if source is not None else {}
+        audits, tau = dict(document.auditing.active_audits), document.state.tau
+        drafts = frozenset(database.drafts()) if database is not None else frozenset()
+        needs_annotation, reveals = self._query.needs_annotation, document.state.reveals
+        allowed = document.auditing.frame_scores.allowed
+        verdicts = _Verdicts(document.review.all_verdicts(), allowed)
+        asked = workspace.frames if self._query.needs_check else ()
+        findings = {f.name: document.label_check.known.severities_of(f.name) for f in asked}
+
+        def jac(name: str, at: float | None) -> float | None:
+            return FrameScores(audits, at if at is not None else tau, allowed).get(name)
+
+        def ask(index: int) -> FrameFacts:
+            name = workspace.frames[index].name
+            record = records.get(name)
+            annotated, unreadable = None, False
+            if needs_annotation:
+                try:
+                    annotated = workspace.read(index).annotated
+                except InputError:
+                    unreadable = True
+            has_comments = record is not None and record.comments > 0
+            return FrameFacts(
+                name=name,
+                status=(record.status if record is not None else Status.UNTOUCHED).value,
+                annotated=annotated,
+                comments=record.comments if record is not None else 0,
+                open_comments=record.open_comments if record is not None else 0,
+                comment_text=database.comment_text(name) if database and has_comments else "",
+                unsaved=index in unsaved,
+                unreadable=unreadable,
+                unconfirmed=name in drafts,
+                jac=partial(jac, name),
+                verdicts=verdicts.faults_in(name),
+                findings=findings.get(name),
+                has_camera=None if name in broken and reveals(name) else name in cameras,
+            )
+
+        return ask
+
+
+@dataclass(frozen=True)
+class _Verdicts:
+    """Whose fault scores are, of the frames of which that may be known (None: of all)."""
+
+    by_frame: Mapping[str, Mapping[str, Verdict]]
+    allowed: Callable[[str], bool] | None
+
+    def faults_in(self, name: str) -> frozenset[str]:
+        """Return what was said of a frame under any source."""
+        if name not in self.by_frame or (self.allowed is not None and not self.allowed(name)):
+            return frozenset()
+        return frozenset(str(verdict.fault) for verdict in self.by_frame[name].values())
+
+
+def _matching(
+    query: FrameQuery, ask: Callable[[int], FrameFacts], count: int, control: JobControl | None
+) -> list[int]:
+    rows: list[int] = []
+    for index in range(count):
+        if control is not None and control.cancelled:
+            break
+        if query.matches(ask(index)):
+            rows.append(index)
+    return rows
+
+
+_TYPED_MS = 150  # after a key, so that a word is not looked for letter by letter
+_FOLD_KEYS = frozenset({Qt.Key.Key_Left, Qt.Key.Key_Right})
+_TURN_KEYS = frozenset({Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space})
+
+
+class FramesPanel(QWidget):
+    """The list of frames with a filter; the frame on screen is highlighted and kept in view."""
+
+    left = Signal()  # a frame was chosen: the keyboard belongs to the canvas again
+
+    def __init__(
+        self, document: Document, cache: FrameCache, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(parent)
+        self.setObjectName("frames_panel")
+        self._document = document
+        self.model = FramesModel(document, cache)
+        self.model.setParent(self)
+        self.frame_filter = FrameFilter(document, self)
+        self.frame_filter.found.connect(self._take_found)
+        self.frame_filter.problem.connect(self._tell_problem)
+        self._search_soon = QTimer(self, singleShot=True, interval=_TYPED_MS)
+        self._search_soon.timeout.connect(self._search)
+        self._build()
+        document.store.watch(select.dataset, self._take_dataset)
+        # After the canvas was painted: no one looks at the list first.
+        self._soon = after_paint(self, self._follow_frames)
+        self._revealed = -1  # the frame whose folders were unfolded last
+        self._due: set[int] = set()  # frames on screen since the list was brought up to date
+        document.store.watch(select.annotation, self._follow_soon)
+        document.store.events.framesEdited.connect(self._take_edited)
+        document.store.watch(select.unsaved, self.model.take_save_state)
+        document.store.watch(select.unsaved, self._search_soon.start)
+        document.store.watch(select.dataset_scores, self._take_scores)
+        document.store.events.frameScoresChanged.connect(self._take_scores)
+        document.review.statusChanged.connect(self._take_status)
+        document.label_check.framesChanged.connect(self._take_status)
+        self.model.figures.changed.connect(self.list.viewport().update)
+        self._take_dataset()
+
+    def sizeHint(self) -> QSize:
+        return QSize(240, 480)
+
+    def focus_filter(self) -> None:
+        """Put the keyboard into the filter box."""
+        self.filter.setFocus(Qt.FocusReason.ShortcutFocusReason)
+        self.filter.selectAll()
+
+    def _build(self) -> None:
+        self.filter = QLineEdit(placeholderText=tr("Filter frames"), clearButtonEnabled=True)
+        self.filter.setObjectName("frames_filter")
+        self.filter.setAccessibleName(tr("Filter frames"))
+        self.filter.setToolTip(_help_table())
+        self.filter.textChanged.connect(self._apply_filter)
+        self.filter.installEventFilter(self)
+        # Laying out 20,000 rows takes a QListView 40 ms, a table of fixed rows 0.2 ms.
+        self.list = QTableView()
+        self.list.setObjectName("frames_list")
+        self.list.setAccessibleName(tr("Frames"))
+        self.list.setMouseTracking(True)
+        self.list.setVerticalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
+        self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        delegate = FrameDelegate(self.list)
+        self.list.setItemDelegate(delegate)
+        list_rows(self.list)
+        self.list.horizontalHeader().hide()
+        self.list.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
+        rows = self.list.verticalHeader()
+        rows.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+        rows.setDefaultSectionSize(delegate.row_height(self.fontMetrics()))
+        self.list.setModel(self.model)
+        self.list.selectionModel().currentChanged.connect(self._go)
+        self.list.clicked.connect(self._choose)  # arrows walk on in the list
+        self.list.activated.connect(self._activate)
+        self.list.installEventFilter(self)
+        self.empty = empty_state("", "frames_empty")
+        self._stack = QStackedLayout()
+        self._stack.addWidget(self.list)
+        self._stack.addWidget(self.empty)
+        self.problem = note_label("frames_problem")
+        self.count = QLabel()
+        self.count.setObjectName("frames_count")
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(4, 4, 4, 4)
+        layout.setSpacing(4)
+        layout.addWidget(self.filter)
+        layout.addWidget(self.problem)
+        layout.addLayout(self._stack, 1)
+        layout.addWidget(self.count)
+
+    def _take_dataset(self) -> None:
+        self.model.reset()
+        self._revealed = self._document.state.frame_index
+        self.filter.clear()
+        self.frame_filter.search()
+        self.model.take_save_state()
+        self._due = {self._document.state.frame_index}
+        self._show_which()
+        self._show_current()
+
+    def _apply_filter(self, text: str) -> None:
+        self.frame_filter.set_text(text)
+
+    def _take_found(self, rows: list[int] | None) -> None:
+        self.model.show_only(rows)
+        self._show_which()
+        self._show_current()
+
+    def _tell_problem(self, text: str) -> None:
+        show_note(self.problem, text)
+
+    def _search(self) -> None:
+        if self.frame_filter.depends_on_work:
+            self.frame_filter.search()
+
+    def _take_status(self, name: str) -> None:
+        """A frame's status or comments changed; what matches may have, too."""
+        self.model.figures.look_again()
+        self._repaint(name)
+        self._search_soon.start()
+
+    def _show_which(self) -> None:
+        total, shown = self.model.total, self.model.shown
+        if not total:
+            self.empty.setText(
+                tr("No frames.\nOpen a folder of pictures (jpg, png, bmp, webp), or drop one here.")
+            )
+            self.count.clear()
+        else:
+            query = self.filter.text().strip()
+            self.empty.setText(tr("Nothing matches “{query}”.", query=query))
+            frames = tr_count(total, "{n:,} frame", "{n:,} frames")
+            if self.model.folders:
+                frames = tr_count(
+                    sum(f.first < f.own_past for f in self.model.folders),
+                    "{frames} in {n:,} folder",
+                    "{frames} in {n:,} folders",
+                    frames=frames,
+                )
+            if shown != total:
+                frames = tr("{shown:,} of {frames}", shown=shown, frames=frames)
+            self.count.setText(frames)
+        self._stack.setCurrentWidget(self.list if shown else self.empty)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if watched is self.filter and isinstance(event, QKeyEvent) and event.key() in SEARCH_KEYS:
+            if event.type() == QEvent.Type.ShortcutOverride:
+                event.accept()
+                return True
+            if event.type() == QEvent.Type.KeyPress:
+                self._filter_key(Qt.Key(event.key()))
+                return True
+        if watched is self.list and isinstance(event, QKeyEvent) and self.model.folders:
+            taken = event.type() in (QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress)
+            if taken and (event.key() in _FOLD_KEYS or self._turns_folder(event)):
+                event.accept()
+                if event.type() == QEvent.Type.KeyPress:
+                    self._fold_key(event)
+                return True
+        return super().eventFilter(watched, event)
+
+    def _turns_folder(self, event: QKeyEvent) -> bool:
+        row = self.list.currentIndex().row()
+        on_folder = row >= 0 and self.model.folder_at(row) is not None
+        return on_folder and event.key() in _TURN_KEYS
+
+    def _fold_key(self, event: QKeyEvent) -> None:
+        """Left folds a folder, or goes to the one around; right unfolds it, or goes into it; Enter
+        and Space do either. With Shift all folders are meant."""
+        folds = event.key() == Qt.Key.Key_Left
+        if event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
+            self.model.fold_all(folds)
+            self._show_current()
+            return
+        row = self.list.currentIndex().row()
+        folder = self.model.folder_at(row) if row >= 0 else None
+        if event.key() in _TURN_KEYS:
+            if folder is not None:
+                self._set_folded(folder, not self.model.is_folded(folder))
+            return
+        if folder is not None and self.model.is_folded(folder) != folds:
+            self._set_folded(folder, folds)
+        elif folds and row >= 0 and (around := self.model.folder_of(row)) >= 0:
+            self.list.setCurrentIndex(self.model.index(around))
+        elif not folds and folder is not None:
+            self.list.setCurrentIndex(self.model.index(row + 1))
+
+    def _set_folded(self, folder: Folder, folded: bool) -> None:
+        scrolled = self.list.verticalScrollBar().value()
+        row = self.model.fold(folder, folded)
+        self.list.verticalScrollBar().setValue(scrolled)
+        self.list.setCurrentIndex(self.model.index(row))
+
+    def _choose(self, index: QModelIndex) -> None:
+        """A click: a frame is gone to, a folder folded or unfolded."""
+        folder = self.model.folder_at(index.row())
+        if folder is None:
+            self.left.emit()
+        else:
+            self._set_folded(folder, not self.model.is_folded(folder))
+
+    def _activate(self, index: QModelIndex) -> None:
+        """Enter, or a double click; of a folder each click and key counts by itself."""
+        if self.model.folder_at(index.row()) is None:
+            self.left.emit()
+
+    def _filter_key(self, key: Qt.Key) -> None:
+        """Esc shows all frames again; Enter and arrows go on to the list, to its first row."""
+        if key == Qt.Key.Key_Escape:
+            self.filter.clear()
+        elif self.model.rowCount():
+            if not self.list.currentIndex().isValid():
+                rows = range(self.model.rowCount())
+                first = next((row for row in rows if self.model.frame_index(row) >= 0), 0)
+                self.list.setCurrentIndex(self.model.index(first))
+        else:
+            return
+        self.list.setFocus(Qt.FocusReason.OtherFocusReason)
+
+    def changeEvent(self, event: QEvent) -> None:
+        if event.type() == QEvent.Type.FontChange:
+            height = FrameDelegate.row_height(self.fontMetrics())
+            self.list.verticalHeader().setDefaultSectionSize(height)
+        super().changeEvent(event)
+
+    def _show_current(self) -> None:
+        if self._revealed != self._document.state.frame_index:
+            self._revealed = self._document.state.frame_index
+            self.model.reveal(self._revealed)
+        row = self.model.row_showing(self._document.state.frame_index)
+        index = self.model.index(row) if row >= 0 else QModelIndex()
+        if index != self.list.currentIndex():
+            self.list.setCurrentIndex(index)
+            if index.isValid():
+                self.list.scrollTo(index)
+            else:
+                self.list.clearSelection()
+
+    def _go(self, current: QModelIndex, previous: QModelIndex) -> None:
+        if current.isValid() and (frame := self.model.frame_index(current.row())) >= 0:
+            self._document.walk.go_to(frame)
+
+    def _follow_soon(self) -> None:
+        """Another frame is on screen, or what is annotated in it is another thing."""
+        self._due.add(self._document.state.frame_index)
+        self._soon.start()
+
+    def _follow_frames(self) -> None:
+        for index in self._due:
+            self.model.recount(index)
+            self.model.repaint(index)
+        self._due = {self._document.state.frame_index}  # it may be edited and left at once
+        self._show_current()
+
+    def _take_edited(self, indices: list[int]) -> None:
+        """Annotations were changed all over the set."""
+        for index in indices:
+            self.model.recount(index)
+        self.list.viewport().update()
+        self._search_soon.start()
+
+    def _take_scores(self, name: str = "") -> None:
+        """One frame's score after an edit, or all of them (an empty name)."""
+        self.model.take_scores()
+        if not name:
+            self._search_soon.start()
+        self._repaint(name)
+
+    def _repaint(self, name: str) -> None:
+        """Paint the row of a frame again, or those of all (an empty name)."""
+        workspace = self._document.state.workspace
+        index = workspace.index.get(name) if workspace is not None else None
+        if index is None:
+            self.list.viewport().update()
+        elif index == self._document.state.frame_index:
+            self._soon.start()
+        else:
+            self.model.repaint(index)
+
+
+def _help_table() -> str:
+    """Return what can be written into the filter, one line each, for its tip."""
+    return "\n".join(f"{query}   {tr(words)}" for query, words in QUERY_HELP)

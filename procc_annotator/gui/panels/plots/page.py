@@ -1,0 +1,212 @@
+"""What all plots share: axes in both themes, items used again, pages that say why they are empty.
+
+pyqtgraph is imported when the first page is made (it takes 0.3 s).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, Generic, TypeVar
+
+import numpy as np
+from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtGui import QColor, QPalette
+from PySide6.QtWidgets import QStackedLayout, QVBoxLayout, QWidget
+
+from procc_annotator.batch.audit import FloatArray, PlotData
+from procc_annotator.gui.panels.plots.data import PlotRequest, PlottedSource, Scope
+from procc_annotator.gui.panels.plots.legend import source_pen, symbol_of
+from procc_annotator.gui.panels.widgets import empty_state
+from procc_annotator.gui.theme import follow_theme, muted, readable
+from procc_annotator.translation import tr
+
+D = TypeVar("D")
+
+
+class Items:
+    """The curves and dots of one set of axes, made once and used again for other data.
+
+    None is ever removed: what Python would collect later, perhaps in a thread that computes, is
+    still known to Qt then.
+    """
+
+    def __init__(self, plot: Any) -> None:
+        self._plot = plot
+        self._made: dict[tuple[str, int], Any] = {}
+        self._used: set[tuple[str, int]] = set()
+
+    def start(self) -> None:
+        """What is not taken from here on is hidden by `finish`."""
+        self._used.clear()
+
+    def take(self, kind: str, number: int, make: Callable[[], Any]) -> Any:
+        """The item of a kind and a number; made and added the first time."""
+        key = kind, number
+        item = self._made.get(key)
+        if item is None:
+            item = self._made[key] = make()
+            self._plot.addItem(item)
+        self._used.add(key)
+        item.setVisible(True)
+        return item
+
+    def finish(self) -> None:
+        """Hide what was not taken."""
+        for key, item in self._made.items():
+            if key not in self._used:
+                item.setVisible(False)
+
+
+class PlotPage(QWidget, Generic[D]):
+    """One plot; anyone who holds it computes its data, perhaps in another thread, and has it drawn.
+
+    Class attributes:
+        title: its name in the list of plots, marked by ``word``.
+        scopes: which choices of frames make sense.
+        by_class: whether one class can be chosen.
+        follows_tau: whether the data (not only a mark) depends on tau.
+    """
+
+    title = ""
+    scopes: tuple[Scope, ...] = ("frame", "set")
+    by_class = False
+    follows_tau = False
+
+    tauChosen = Signal(float)
+    frameChosen = Signal(int)
+    readout = Signal(str)  # what is under the cursor; empty when nothing is
+    changed = Signal()  # an option of the page: draw it again
+
+    def __init__(self, name: str) -> None:
+        super().__init__()
+        import pyqtgraph as pg  # see the module's docstring
+
+        self.pg = pg
+        self.setObjectName(name)
+        self.view = pg.GraphicsLayoutWidget()
+        self.view.setBackground(None)
+        follow_theme(self.view)
+        self.view.setObjectName(f"{name}_view")
+        self.view.setAccessibleName(tr(self.title))
+        self.view.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.view.ci.layout.setContentsMargins(0, 9, 12, 0)  # figures at the ends of axes
+        self.sharpness: float | None = None  # px of the device a logical one; None: the screen's
+        self.plots: list[Any] = []
+        self.items: list[Items] = []
+        self.empty = empty_state("", f"{name}_empty")
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        self._pages = QStackedLayout()
+        layout.addLayout(self._pages, 1)  # first: a page of no window would be one for a moment
+        self._pages.addWidget(self.view)
+        self._pages.addWidget(self.empty)
+
+    # --- to be given by each page ---------------------------------------------------------
+
+    @staticmethod
+    def compute(request: PlotRequest) -> D:
+        """The data, from any thread."""
+        raise NotImplementedError
+
+    def draw(self, data: D, request: PlotRequest) -> str:
+        """Show data; what there is to say about it, or an empty text."""
+        raise NotImplementedError
+
+    def mark(self, request: PlotRequest) -> None:
+        """Show another frame or tau in what is drawn."""
+
+    @staticmethod
+    def table(data: D, request: PlotRequest) -> PlotData:
+        """The numbers that are drawn, for a file."""
+        raise NotImplementedError
+
+    def restyle(self) -> None:
+        """Take over the theme's colours where `dress` does not reach."""
+
+    # --- shared ---------------------------------------------------------------------------
+
+    @property
+    def is_empty(self) -> bool:
+        """Return whether there is nothing but words."""
+        return self._pages.currentWidget() is self.empty
+
+    def say_empty(self, why: str) -> None:
+        """Show words in place of the plot, or the plot (no words)."""
+        self.empty.setText(why)
+        self._pages.setCurrentWidget(self.empty if why else self.view)
+
+    def add_plot(self, row: int, bottom: str, left: str, *, movable: bool = True) -> Any:
+        """A set of axes with labels."""
+        item = self.view.addPlot(row=row, col=0, enableMenu=False)  # a third of its time to make
+        item.hideButtons()
+        item.setMouseEnabled(x=movable, y=movable)
+        item.setLabel("left", left)
+        item.setLabel("bottom", bottom)
+        item.showGrid(x=True, y=True, alpha=0.18)
+        for side in ("left", "bottom"):
+            item.getAxis(side).enableAutoSIPrefix(False)
+            item.getAxis(side).setStyle(
+                tickFont=self.font(), tickLength=-4, hideOverlappingLabels=False
+            )
+        self.plots.append(item)
+        self.items.append(Items(item))
+        self._dress_axes(item)
+        return item
+
+    def dots(
+        self,
+        kind: str,
+        source: PlottedSource,
+        *,
+        size: float,
+    ) -> Any:
+        """Dots with the symbol of a source; they have no data yet."""
+        item = self.items[0].take(kind, source.number, self.pg.ScatterPlotItem)
+        item.setSymbol(symbol_of(source), update=False)
+        item.setSize(size, update=False)
+        item.setPen(None, update=False)
+        item.setBrush(self.colour(source), update=False)
+        return item
+
+    def shade(
+        self, source: PlottedSource, x: FloatArray, low: FloatArray, high: FloatArray
+    ) -> None:
+        """A band of a source's colour between two curves, where both are known."""
+        known = np.isfinite(low) & np.isfinite(high)
+        if not known.any():
+            return
+        band = self.items[0].take("band", source.number, self.pg.PlotCurveItem)
+        around = np.concatenate((x[known], x[known][::-1]))
+        edges = np.concatenate((low[known], high[known][::-1]))
+        fill = self.pg.mkBrush(self.colour(source, 0.15))
+        band.setData(around, edges, pen=None, fillLevel="enclosed", brush=fill)
+
+    def pen(self, source: PlottedSource, width: float = 1.6) -> Any:
+        """The line of a source; its width in px of the window, whatever their sharpness."""
+        pen = source_pen(source, self.palette(), width)
+        pen.setCosmetic(True)  # px of the device, then: on the picture's scales, not the axes'
+        pen.setWidthF(width * (self.sharpness or self.devicePixelRatioF()))
+        return pen
+
+    def colour(self, source: PlottedSource, alpha: float = 1.0) -> QColor:
+        """The tone of a source, readable on this theme."""
+        colour = readable(source.colour, self.palette())
+        colour.setAlphaF(alpha)
+        return colour
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "plots"):
+            for item in self.plots:
+                self._dress_axes(item)
+            self.restyle()
+            self.changed.emit()
+
+    def _dress_axes(self, item: Any) -> None:
+        palette = self.palette()
+        text = palette.color(QPalette.ColorRole.Text)
+        for side in ("left", "bottom"):
+            axis = item.getAxis(side)
+            axis.setPen(muted(palette))
+            axis.setTextPen(text)
+            axis.setLabel(axis.labelText, axis.labelUnits, color=text.name())

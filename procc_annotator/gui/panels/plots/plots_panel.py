@@ -1,0 +1,354 @@
+"""Scores and errors as plots, of the frame on screen or of the set, of several sources at once."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any, Protocol
+
+from PySide6.QtCore import QRect, QSize, Qt
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import (
+    QBoxLayout,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QMenu,
+    QSizePolicy,
+    QStackedLayout,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from procc_annotator.field.landmarks import element_titles
+from procc_annotator.gui.panels.plots.data import PlotRequest, PlotSources, Restrict
+from procc_annotator.gui.panels.plots.export import TakingAlong
+from procc_annotator.gui.panels.plots.page import PlotPage
+from procc_annotator.gui.panels.widgets import choice, empty_state
+from procc_annotator.gui.state import selectors as select
+from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
+from procc_annotator.gui.state.document import Document
+from procc_annotator.gui.state.selectors import judged
+from procc_annotator.translation import tr, word
+
+_SCOPES = {"frame": word("This frame"), "set": word("Whole set")}
+_ALL_CLASSES = -1
+_WIDE = 34  # lines of text: then what is chosen stands in one row
+
+
+class _Kind(Protocol):
+    """A kind of page, which is called to make one."""
+
+    title: str
+
+    def __call__(self) -> PlotPage[Any]: ...
+
+
+def _kinds() -> tuple[_Kind, ...]:
+    """Every kind of page; loaded when the panel is first seen."""
+    from procc_annotator.gui.panels.plots.curves import TauPage, TimelinePage
+    from procc_annotator.gui.panels.plots.errors import HistogramPage, VectorsPage
+
+    return (TauPage, TimelinePage, HistogramPage, VectorsPage)
+
+
+class PlotsPanel(TakingAlong):
+    """Chooses a plot and what it is of; what it shows is computed in the background for a set."""
+
+    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+        super().__init__(document, parent)
+        self.setObjectName("plots_panel")
+        self._sources = PlotSources(document)
+        self._kinds: tuple[_Kind, ...] = ()
+        self._made: dict[_Kind, PlotPage[Any]] = {}
+        self._elements: tuple[str, ...] = ()  # of the field, by row
+        self._computing = LatestOnlyTask(self, self._fail)
+        self._again = False
+        self._drawn: tuple[object, ...] | None = None
+        self._in_sight = False
+        self._build()
+        self._refresher = document.store.watch_visible(
+            self,
+            self._refresh,
+            lambda s: (judged(s), s.looks, s.compared, s.blind, s.committed),
+            document.store.events.sourceAuditsChanged,
+            document.review.statusChanged,
+        )
+
+    def sizeHint(self) -> QSize:
+        return QSize(300, 360)
+
+    # --- building -------------------------------------------------------------------------
+
+    def _offer_classes(self) -> None:
+        """The elements of the field; the one that was chosen stays, if there is one of its name."""
+        row = self.classes.currentData()
+        before = self._elements[row] if row not in (None, _ALL_CLASSES) else None
+        titles = element_titles(self._document.state.field)
+        self._elements = tuple(titles)
+        blocked = self.classes.blockSignals(True)
+        self.classes.clear()
+        self.classes.addItem(tr("All elements"), _ALL_CLASSES)
+        for row, title in enumerate(titles.values()):
+            self.classes.addItem(tr(title), row)
+        row = self._elements.index(before) if before in self._elements else _ALL_CLASSES
+        self.classes.setCurrentIndex(self.classes.findData(row))
+        self.classes.blockSignals(blocked)
+
+    def _build_more(self) -> QToolButton:
+        more = QToolButton()
+        more.setObjectName("plots_more")
+        more.setText(tr("Save"))
+        more.setToolTip(tr("Copy or save the plot and its numbers"))
+        more.setAccessibleName(tr("Copy or save the plot"))
+        more.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        menu = QMenu(more)
+        for name, text, slot in (
+            ("copy_picture", tr("Copy picture"), self.copy_picture),
+            ("copy_numbers", tr("Copy numbers"), self.copy_numbers),
+            ("save_picture", tr("Save picture…"), self.ask_picture),
+            ("save_numbers", tr("Save numbers…"), self.ask_numbers),
+        ):
+            action = menu.addAction(text, slot)
+            action.setObjectName(f"plots_{name}")
+        more.setMenu(menu)
+        return more
+
+    def _build(self) -> None:
+        self.chooser = choice("plots_page", tr("Plot"))
+        self.chooser.currentIndexChanged.connect(self._turn_page)
+        self.scope = choice("plots_scope", tr("Frames"))
+        for scope, words in _SCOPES.items():
+            self.scope.addItem(tr(words), scope)
+        self.scope.setToolTip(tr("Plot the frame on screen, or all frames scored so far"))
+        self.scope.currentIndexChanged.connect(self._redraw)
+        self.classes = choice("plots_class", tr("Element"))
+        self.classes.setToolTip(tr("Plot the points of one element only"))
+        self._offer_classes()
+        self._document.store.watch(select.field, self._offer_classes)
+        self.classes.currentIndexChanged.connect(self._redraw)
+        self.more = self._build_more()
+        first = QHBoxLayout()
+        first.addWidget(self.chooser, 1)
+        first.addWidget(self.more)
+        second = QGridLayout()
+        second.addWidget(self.scope, 0, 0)
+        second.addWidget(self.classes, 0, 1)
+        second.setColumnStretch(0, 1)
+        second.setColumnStretch(1, 1)
+        self.empty = empty_state("", "plots_empty")
+        self._stack = QStackedLayout()
+        self.notes = QLabel()
+        self.notes.setObjectName("plots_notes")
+        self.notes.setWordWrap(True)
+        self.notes.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.notes.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self.notes.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(6, 6, 6, 6)
+        layout.setSpacing(4)
+        self._choices = QBoxLayout(QBoxLayout.Direction.TopToBottom)
+        self._choices.setSpacing(4)
+        self._choices.addLayout(first, 1)
+        self._choices.addLayout(second, 1)
+        layout.addLayout(self._choices)
+        layout.addWidget(self.legend)
+        layout.addLayout(self._stack, 1)
+        self._stack.addWidget(self.empty)
+        layout.addWidget(self.notes)
+        self._read_out("")
+
+    def _read_out(self, text: str) -> None:
+        """Show what is under the cursor, or what there is to say of the plot.
+
+        The room is what the latter needs and never changes while the cursor moves.
+        """
+        lines = 2 * self.fontMetrics().lineSpacing() + 2
+        width = max(self.notes.width(), 120)
+        said = self.fontMetrics().boundingRect(
+            QRect(0, 0, width, 10_000), int(Qt.TextFlag.TextWordWrap), self._said or " "
+        )
+        if self.notes.height() != max(lines, said.height() + 2):
+            self.notes.setFixedHeight(max(lines, said.height() + 2))
+        self.notes.setText(text or self._said)
+
+    def _offer_kinds(self) -> None:
+        if not self._kinds:
+            self._kinds = _kinds()
+            self.chooser.addItems([tr(kind.title) for kind in self._kinds])
+
+    @property
+    def _kind(self) -> _Kind:
+        self._offer_kinds()
+        return self._kinds[self.chooser.currentIndex()]
+
+    @property
+    def page(self) -> PlotPage[Any]:
+        """The chosen plot; made (and pyqtgraph imported) when it is first asked for."""
+        page = self._made.get(self._kind)
+        if page is None:
+            page = self._made[self._kind] = self._kind()
+            page.tauChosen.connect(self._document.terms.set_tau)
+            page.frameChosen.connect(self._document.walk.go_to)
+            page.readout.connect(self._read_out)
+            page.changed.connect(self._redraw)
+            self._stack.addWidget(page)
+        return page
+
+    # --- showing --------------------------------------------------------------------------
+
+    def choose(self, title: str) -> None:
+        """Show a plot by its title, in English."""
+        self._offer_kinds()
+        self.chooser.setCurrentIndex([kind.title for kind in self._kinds].index(title))
+
+    def set_in_sight(self, in_sight: bool) -> None:
+        """Whether the panel is open and no other tab lies over it; else nothing is computed."""
+        self._in_sight = in_sight
+        if in_sight:
+            self._offer_kinds()
+            self._refresher.request()
+
+    @property
+    def busy(self) -> bool:
+        """Return whether numbers are being computed."""
+        return self._computing.running
+
+    def _turn_page(self) -> None:
+        self._request = self._data = None  # they are another page's
+        self._redraw()
+
+    def _redraw(self) -> None:
+        self._drawn = None
+        self._refresher.request()
+
+    def _refresh(self) -> None:
+        if not self._in_sight:
+            return
+        why = self._why_empty()
+        if why:
+            self._forget(why)
+            return
+        page = self.page
+        self.scope.setVisible(len(page.scopes) > 1)
+        self.classes.setVisible(page.by_class)
+        request, restrict = self._make_request(page)
+        key = self._key(page, request)
+        if key == self._drawn:
+            if self._request is not None:  # what is drawn, with another frame and tau
+                self._request = replace(request, sources=self._request.sources)
+            page.mark(request)
+            return
+        if request.scope == "frame":
+            self._cancel()
+            self._show(page, key, request, page.compute(request))
+            return
+        if self._computing.running:
+            self._again = True
+            return
+        self._compute(page, key, request, restrict)
+
+    def _why_empty(self) -> str:
+        document = self._document
+        if document.state.frame is None:
+            return tr("Open a folder of pictures to see plots.")
+        if not document.state.sources:
+            return tr(
+                "No camera to judge.\nLoad cameras to see how well they agree with your clicks."
+            )
+        return ""
+
+    def _forget(self, why: str) -> None:
+        self._cancel()
+        self._drawn = self._request = self._data = None
+        self.empty.setText(why)
+        self.legend.show_sources([])
+        self._said = ""
+        self._read_out("")
+        self.more.setEnabled(False)
+        self._stack.setCurrentWidget(self.empty)
+
+    def _make_request(self, page: PlotPage[Any]) -> tuple[PlotRequest, Restrict]:
+        scope = self.scope.currentData()
+        if scope not in page.scopes:
+            scope = page.scopes[0]
+        row = self.classes.currentData() if page.by_class else _ALL_CLASSES
+        return self._sources.request(scope, None if row == _ALL_CLASSES else row)
+
+    def _key(self, page: PlotPage[Any], request: PlotRequest) -> tuple[object, ...]:
+        """Return what the drawing depends on; marks are moved without it."""
+        frame = request.current if request.scope == "frame" else None
+        return (
+            type(page),
+            request.scope,
+            request.class_row,
+            request.tau if page.follows_tau else None,
+            frame,
+            self._sources.version(request.scope),
+        )
+
+    def _compute(
+        self,
+        page: PlotPage[Any],
+        key: tuple[object, ...],
+        request: PlotRequest,
+        restrict: Restrict,
+    ) -> None:
+        def work(control: JobControl) -> tuple[PlotRequest, Any]:
+            allowed = restrict(request)
+            return allowed, page.compute(allowed)
+
+        def done(result: tuple[PlotRequest, Any]) -> None:
+            self._show(page, key, *result)
+            if self._again:
+                self._again = False
+                self._refresher.request()
+
+        self._computing.start(work, done)
+        if self._stack.currentWidget() is not page:  # nothing of it was drawn yet
+            self.empty.setText(tr("Computing…"))
+            self._stack.setCurrentWidget(self.empty)
+            self.more.setEnabled(False)
+
+    def _fail(self, text: str) -> None:
+        self._again = False
+        self._forget(tr("This plot could not be computed: {error}.", error=text))
+
+    def _cancel(self) -> None:
+        self._computing.cancel()
+        self._again = False
+
+    def _show(
+        self, page: PlotPage[Any], key: tuple[object, ...], request: PlotRequest, data: Any
+    ) -> None:
+        if page is not self._made.get(self._kind):
+            self._refresher.request()  # another page was chosen meanwhile
+            return
+        self._drawn, self._request, self._data = key, request, data
+        self._stack.setCurrentWidget(page)
+        said = page.draw(data, request)
+        self._said = "" if page.is_empty else said
+        counts = [(source, self._count(source, request)) for source in request.sources]
+        self.legend.show_sources(counts)
+        self._read_out("")
+        self.more.setEnabled(not page.is_empty)
+
+    def _count(self, source: Any, request: PlotRequest) -> str:
+        """Return how much a source's part of the plot rests on."""
+        if request.scope == "frame":
+            name = request.frames[request.current] if request.current >= 0 else ""
+            if request.blind:
+                return tr("(hidden)")
+            return "" if name in source.audits else tr("(no score)")
+        if request.blind:
+            return tr("({n:,} committed)", n=len(source.audits))
+        return tr("({n:,} of {total:,})", n=len(source.audits), total=len(request.frames))
+
+    # --- events ---------------------------------------------------------------------------
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        wide = self.width() > _WIDE * self.fontMetrics().height()
+        way = QBoxLayout.Direction.LeftToRight if wide else QBoxLayout.Direction.TopToBottom
+        self._choices.setDirection(way)
+        self._read_out("")
